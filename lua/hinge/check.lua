@@ -1,0 +1,176 @@
+-- Checks of what a script hands in, and messages that say what is wrong and what is allowed.
+local core = require "hinge.core"
+
+local check = {}
+
+--- Raises an input error at the script's own line.
+function check.fail(format, ...)
+  core.input_error(select("#", ...) > 0 and format:format(...) or format)
+end
+
+--- A value as it should appear in a message.
+function check.show(value)
+  if type(value) == "string" then return "'" .. value .. "'" end
+  if value ~= value then return "not a number (nan)" end
+  if math.type(value) == "float" then return ("%.10g"):format(value) end
+  if type(value) ~= "table" or getmetatable(value) then return tostring(value) end
+  local parts = {}
+  for i, v in ipairs(value) do parts[i] = check.show(v) end
+  return #parts > 0 and "{" .. table.concat(parts, ", ") .. "}" or "a table"
+end
+
+--- The keys of a table as text, sorted.
+function check.keys(map)
+  local names = {}
+  for key in pairs(map) do names[#names + 1] = tostring(key) end
+  table.sort(names)
+  return names
+end
+
+--- Edit distance with neighbours swapped counted as one change (optimal string alignment).
+function check.distance(a, b)
+  local before, last, row = {}, {}, {}
+  for j = 0, #b do last[j] = j end
+  for i = 1, #a do
+    row = { [0] = i }
+    for j = 1, #b do
+      local same = a:byte(i) == b:byte(j)
+      row[j] = math.min(row[j - 1] + 1, last[j] + 1, last[j - 1] + (same and 0 or 1))
+      if i > 1 and j > 1 and a:byte(i) == b:byte(j - 1) and a:byte(i - 1) == b:byte(j) then
+        row[j] = math.min(row[j], before[j - 2] + 1)
+      end
+    end
+    before, last = last, row
+  end
+  return last[#b]
+end
+
+local function plain(word) return (tostring(word):lower():gsub("[%s_-]", "")) end
+
+--- The name nearest to `word`, or nil when none is near enough to be what was meant.
+function check.nearest(word, names)
+  local best, least = nil, nil
+  for _, name in ipairs(names) do
+    local a, b = plain(word), plain(name)
+    local d = check.distance(a, b)
+    if d <= math.max(1, #a // 3) and d < #b and (not least or d < least) then best, least = name, d end
+  end
+  return best
+end
+
+--- Raises "... did you mean ...?" for a name that is not among `names`.
+function check.unknown(where, what, word, names)
+  local nearest = check.nearest(word, names)
+  check.fail("%s: unknown %s %s%s; %s", where, what, check.show(word),
+    nearest and (" (did you mean '%s'?)"):format(nearest) or "",
+    #names > 0 and "there are " .. table.concat(names, ", ") or "there is none")
+end
+
+--- Makes reading a field that is not there an error, for tables whose fields are all known.
+function check.strict(map, where)
+  return setmetatable(map, { __index = function(t, key) check.unknown(where, "field", key, check.keys(t)) end })
+end
+
+local bounds = {
+  { "above", "above", function(v, limit) return v > limit end },
+  { "at_least", "of at least", function(v, limit) return v >= limit end },
+  { "below", "below", function(v, limit) return v < limit end },
+  { "at_most", "of at most", function(v, limit) return v <= limit end },
+}
+
+local function allowed(rule)
+  local kind, text = rule[1], nil
+  if rule.one_of then return "one of " .. table.concat(rule.one_of, ", ") end
+  local number = rule.whole and "whole number" or "number"
+  if kind == "number" then
+    text = "a " .. number
+  elseif kind == "numbers" then
+    text = rule.count .. " " .. number .. "s in braces, each"
+  else
+    return ({ string = "a string", boolean = "true or false", table = "a table", ["function"] = "a function",
+      section = "a section, such as hinge.section.box{...} gives", material = "a material, made by hinge.material{...}" })[kind]
+  end
+  local limits = {}
+  for _, b in ipairs(bounds) do
+    if rule[b[1]] then limits[#limits + 1] = ("%s %s"):format(b[2], check.show(rule[b[1]])) end
+  end
+  text = #limits > 0 and text .. " " .. table.concat(limits, " and ") or text:gsub(", each$", "")
+  if not rule.unit then return text end
+  return #limits > 0 and text .. " " .. rule.unit or text .. ", in " .. rule.unit
+end
+
+local function good_number(value, rule)
+  if type(value) ~= "number" or value ~= value or math.abs(value) == math.huge then return false end
+  if rule.whole and not math.tointeger(value) then return false end
+  for _, b in ipairs(bounds) do
+    if rule[b[1]] and not b[3](value, rule[b[1]]) then return false end
+  end
+  return true
+end
+
+local function good(value, rule)
+  local kind = rule[1]
+  if kind == "number" then return good_number(value, rule) end
+  if kind == "numbers" then
+    if type(value) ~= "table" or #value ~= rule.count then return false end
+    for _, v in ipairs(value) do
+      if not good_number(v, rule) then return false end
+    end
+    return true
+  end
+  local mark = ({ section = "area", material = "E" })[kind]
+  if mark then return (type(value) == "userdata" or type(value) == "table") and type(value[mark]) == "number" end
+  if type(value) ~= kind then return false end
+  if not rule.one_of then return true end
+  for _, v in ipairs(rule.one_of) do
+    if v == value then return true end
+  end
+  return false
+end
+
+--- One field against its rule; see check.options.
+function check.value(where, field, value, rule)
+  if value == nil then
+    check.fail("%s: field '%s' is missing; give %s", where, field, allowed(rule))
+  end
+  if good(value, rule) then return value end
+  local unit = type(value) == "number" and rule.unit and " " .. rule.unit or ""
+  local nearest = rule.one_of and check.nearest(value, rule.one_of)
+  check.fail("%s: field '%s' is %s%s; must be %s%s", where, field, check.show(value), unit, allowed(rule),
+    nearest and (" (did you mean '%s'?)"):format(nearest) or "")
+end
+
+--- The first argument of everything that adds to a model.
+function check.model(where, model)
+  local kind = type(model)
+  if kind ~= "userdata" and not (kind == "table" and model.node and model.member) then
+    check.fail("%s: the model is %s; call it as %s(model, { option = value })", where,
+      model == nil and "missing" or check.show(model), where)
+  end
+end
+
+--- Checks a table of named options and returns a copy with the defaults filled in.
+-- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=, count=, one_of= };
+-- kinds: number, numbers (a list of `count`), string, boolean, table, function, section, material.
+function check.options(where, options, rules)
+  if options == nil then options = {} end
+  if type(options) ~= "table" then
+    check.fail("%s: takes a table of options, got %s", where, check.show(options))
+  end
+  for field in pairs(options) do
+    if type(field) ~= "string" then
+      check.fail("%s: %s stands without a name; write name = value, with a name out of %s", where,
+        check.show(options[field]), table.concat(check.keys(rules), ", "))
+    end
+    if not rules[field] then check.unknown(where, "field", field, check.keys(rules)) end
+  end
+  local result = {}
+  for _, field in ipairs(check.keys(rules)) do
+    local rule, value = rules[field], options[field]
+    if value == nil then value = rule.default end
+    if value ~= nil or not rule.optional then result[field] = check.value(where, field, value, rule) end
+  end
+  return result
+end
+
+return check

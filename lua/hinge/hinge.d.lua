@@ -1,0 +1,288 @@
+---@meta hinge
+-- What a script can say, for editors that read LuaLS annotations. Nothing here runs.
+--
+-- Units are SI throughout: m, kg, s, N, Pa, rad. Wrong input raises an error at the script's own line that names the
+-- function, the field, the value, its unit and what is allowed. What goes wrong in the physics or the numbers is a
+-- result, never an error: see run.verdict. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss technique.
+-- Jobs, models and the report are in library.d.lua.
+
+---@class hinge
+---@field version string
+---@field section hinge.sections
+local hinge = {}
+
+---@alias vec3 number[] three numbers { x, y, z }
+---@alias hinge.component "ux"|"uy"|"uz"|"rx"|"ry"|"rz" displacement (m) or rotation vector (rad), in space
+
+---An empty model.
+---@param options? hinge.model_options
+---@return hinge.model
+function hinge.model(options) end
+
+---@class hinge.model_options
+---@field formulation? "asi-gauss"|"asi"|"conventional" where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi: in the middle while elastic. conventional: always in the middle
+---@field displacement? "large"|"small" large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
+---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
+---@field elements_per_member? integer default 2, the paper's
+
+---A linear elastic, perfectly plastic material.
+---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number } E Pa; nu default 0.3; G Pa, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in dynamics; yield_stress Pa, left out: never yields
+---@return hinge.material
+function hinge.material(options) end
+
+---@class hinge.material read-only: E, G, density, yield_stress
+---@field E number
+---@field G number
+---@field density number
+---@field yield_stress number
+
+---A run taken up again from a checkpoint. The file must come from the same script and parameters.
+---@param path string as given to run:checkpoint
+---@return hinge.run
+function hinge.resume(path) end
+
+-- Sections -----------------------------------------------------------------------------------------------------------
+
+---Cross-sections. Local z runs along the member, y is the direction of its `up`, x completes them. Width is measured
+---along x, depth along y. Plastic resultants of eq 14: N0 = A fy, Mx0 = Zx fy, My0 = Zy fy, Mz0 = Zz fy / sqrt 3, with
+---exact plastic moduli. Shear areas: Cowper (1966) with Poisson's ratio 0, which is 5/6 for a rectangle.
+---@class hinge.sections
+local section = {}
+
+---Closed box. J and Mz0 by Bredt: 4 Am^2 / sum(length / t) and 2 Am t with the thinnest wall.
+---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number } outer sizes and walls, m; thickness for all walls, or web (the walls along y) and flange
+---@return hinge.section
+function section.box(options) end
+
+---H (I, wide flange) with its web along y: Ix is the strong axis. J = sum b t^3 / 3; Mz0 from the plates' heaps of sand.
+---@param options { depth: number, width: number, web: number, flange: number } outer sizes and thicknesses, m; no fillets
+---@return hinge.section
+function section.h(options) end
+
+---Round tube; all values exact.
+---@param options { diameter: number, thickness: number } outer diameter and wall, m
+---@return hinge.section
+function section.pipe(options) end
+
+---Solid rectangle. J: series of the stress function (0.140577 b^4 for a square); Mz0: b^2 (3 d - b) / 6 with b <= d.
+---@param options { width: number, depth: number } m
+---@return hinge.section
+function section.solid(options) end
+
+---Solid circle.
+---@param options { diameter: number } m
+---@return hinge.section
+function section.round(options) end
+
+---Any section by its properties.
+---@param options hinge.section_options
+---@return hinge.section
+function section.general(options) end
+
+---@class hinge.section_options
+---@field area number m^2
+---@field Ix number m^4; bends about x, deflection along y
+---@field Iy number m^4; bends about y, deflection along x
+---@field J number torsion constant, m^4
+---@field shear_area_x? number m^2, default 5/6 of the area
+---@field shear_area_y? number m^2, default 5/6 of the area
+---@field N0? number fully plastic resultants of eq 14, N and N m, whatever the material; one left out is taken from
+---@field Mx0? number `plastic`, and without that never limits
+---@field My0? number
+---@field Mz0? number
+---@field plastic? { A?: number, Zx?: number, Zy?: number, Zz?: number } m^2, m^3; multiplied by the yield stress, Zz by yield stress / sqrt 3
+---@field size? { width: number, depth: number } m along x and y, for contact and pictures; without it both are the root of the area
+---@field kind? string a name for messages
+
+---@class hinge.section read-only: the fields of hinge.section_options (plastic_area, Zx, Zy, Zz; width, depth)
+---@field area number
+---@field Ix number
+---@field Iy number
+---@field J number
+
+-- Models -------------------------------------------------------------------------------------------------------------
+
+---@class hinge.node read-only: x, y, z (m) and index (from 1)
+---@class hinge.member read-only: a, b (nodes), length (m), mass (kg), group (name of the first) and index (from 1)
+---@class hinge.group read-only: name, size (members), length (m) and mass (kg)
+---@alias hinge.group_like hinge.group|string
+
+---@class hinge.model
+local model = {}
+
+---Adds a joint.
+---@param position vec3 m
+---@return hinge.node
+function model:node(position) end
+
+---Fixes freedoms of one node or a list of them.
+---@param node hinge.node|hinge.node[]
+---@param what? string "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
+function model:fix(node, what) end
+
+---Adds a member between two joints, to which it is rigidly connected.
+---@param options { [1]: hinge.node, [2]: hinge.node, section: hinge.section, material: hinge.material, up?: vec3, group?: string|hinge.group|(string|hinge.group)[], elements?: integer } up: direction of the section's y axis, any vector across the member, default upwards (along space x for an upright member); group: the first one colours it; elements: default as the model's
+---@return hinge.member
+function model:member(options) end
+
+---Adds a load on a node, fixed in direction.
+---@param options { node: hinge.node, force?: vec3, moment?: vec3, history?: fun(time: number): number|number[][] } N and N m in space; history: its factor over time (s), a function or points { { time, factor }, ... }, default 1
+function model:load(options) end
+
+---Gravity on every member's mass.
+---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
+function model:gravity(acceleration) end
+
+---Initial velocity of a node, a member or a group as a rigid body.
+---@param target hinge.node|hinge.member|hinge.group_like
+---@param linear vec3 m/s, of the mean of the target's joints
+---@param angular? vec3 rad/s about that point
+function model:velocity(target, linear, angular) end
+
+---Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
+---per millimetre, so 0.4 here. A function gets the section as a table (time, step, member, element, end, curvature_x,
+---curvature_y, axial_strain, twist, Mx, My, N, Mz, f_y, plastic_work, plastic, group) and returns true where it breaks.
+---@param rule { curvature_x?: number, curvature_y?: number, axial_strain?: number, tension_only?: boolean, rule?: function, group?: hinge.group_like }|fun(section: table): boolean limits 1/m and -; either sign breaks, unless tension_only
+function model:fracture(rule) end
+
+---Lets members touch (section 2.4, eqs 17-19): four gap elements bind two elements for a while.
+---@param rule? { rule?: "gap", reach?: number, flatness?: number, binding_time?: number, letter?: boolean, release?: "parting"|"time", groups?: hinge.group_like[] } reach: C_l of eq 18, default 1.8; flatness: alpha of eq 19, default 3e-4 m^3; binding_time default 0.5e-3 s; letter: eqs 17-19 as printed, which let fast members pass through each other; groups: only these, default all
+function model:contact(rule) end
+
+---A group that members were put into by name.
+---@param name string
+---@return hinge.group
+function model:group(name) end
+
+---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
+function model:counts() end
+
+---A static run: loads and gravity are brought to equilibrium in steps.
+---@param options? { steps?: integer, control?: "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }, hold?: hinge.group_like, from?: hinge.run, iterations?: integer, tolerance?: number, record?: integer } steps default 10; control: equal steps of load (default), arc length, or one freedom driven to a value (m, rad); hold: a group held in place during this run; from: goes on from another run's state
+---@return hinge.run
+function model:static(options) end
+
+---A dynamic run by Newmark's beta method (eq 15), without damping.
+---@param options { dt: number, duration: number, beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer } dt, duration s; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 is the paper's one solve a step; record: steps between rows of history.csv
+---@return hinge.run
+function model:dynamic(options) end
+
+-- Runs ---------------------------------------------------------------------------------------------------------------
+
+---@class hinge.run
+---@field kind "static"|"dynamic"
+---@field time number s
+---@field factor number in statics: the load factor reached
+---@field index integer steps done
+---@field planned_steps integer
+---@field verdict "running"|"completed"|"stopped"|"failed"
+---@field reason string why it failed, with the culprit's name
+---@field energy hinge.energy
+---@field worst_remainder number J, the largest so far, of either sign
+---@field contacts { bound: integer, released: integer } pairs of elements
+---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
+---@field wall_seconds number
+---@field hash string of the whole state, to the bit
+---@field counts { element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer } work done by the solver
+local run = {}
+
+---The energy ledger, J (eq 20 and what it leaves out). remainder = initial + work - all the others: the numerical error.
+---@class hinge.energy
+---@field initial number kinetic and elastic at the start
+---@field kinetic number
+---@field gravity number potential, zero at the start
+---@field elastic number
+---@field plastic number dissipated in hinges
+---@field fracture number let go by fracture: fracture_elastic + fracture_kinetic
+---@field contact number contact_stored + contact_released
+---@field work number done by loads
+---@field remainder number
+
+---Steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, filled anew.
+---@return fun(): { index: integer, time: number, factor: number }?
+function run:steps() end
+
+---One step.
+---@return boolean done false when there is none left
+function run:step() end
+
+---Steps to the end.
+---@return hinge.run
+function run:finish() end
+
+---Ends the run here; its verdict is then "stopped".
+function run:stop() end
+
+---Records one quantity of a node at every step, and in history.csv. Ask before the first step.
+---@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
+---@return hinge.probe
+function run:probe(options) end
+
+---@class hinge.probe
+---@field time number[] s; in statics the load factor
+---@field value number[]
+---@field last number
+---@field max number
+---@field min number
+---@field name string its column in history.csv
+
+---@param node hinge.node
+---@return number ux, number uy, number uz, number rx, number ry, number rz m and rotation vector, rad
+function run:displacement(node) end
+
+---@param node hinge.node
+---@return number vx, number vy, number vz, number wx, number wy, number wz m/s and rad/s
+function run:velocity(node) end
+
+---@param node hinge.node
+---@return number ax, number ay, number az, number bx, number by, number bz m/s^2 and rad/s^2
+function run:acceleration(node) end
+
+---@param node hinge.node
+---@return number fx, number fy, number fz, number mx, number my, number mz what the support exerts on the node, N and N m
+function run:reaction(node) end
+
+---@param node hinge.node
+---@return number x, number y, number z where it is now, m
+function run:position(node) end
+
+---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number } N and N m in the section's axes; f_y of eq 14
+
+---@param member hinge.member
+---@return hinge.resultants at_a, hinge.resultants at_b at its two ends
+function run:forces(member) end
+
+---@param member hinge.member
+---@return "elastic"|"yielded"|"broken" state, number f_y the largest now
+function run:state(member) end
+
+---@return { mass: number, linear: vec3, angular: vec3 } kg, kg m/s, kg m^2/s about the origin
+function run:momentum() end
+
+---Members of a group in a state. A member is broken if one of its elements is, else yielded if one has ever been fully
+---plastic (eq 14), else elastic; touched, whatever else it is, if it has ever been in contact.
+---@param options { group?: hinge.group_like, state: "elastic"|"yielded"|"broken"|"touched" } group default: all members
+---@return integer
+function run:count(options) end
+
+---The structure as it is now, for pictures.
+---@return hinge.still
+function run:still() end
+
+---Writes the run's state to a file, for hinge.resume.
+---@param path string
+function run:checkpoint(path) end
+
+---@class hinge.still
+
+-- Scenarios ----------------------------------------------------------------------------------------------------------
+
+---A script's parameters, cases and what it runs: a script returns one to the program. A script may also be plain
+---statements; it then gets what was written as key=value in a table, `...`, and its return value is its results.
+---@param options { parameters?: table<string, any>, cases?: table<string, table>, accuracy?: table<string, any[]>, run: fun(p: table, job: hinge.job): any } parameters: names and defaults (numbers, strings, booleans, lists of numbers), changed by `key=value`, where a number may be a sum such as 440/3.6; cases: named sets of changes for --case; accuracy: settings that trade accuracy for time, each a list whose first item is the default; run: returns the results kept in summary.json
+---@return hinge.scenario
+function hinge.scenario(options) end
+
+---@class hinge.scenario
+
+return hinge

@@ -1,0 +1,12 @@
+-- The module: everything a script gets from `require "hinge"`. hinge.d.lua describes it for editors.
+local core = require "hinge.core"
+local check = require "hinge.check"
+
+return check.strict({
+  version = core.version,
+  model = core.model,
+  material = core.material,
+  section = require "hinge.section",
+  scenario = require "hinge.scenario".new,
+  resume = core.resume,
+}, "hinge")

@@ -1,0 +1,64 @@
+-- A job: where one run of a script puts its pictures, frames and notes.
+local core = require "hinge.core"
+local check = require "hinge.check"
+
+local Job = {}
+Job.__index = Job
+Job.__name = "hinge.job"
+
+local view_rules = {
+  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  from = { "numbers", count = 3, optional = true },
+  up = { "numbers", count = 3, optional = true },
+  leave_out_broken = { "boolean", optional = true },
+  above = { "number", unit = "m", optional = true },
+  groups = { "table", optional = true },
+  title = { "string", optional = true },
+  box = { "numbers", count = 6, unit = "m", optional = true },
+}
+
+local function new(out, case)
+  return setmetatable({ out = out, case = case, notes = {} }, Job)
+end
+
+local function must_be_run(where, run)
+  if run == nil then check.fail("%s: the run is missing; give what model:static or model:dynamic returned", where) end
+end
+
+-- A picture that cannot be drawn (no display, a full disk) is noted; it does not cost the run its results.
+local function try(job, what, f, ...)
+  local ok, failure = pcall(f, ...)
+  if ok then return true end
+  if core.error_kind(failure) ~= "outside" then error(failure, 0) end
+  job:note(("%s not drawn: %s"):format(what, tostring(failure)))
+  return false
+end
+
+--- Adds the structure as it is now to frames.pvd, for ParaView.
+function Job:frame(run)
+  must_be_run("job:frame", run)
+  if self.frames_failed then return end
+  self.frames_failed = not try(self, "frames", core.write_frame, run:still())
+end
+
+--- Draws the structure as it is now into a PNG picture in the output folder.
+function Job:picture(run, view, filename)
+  must_be_run("job:picture", run)
+  view = check.options("job:picture", view, view_rules)
+  check.value("job:picture", "filename", filename, { "string" })
+  if not filename:match("^[%w._ -]+%.png$") then
+    check.fail("job:picture: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)", filename)
+  end
+  local path = self.out == "" and filename or self.out .. "/" .. filename
+  try(self, filename, core.write_picture, run:still(), view, path)
+end
+
+--- Says something worth keeping: printed now, and kept in summary.json.
+function Job:note(text)
+  text = tostring(text)
+  self.notes[#self.notes + 1] = text
+  print("note: " .. text)
+end
+
+return { new = new }

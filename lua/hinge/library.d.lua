@@ -1,0 +1,136 @@
+---@meta
+-- Jobs, the model library and the report, for editors that read LuaLS annotations. Nothing here runs. Units as in hinge.d.lua.
+
+-- Jobs: the second argument of a scenario's run ----------------------------------------------------------------------
+
+---@class hinge.job where one run of a script puts its output
+---@field out string output folder
+---@field case? string name of the case
+local job = {}
+
+---Adds the structure as it is now to frames.pvd, for ParaView.
+---@param run hinge.run
+function job:frame(run) end
+
+---Draws the structure as it is now into a PNG in the output folder: members in six colours of f_y (eq 14), black where
+---fractured, as in figure 17. Where no picture can be drawn, that is noted and the run goes on.
+---@param run hinge.run
+---@param view? hinge.view
+---@param filename string plain name ending in .png
+function job:picture(run, view, filename) end
+
+---@class hinge.view
+---@field width? integer pixels, default 1600
+---@field height? integer pixels, default 1200
+---@field from? vec3 direction from the scene to the eye, default { -1, -1.4, 0.55 }
+---@field up? vec3 default { 0, 0, 1 }
+---@field leave_out_broken? boolean as in figure 18
+---@field above? number m; only what is wholly above this height
+---@field groups? string[] only these groups
+---@field title? string
+---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show, so that several pictures share one view
+
+---Prints a line and keeps it in summary.json.
+---@param text string
+function job:note(text) end
+
+-- require "hinge.models.ten_storey" -----------------------------------------------------------------------------------
+
+---*reconstructed*: not in the paper's text; chosen here because its figure 16 is lost.
+---@class ten_storey.options
+---@field bays? integer[] bays along x and y, default { 4, 4 }
+---@field storeys? integer default 10
+---@field bay? number m, default 8, *reconstructed*
+---@field storey? number m, default 4, *reconstructed*
+---@field column? hinge.section default box 400x400x22, *reconstructed*; its y axis points along x
+---@field beam? hinge.section default H-400x200x8x13, *reconstructed*; its y axis points up
+---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 325 MPa, *reconstructed*
+---@field floor_weight? number weight of all floors over the own weight of the whole structure, default 20; put into the density of the beams (section 4.1)
+---@field origin? vec3 m, the corner that the frame stands on, default { 0, 0, 0 }
+
+---@class ten_storey.frame
+---@field group hinge.group all members, "building"
+---@field storey_groups string[] "storey 1" ... from the ground; a storey is its columns and the floor above them. Other groups: "columns", "beams", "inner columns", "outer columns"
+---@field node fun(i: integer, j: integer, level: integer): hinge.node joint in column line i along x and j along y, from 0; level 0 is the ground
+---@field origin vec3
+---@field size vec3 m
+---@field own_mass number kg, of the steel
+---@field floor_mass number kg
+---@field mass number kg, both
+---@field floor_load number kg/m^2
+---@field beam_density number kg/m^3
+
+---@class ten_storey
+local ten_storey = {}
+
+---Adds a steel frame with rigid joints, its feet fixed. With the defaults: 650 members, 250 free joints, 9805 t.
+---@param model hinge.model
+---@param options? ten_storey.options
+---@return ten_storey.frame
+function ten_storey.add(model, options) end
+
+-- require "hinge.models.aircraft" -------------------------------------------------------------------------------------
+
+---@class aircraft.options
+---@field size? number length and span, m, default 15 (table 1)
+---@field mass? number kg, default 15000 (table 1); spread evenly over the members through their density (section 4.1)
+---@field speed? number m/s along the heading; left out: see model:velocity
+---@field position? vec3 m, fore end of the fuselage's axis, default { -0.5, 16, 30 }: half a metre before the ten-storey frame, *reconstructed*
+---@field heading? vec3 any direction but vertical, default { 1, 0, 0 }
+---@field section? hinge.section of all members, default box 120x120x6, *reconstructed*
+---@field material? hinge.material default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; its density is replaced
+---@field shape? aircraft.shape
+
+---Shares of the size, all *reconstructed*. A tip is the chord there, a sweep how far the front spar's tip lies aft of its root.
+---@class aircraft.shape
+---@field length? number nose to last frame, default 1
+---@field nose? number nose to first frame, default 0.10
+---@field droop? number nose joint below the fuselage's axis, default 0.02
+---@field body? number side of the square frames amidships, default 0.12265
+---@field span? number default 1
+---@field wing_tip? number default 0.09
+---@field wing_sweep? number default 0.10
+---@field tail_span? number default 0.40
+---@field tail_tip? number default 0.05
+---@field tail_sweep? number default 0.04
+---@field fin_height? number above the fuselage, default 0.16
+---@field fin_tip? number default 0.05
+---@field fin_sweep? number default 0.07
+
+---@class aircraft.facts
+---@field joints integer 119
+---@field members integer 199
+---@field length number m, of all members; 229.5 at size 15
+---@field density number kg/m^3
+---@field mass number kg
+---@field nose hinge.node
+---@field groups string[] "fuselage", "wing", "tail"
+
+---@class aircraft
+local aircraft = {}
+
+---Adds an aircraft: a space frame of 199 members.
+---@param model hinge.model
+---@param options? aircraft.options
+---@return hinge.group aircraft "aircraft", all of it
+---@return aircraft.facts facts
+function aircraft.add(model, options) end
+
+-- require "hinge.report" ----------------------------------------------------------------------------------------------
+
+---@alias report.damage table<string, { members: integer, elastic: integer, yielded: integer, broken: integer, touched: integer }>
+
+---@class report
+local report = {}
+
+---What became of the members of each group; see run:count.
+---@param run hinge.run
+---@param groups string[]
+---@return report.damage
+function report.damage(run, groups) end
+
+---Prints the damage by group, the energy ledger and the seconds by stage; returns the first.
+---@param run hinge.run
+---@param groups string[]
+---@return report.damage
+function report.show(run, groups) end

@@ -1,0 +1,89 @@
+-- Runs one script for the program: loads it, gives it its parameters, writes the summary, and says how it went.
+local core = require "hinge.core"
+local check = require "hinge.check"
+local job = require "hinge.job"
+local scenario = require "hinge.scenario"
+local values = require "hinge.values"
+
+local runner = {}
+local done, run_failed, wrong_input, interrupted = 0, 1, 2, 3
+local library = debug.getinfo(1, "S").source:gsub("runner%.lua$", "")
+
+-- The places in the script through which an error came, nearest first; the library's own frames are left out.
+local function places(level)
+  local lines = {}
+  while #lines < 6 do
+    local info = debug.getinfo(level, "Sl")
+    if not info then break end
+    if info.what ~= "C" and info.source:sub(1, #library) ~= library then
+      lines[#lines + 1] = ("  at %s:%d"):format(info.short_src, info.currentline)
+    end
+    level = level + 1
+  end
+  return lines
+end
+
+-- Message handler: what to print and which status it means.
+local function explain(failure)
+  local kind = core.error_kind(failure)
+  if kind then
+    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure) }
+  end
+  local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
+  local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
+  return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") }
+end
+
+--- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
+-- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`.
+function runner.load(path, plain)
+  local chunk, problem = loadfile(path, "t")
+  if not chunk then check.fail("%s", problem) end
+  local result = chunk(plain)
+  if scenario.is(result) then return result end
+  return nil, result
+end
+
+local function run_script(options)
+  local overrides = options.overrides or {}
+  local plain = {}
+  for _, override in ipairs(overrides) do plain[override[1]] = values.guess(override[2]) end
+  local this = job.new(options.out or core.out_dir(), options.case)
+
+  local parameters
+  local loaded, results = runner.load(options.script, plain)
+  if loaded then
+    parameters = loaded:values(options.case, overrides)
+    results = loaded.run(parameters, this)
+  else
+    if options.case then
+      check.fail("--case %s: %s has no cases; it does not return a hinge.scenario", options.case, options.script)
+    end
+    parameters = plain
+  end
+  local verdict, reason = core.write_summary {
+    results = results, parameters = parameters, case = options.case, script = options.script, notes = this.notes,
+  }
+  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
+  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
+end
+
+--- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.
+function runner.guard(f)
+  local ok, result = xpcall(f, explain)
+  if ok then return result end
+  io.stderr:write("hinge: ", result.text, "\n")
+  return result.status
+end
+
+--- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
+-- 3 interrupted. options: script (path), verb ("run"), overrides (list of { name, text }), case (name or nil), out (folder).
+function runner.main(options)
+  return runner.guard(function()
+    local verb = options.verb or "run"
+    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run" }) end
+    return run_script(options)
+  end)
+end
+
+return runner

@@ -1,0 +1,165 @@
+#include "beam/yield.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace hinge::beam {
+namespace {
+
+/// A_r with f_y = p^T A_r p.
+Mat6 yield_matrix(double r, const YieldSurface& w) {
+    const double n1 = -(1 - r) / 2, n2 = (1 + r) / 2;
+    Mat6 A = Mat6::Zero();
+    A.block<2, 2>(0, 0) << w.x * n1 * n1, w.x * n1 * n2, w.x * n1 * n2, w.x * n2 * n2;
+    A.block<2, 2>(2, 2) << w.y * n1 * n1, w.y * n1 * n2, w.y * n1 * n2, w.y * n2 * n2;
+    A(4, 4) = w.n;
+    A(5, 5) = w.z;
+    return A;
+}
+
+/// One section: in the section's own resultants the stiffness is diagonal, so the multiplier is the root of one convex,
+/// falling function, and Newton from zero comes to it from one side.
+double one_multiplier(const Vec6& trial, const Stiffness& k, double r, const YieldSurface& w) {
+    const double n1 = -(1 - r) / 2, n2 = (1 + r) / 2;
+    const double c[4] = {2 * w.x * (n1 * n1 * k.x11 + 2 * n1 * n2 * k.x12 + n2 * n2 * k.x22),
+                         2 * w.y * (n1 * n1 * k.y11 + 2 * n1 * n2 * k.y12 + n2 * n2 * k.y22), 2 * w.n * k.axial, 2 * w.z * k.twist};
+    const double mx = n1 * trial[0] + n2 * trial[1], my = n1 * trial[2] + n2 * trial[3];
+    const double g[4] = {w.x * mx * mx, w.y * my * my, w.n * trial[4] * trial[4], w.z * trial[5] * trial[5]};
+    double lambda = 0;
+    for (int i = 0; i < 60; ++i) {
+        double f = -1, slope = 0;
+        for (int j = 0; j < 4; ++j) {
+            const double a = 1 / (1 + lambda * c[j]), b = g[j] * a * a;
+            f += b;
+            slope -= 2 * c[j] * a * b;
+        }
+        if (f <= 4e-16 || slope == 0) break;
+        const double next = lambda - f / slope;
+        if (next == lambda) break;
+        lambda = next;
+    }
+    return lambda;
+}
+
+/// p for given multipliers: (F + 2 sum lambda A) p = F trial, decoupled into bending about x, about y, N and Mz.
+Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const double* lambda, int n) {
+    Mat6 S = F;
+    for (int i = 0; i < n; ++i) S += 2 * lambda[i] * A[i];
+    Vec6 p;
+    p.segment<2>(0) = S.block<2, 2>(0, 0).inverse() * d_trial.segment<2>(0);
+    p.segment<2>(2) = S.block<2, 2>(2, 2).inverse() * d_trial.segment<2>(2);
+    p[4] = d_trial[4] / S(4, 4);
+    p[5] = d_trial[5] / S(5, 5);
+    return p;
+}
+
+Mat6 compliance(const Stiffness& k) {
+    Mat6 F = Mat6::Zero();
+    const double x = k.x11 * k.x22 - k.x12 * k.x12, y = k.y11 * k.y22 - k.y12 * k.y12;
+    F.block<2, 2>(0, 0) << k.x22 / x, -k.x12 / x, -k.x12 / x, k.x11 / x;
+    F.block<2, 2>(2, 2) << k.y22 / y, -k.y12 / y, -k.y12 / y, k.y11 / y;
+    F(4, 4) = 1 / k.axial;
+    F(5, 5) = 1 / k.twist;
+    return F;
+}
+
+/// Both ends at once: Newton on the concave dual in the two multipliers, one at a time where it would leave the quadrant.
+void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, double* lambda) {
+    const Mat6 F = compliance(k);
+    const Vec6 d_trial = F * trial;
+    const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
+    const auto excess = [&](const double* l) {
+        const Vec6 p = relaxed(d_trial, F, A, l, 2);
+        return Eigen::Vector2d(p.dot(A[0] * p) - 1, p.dot(A[1] * p) - 1);
+    };
+    const auto merit = [&](const double* l, const Eigen::Vector2d& f) {  // distance from the optimality conditions
+        double m = 0;
+        for (int i = 0; i < 2; ++i) m = std::max(m, l[i] > 0 ? std::abs(f[i]) : std::max(0.0, f[i]));
+        return m;
+    };
+    Eigen::Vector2d f = excess(lambda);
+    for (int iteration = 0; iteration < 200 && merit(lambda, f) > 1e-13; ++iteration) {
+        Mat6 S = F;
+        for (int i = 0; i < 2; ++i) S += 2 * lambda[i] * A[i];
+        const Vec6 p = relaxed(d_trial, F, A, lambda, 2);
+        Eigen::Matrix<double, 6, 2> a;
+        a << 2 * A[0] * p, 2 * A[1] * p;
+        const Eigen::Matrix2d H = a.transpose() * S.inverse() * a;
+        const bool on[2] = {lambda[0] > 0 || f[0] > 0, lambda[1] > 0 || f[1] > 0};
+        double step[2] = {0, 0};
+        const double det = H(0, 0) * H(1, 1) - H(0, 1) * H(1, 0);
+        if (on[0] && on[1] && det > 1e-12 * H(0, 0) * H(1, 1)) {
+            step[0] = (H(1, 1) * f[0] - H(0, 1) * f[1]) / det;
+            step[1] = (H(0, 0) * f[1] - H(1, 0) * f[0]) / det;
+        } else {
+            const int worst = on[0] && (!on[1] || std::abs(f[0]) >= std::abs(f[1])) ? 0 : 1;
+            step[worst] = f[worst] / H(worst, worst);
+        }
+        double scale = 1, before = merit(lambda, f), next[2];
+        for (int halving = 0; halving < 30; ++halving, scale /= 2) {
+            for (int i = 0; i < 2; ++i) next[i] = std::max(0.0, lambda[i] + scale * step[i]);
+            f = excess(next);
+            if (merit(next, f) < before || next[0] == 0 || next[1] == 0) break;
+        }
+        if (next[0] == lambda[0] && next[1] == lambda[1]) break;
+        lambda[0] = next[0];
+        lambda[1] = next[1];
+    }
+}
+
+}  // namespace
+
+Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w) {
+    const double n1 = -(1 - r) / 2, n2 = (1 + r) / 2;
+    const double mx = 2 * w.x * (n1 * p[0] + n2 * p[1]), my = 2 * w.y * (n1 * p[2] + n2 * p[3]);
+    return (Vec6() << n1 * mx, n2 * mx, n1 * my, n2 * my, 2 * w.n * p[4], 2 * w.z * p[5]).finished();
+}
+
+Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n) {
+    Flow flow;
+    flow.p = trial;
+    int worst = 0;
+    double f = yield_function(trial, sections[0], w);
+    for (int i = 1; i < n; ++i)
+        if (const double other = yield_function(trial, sections[i], w); other > f) f = other, worst = i;
+    if (f <= 1) return flow;
+    flow.lambda[worst] = one_multiplier(trial, k, sections[worst], w);
+    const auto settle = [&] {
+        Mat6 A[2];
+        for (int i = 0; i < n; ++i) A[i] = yield_matrix(sections[i], w);
+        const Mat6 F = compliance(k);
+        flow.p = relaxed(F * trial, F, A, flow.lambda, n);
+    };
+    settle();
+    if (n == 2 && yield_function(flow.p, sections[1 - worst], w) > 1 + 1e-13) {
+        two_multipliers(trial, k, w, sections, flow.lambda);
+        settle();
+    }
+    for (int i = 0; i < n; ++i)
+        if (flow.lambda[i] > 0) flow.plastic += flow.lambda[i] * yield_gradient(flow.p, sections[i], w);
+    flow.dissipation = flow.p.dot(flow.plastic);
+    return flow;
+}
+
+Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections, const double* lambda,
+                     const bool* active, int n) {
+    Mat6 S = compliance(k);
+    Eigen::Matrix<double, 6, 2> a;
+    int count = 0;
+    for (int i = 0; i < n; ++i) {
+        if (!active[i]) continue;
+        S += 2 * lambda[i] * yield_matrix(sections[i], w);
+        a.col(count++) = yield_gradient(p, sections[i], w);
+    }
+    const Mat6 X = S.inverse();
+    if (count == 0) return X;
+    const Eigen::Matrix<double, 6, 2> Xa = X * a;
+    if (count == 2) {
+        const Eigen::Matrix2d H = a.transpose() * Xa;
+        if (H.determinant() > 1e-10 * H(0, 0) * H(1, 1)) return X - Xa * H.inverse() * Xa.transpose();
+    }
+    return X - Xa.col(0) * Xa.col(0).transpose() / a.col(0).dot(Xa.col(0));
+}
+
+}  // namespace hinge::beam

@@ -1,0 +1,41 @@
+// Plastic hinges: the yield function of eq 14 at a section, and the return of an element's forces to its surface.
+#pragma once
+
+#include "beam/timoshenko.h"
+
+namespace hinge::beam {
+
+/// 1/Mx0^2, 1/My0^2, 1/N0^2, 1/Mz0^2 (fully plastic resultants, N m and N); all zero: the section never yields.
+struct YieldSurface {
+    double x = 0, y = 0, n = 0, z = 0;
+    bool elastic() const { return x == 0 && y == 0 && n == 0 && z == 0; }
+};
+
+/// f_y of eq 14 at section r (-1: node 1, 0: middle, +1: node 2) for the element forces p.
+template <class P>
+inline auto yield_function(const P& p, double r, const YieldSurface& w) {
+    const auto mx = -p[0] * ((1 - r) / 2) + p[1] * ((1 + r) / 2), my = -p[2] * ((1 - r) / 2) + p[3] * ((1 + r) / 2);
+    return w.x * mx * mx + w.y * my * my + w.n * p[4] * p[4] + w.z * p[5] * p[5];
+}
+
+/// The gradient of f_y with respect to p.
+Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
+
+struct Flow {
+    Vec6 p;                        ///< forces on the surface
+    Vec6 plastic = Vec6::Zero();   ///< increment of plastic deformation
+    double lambda[2] = {0, 0};     ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
+    double dissipation = 0;        ///< p . plastic, J, >= 0
+};
+
+/// Associated flow, elastic-perfectly plastic, implicit: the point of the surface(s) nearest to `trial` in the energy norm.
+///   trial     forces if the step were elastic
+///   k         the element's elastic stiffness
+///   sections  positions r that can yield (two ends; the middle alone for the conventional element), n of them
+Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n);
+
+/// dp/dd consistent with return_to_surface: D_p of eq 10 when lambda is infinitesimal. `active`: sections that flow.
+Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections, const double* lambda,
+                     const bool* active, int n);
+
+}  // namespace hinge::beam

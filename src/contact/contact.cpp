@@ -1,0 +1,434 @@
+#include "contact/contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "contact/broad_phase.h"
+#include "contact/gap_rule.h"
+
+namespace hinge::contact {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+bool has_arm(const End& end) { return !end.arm.isZero(0); }
+
+Vec3 point(const End& end, const Motion& motion) {
+    const Vec3& x = motion.position[end.node];
+    return has_arm(end) ? Vec3(x + motion.rotation[end.node] * end.arm) : x;
+}
+
+Vec3 velocity(const End& end, const Motion& motion) {
+    const Vec6& v = motion.velocity[end.node];
+    if (!has_arm(end)) return v.head<3>();
+    return v.head<3>() + v.tail<3>().cross(motion.rotation[end.node] * end.arm);
+}
+
+Two place(const Bar& a, const Bar& b, const Motion& motion) {
+    return {{point(a.end[0], motion), point(a.end[1], motion)}, {point(b.end[0], motion), point(b.end[1], motion)}};
+}
+
+bool share_node(const Bar& a, const Bar& b) {
+    return a.end[0].node == b.end[0].node || a.end[0].node == b.end[1].node || a.end[1].node == b.end[0].node ||
+           a.end[1].node == b.end[1].node;
+}
+
+double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
+
+}  // namespace
+
+GapContact::GapContact(GapSettings settings) : settings_(settings) {}
+
+int GapContact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time) {
+    const bool first_sight = changed || !seen_;
+    if (first_sight) list_ends(bars, motion);
+    seen_ = true;
+    now_ = time;
+
+    // How far anything has gone, and will go. A motion that is not finite is the step's business, not ours.
+    const double foreseen = advance(motion, dt);
+    if (!std::isfinite(foreseen) || !std::isfinite(travelled_)) return 0;
+    if (first_sight || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
+
+    int bound = 0;
+    const double horizon = travelled_ + foreseen;
+    for (std::size_t i = 0; i < look_at_.size(); ++i)
+        if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
+    return bound;
+}
+
+void GapContact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
+    nodes_.clear();
+    arms_.clear();
+    for (const Bar& bar : bars)
+        for (const End& end : bar.end) {
+            if (has_arm(end))
+                arms_.push_back({end, point(end, motion)});
+            else
+                nodes_.push_back(end.node);
+        }
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    last_.clear();
+    for (int node : nodes_) last_.push_back(motion.position[node]);
+}
+
+// Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
+double GapContact::advance(const Motion& motion, double dt) {
+    double gone = 0, fast = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Vec3& x = motion.position[nodes_[i]];
+        gone = std::max(gone, (x - last_[i]).squaredNorm());
+        fast = std::max(fast, motion.velocity[nodes_[i]].head<3>().squaredNorm());
+        last_[i] = x;
+    }
+    for (ArmEnd& arm : arms_) {
+        const Vec3 x = point(arm.end, motion);
+        gone = std::max(gone, (x - arm.last).squaredNorm());
+        fast = std::max(fast, velocity(arm.end, motion).squaredNorm());
+        arm.last = x;
+    }
+    travelled_ += std::sqrt(gone);
+    return std::sqrt(fast) * dt;
+}
+
+// All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the fastest
+// end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays short.
+void GapContact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight) {
+    ++counts_.list_builds;
+    const int n = static_cast<int>(bars.size());
+    std::vector<int> order(n);
+    for (int i = 0; i < n; ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](int p, int q) { return bars[p].element < bars[q].element; });
+
+    struct Ends {
+        Vec3 p, q;
+    };
+    std::vector<Ends> ends(n);
+    double total = 0;
+    for (int i = 0; i < n; ++i) {
+        const Bar& bar = bars[order[i]];
+        ends[i] = {point(bar.end[0], motion), point(bar.end[1], motion)};
+        total += length(ends[i].p, ends[i].q);
+    }
+    const double mean = n > 0 ? total / n : 0.0;
+    margin_ = std::max(2 * foreseen, std::min(std::max(100 * foreseen, 0.05 * mean), 0.5 * mean));
+    listed_at_ = travelled_;
+
+    std::vector<Box> boxes(n);
+    for (int i = 0; i < n; ++i) {
+        // By eq 18 the axes are no further apart than C_l (L_c + L_i) / 4.
+        const double pad =
+            margin_ + (settings_.letter ? 0.25 * settings_.reach * length(ends[i].p, ends[i].q) : bars[order[i]].radius);
+        boxes[i] = {ends[i].p.cwiseMin(ends[i].q).array() - pad, ends[i].p.cwiseMax(ends[i].q).array() + pad};
+    }
+
+    std::vector<Candidate> kept;
+    kept.swap(candidates_);
+    look_at_.clear();
+    auto old = kept.begin();
+    for (const IndexPair& pair : overlapping(boxes)) {
+        const Bar &a = bars[order[pair.a]], &b = bars[order[pair.b]];
+        if (share_node(a, b)) continue;
+        Candidate candidate{{a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, a.radius + b.radius};
+        const Two two{{ends[pair.a].p, ends[pair.a].q}, {ends[pair.b].p, ends[pair.b].q}};
+        const Closest closest = closest_points(two);
+        const double far = farness(candidate, two, closest);
+        if (far > 2 * margin_) continue;
+
+        const auto before = [](const Candidate& p, const Candidate& q) {
+            return p.element[0] < q.element[0] || (p.element[0] == q.element[0] && p.element[1] < q.element[1]);
+        };
+        while (old != kept.end() && before(*old, candidate)) ++old;
+        const bool known = old != kept.end() && !before(candidate, *old);
+        if (known) {
+            candidate.state = old->state;
+            candidate.side = old->side;
+        } else if (first_sight && far <= 0 && (closest.distance <= candidate.touch || flat(two, settings_.flatness))) {
+            candidate.state = PairState::joined;
+        }
+        observe(candidate, two, closest);
+        candidates_.push_back(candidate);
+        look_at_.push_back(candidate.state == PairState::bound ? never : travelled_ + 0.5 * std::abs(far));
+        if (candidate.state == PairState::free && far <= 0) look_at_.back() = travelled_;
+    }
+    for (const Bond& bond : bonds_) {
+        std::size_t i = 0;
+        if (Candidate* pair = find(bond.element, &i)) {
+            pair->state = PairState::bound;
+            look_at_[i] = never;
+        }
+    }
+}
+
+// How much closer the two must come before the rule can apply to them: half of it is the least way one end must go. Negative
+// when it applies already.
+double GapContact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
+    if (!settings_.letter) return closest.distance - pair.touch;
+    if (std::isinf(settings_.reach)) return -1;
+    const double lengths = length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]);
+    // Each of the four distances and both lengths change by at most twice what an end travels.
+    const double far = (spread(two) - settings_.reach * lengths) / (4 + 2 * settings_.reach);
+    return far > 0 && closest.distance <= pair.touch ? 0.0 : far;
+}
+
+// What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they are within
+// touch of each other the side may only turn, not flip: a bar that has passed through is on the wrong side.
+void GapContact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
+    const double far = farness(pair, two, closest);
+    if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
+    const double cutting = 1e-6 * pair.touch + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
+    if (closest.distance <= cutting) return;
+    const Vec3 direction = closest.between / closest.distance;
+    if (closest.distance > pair.touch || direction.dot(pair.side) > 0) pair.side = direction;
+}
+
+bool GapContact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
+    ++counts_.pair_tests;
+    Candidate& pair = candidates_[i];
+    const Bar &a = bars[pair.bar[0]], &b = bars[pair.bar[1]];
+    const Two two = place(a, b, motion);
+    const Closest closest = closest_points(two);
+    observe(pair, two, closest);
+    const double far = farness(pair, two, closest);
+    look_at_[i] = travelled_;
+    if (pair.state == PairState::joined) {
+        look_at_[i] -= 0.5 * far;
+        return false;
+    }
+    if (far > 0) look_at_[i] += 0.5 * far;
+
+    const Moving moving{two, {{dt * velocity(a.end[0], motion), dt * velocity(a.end[1], motion)},
+                              {dt * velocity(b.end[0], motion), dt * velocity(b.end[1], motion)}}};
+    const RuleNumbers numbers{settings_.reach, settings_.flatness, pair.touch};
+    const Meeting meeting = settings_.letter ? letter_meeting(moving, closest, pair.side, numbers)
+                                             : first_meeting(moving, closest, pair.side, numbers);
+    if (!meeting.found) return false;
+    bind(pair, a, b, motion, meeting, time);
+    look_at_[i] = never;
+    events_.push_back({time + meeting.tau * dt, {pair.element[0], pair.element[1]}, true});
+    return true;
+}
+
+void GapContact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time) {
+    pair.state = PairState::bound;
+    Bond bond;
+    bond.element[0] = a.element;
+    bond.element[1] = b.element;
+    bond.since = time;
+    bond.side = bond.side_now = meeting.direction;
+    bond.at[0] = meeting.s;
+    bond.at[1] = meeting.t;
+    Vec3 at[4];
+    for (int i = 0; i < 4; ++i) {
+        const End& end = i < 2 ? a.end[i] : b.end[i - 2];
+        bond.end[i] = {end.node, end.arm, motion.rotation[end.node].conjugate()};
+        at[i] = point(end, motion);
+    }
+    const double shortest = settings_.shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
+    for (int g = 0; g < 4; ++g) {
+        bond.gap[g].rest = at[gap_b(g)] - at[gap_a(g)];
+        bond.gap[g].stiffness = gap_stiffness(a.stiffness, b.stiffness, bond.gap[g].rest.norm(), shortest);
+    }
+    bonds_.push_back(bond);
+    ++counts_.bound;
+}
+
+GapContact::Candidate* GapContact::find(const int element[2], std::size_t* place) {
+    const std::array<int, 2> wanted{element[0], element[1]};
+    const auto it = std::lower_bound(candidates_.begin(), candidates_.end(), wanted, [](const Candidate& c, const std::array<int, 2>& w) {
+        return c.element[0] < w[0] || (c.element[0] == w[0] && c.element[1] < w[1]);
+    });
+    if (it == candidates_.end() || it->element[0] != wanted[0] || it->element[1] != wanted[1]) return nullptr;
+    *place = static_cast<std::size_t>(it - candidates_.begin());
+    return &*it;
+}
+
+// The pair is free again, and remembers from which side it came.
+void GapContact::let_go(const Bond& bond) {
+    counts_.energy_let_go += bond.energy;
+    events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
+    std::size_t i = 0;
+    if (Candidate* pair = find(bond.element, &i)) {
+        pair->state = PairState::free;
+        pair->side = bond.side_now;
+        look_at_[i] = travelled_;
+    }
+}
+
+double GapContact::drop(int element) {
+    double energy = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < bonds_.size(); ++i) {
+        const Bond& bond = bonds_[i];
+        if (bond.element[0] == element || bond.element[1] == element) {
+            energy += bond.energy;
+            ++counts_.dropped;
+            let_go(bond);
+        } else {
+            bonds_[kept++] = bonds_[i];
+        }
+    }
+    bonds_.resize(kept);
+    return energy;
+}
+
+double GapContact::release(double time) {
+    now_ = time;
+    double energy = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < bonds_.size(); ++i) {
+        Bond& bond = bonds_[i];
+        const double age = (time - bond.since) / settings_.binding_time;
+        bond.energy_peak = std::max(bond.energy_peak, bond.energy);
+        bool due = age >= 1 - 1e-9;
+        if (due && settings_.hold_until_parting && age < settings_.longest_hold) {
+            // At the bottom of a swing, a low one, and not while the bars still press on towards the other side.
+            const bool turned = bond.falling && bond.energy >= bond.energy_before;
+            const bool low = bond.energy <= settings_.parting_energy * bond.energy_peak;
+            const bool spent = bond.energy <= 1e-3 * bond.energy_peak;
+            const bool closing = bond.opening < bond.opening_before;
+            due = ((turned && low) || spent) && !closing;
+        }
+        bond.falling = bond.energy < bond.energy_before;
+        bond.energy_before = bond.energy;
+        bond.opening_before = bond.opening;
+        if (due) {
+            energy += bond.energy;
+            ++counts_.released;
+            let_go(bond);
+        } else {
+            if (kept != i) bonds_[kept] = bond;
+            ++kept;
+        }
+    }
+    bonds_.resize(kept);
+    return energy;
+}
+
+void GapContact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+    for (Bond& bond : bonds_) add_bond_forces(bond, position, rotation, force);
+}
+
+void GapContact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const {
+    for (const Bond& bond : bonds_) add_bond_stiffness(bond, position, rotation, add);
+}
+
+double GapContact::stored_energy() const {
+    double energy = 0;
+    for (const Bond& bond : bonds_) energy += bond.energy;
+    return energy;
+}
+
+// Saving and restoring run through one list of fields. Vectors and quaternions go number by number, so that no padding and no
+// library's layout gets into the bytes.
+namespace {
+
+struct Writer {
+    std::vector<char>& out;
+
+    template <class T>
+    void plain(T& value) {
+        const char* bytes = reinterpret_cast<const char*>(&value);
+        out.insert(out.end(), bytes, bytes + sizeof value);
+    }
+    template <class T, class Each>
+    void list(std::vector<T>& values, Each each) {
+        std::uint64_t n = values.size();
+        plain(n);
+        for (T& value : values) each(value);
+    }
+};
+
+struct Reader {
+    const char* at;
+    std::size_t left;
+    bool whole = true;
+
+    template <class T>
+    void plain(T& value) {
+        whole = whole && left >= sizeof value;
+        if (!whole) return;
+        std::memcpy(&value, at, sizeof value);
+        at += sizeof value;
+        left -= sizeof value;
+    }
+    template <class T, class Each>
+    void list(std::vector<T>& values, Each each) {
+        std::uint64_t n = 0;
+        plain(n);
+        whole = whole && n <= left;  // every element takes a byte at least: no record makes us allocate more than its own size
+        values.clear();
+        for (std::uint64_t i = 0; i < n && whole; ++i) {
+            values.emplace_back();
+            each(values.back());
+        }
+    }
+};
+
+template <class Io, class... T>
+void plain(Io& io, T&... values) {
+    (io.plain(values), ...);
+}
+
+template <class Io>
+void vector(Io& io, Vec3& v) {
+    plain(io, v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+template <class Io>
+void GapContact::fields(Io& io) {
+    plain(io, counts_.bound, counts_.released, counts_.dropped, counts_.pair_tests, counts_.list_builds, counts_.energy_let_go);
+    io.list(bonds_, [&](Bond& bond) {
+        plain(io, bond.element[0], bond.element[1], bond.since);
+        for (BondEnd& end : bond.end) {
+            plain(io, end.node);
+            vector(io, end.arm);
+            plain(io, end.unturn.coeffs()[0], end.unturn.coeffs()[1], end.unturn.coeffs()[2], end.unturn.coeffs()[3]);
+        }
+        for (Gap& gap : bond.gap) {
+            vector(io, gap.rest);
+            plain(io, gap.stiffness);
+        }
+        vector(io, bond.side);
+        vector(io, bond.side_now);
+        plain(io, bond.at[0], bond.at[1], bond.energy, bond.opening, bond.energy_before, bond.opening_before, bond.energy_peak, bond.falling);
+    });
+    io.list(events_, [&](ContactEvent& event) { plain(io, event.time, event.element[0], event.element[1], event.bound); });
+    plain(io, seen_, now_, travelled_, listed_at_, margin_);
+    io.list(nodes_, [&](int& node) { plain(io, node); });
+    io.list(last_, [&](Vec3& x) { vector(io, x); });
+    io.list(arms_, [&](ArmEnd& arm) {
+        plain(io, arm.end.node);
+        vector(io, arm.end.arm);
+        vector(io, arm.last);
+    });
+    io.list(candidates_, [&](Candidate& pair) {
+        plain(io, pair.element[0], pair.element[1], pair.bar[0], pair.bar[1], pair.state, pair.touch);
+        vector(io, pair.side);
+    });
+    io.list(look_at_, [&](double& at) { plain(io, at); });
+}
+
+void GapContact::save(std::vector<char>& out) const {
+    Writer writer{out};
+    const_cast<GapContact*>(this)->fields(writer);  // a writer changes nothing
+}
+
+std::size_t GapContact::restore(const char* data, std::size_t size) {
+    GapContact read(settings_);
+    Reader reader{data, size};
+    read.fields(reader);
+    if (!reader.whole || read.last_.size() != read.nodes_.size() || read.look_at_.size() != read.candidates_.size()) return 0;
+    *this = std::move(read);
+    return size - reader.left;
+}
+
+}  // namespace hinge::contact

@@ -1,0 +1,162 @@
+// The rule `gap` at work (eqs 17-19, figs 6-7): bars that move, and bonds that bind two of them for a while.
+//
+// Two elements whose axes come to lie in one plane, close enough together and approaching, are bound by four gap elements,
+// node to node, for a binding time. gap_rule.h says when, bond.h how, broad_phase.h which pairs are worth a look.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/bond.h"
+#include "contact/segments.h"
+#include "core/types.h"
+
+namespace hinge::contact {
+
+struct Two;
+struct Meeting;
+
+/// One end of a bar: a point that belongs rigidly to a node. `arm` is zero for a real node; a broken element's stub ends
+/// in a virtual node, whose arm turns with the node it hangs on.
+struct End {
+    int node = -1;
+    Vec3 arm = Vec3::Zero();  ///< m, in the node's own frame: the point is position + rotation * arm
+};
+
+/// An element (or the stub of a broken one) as contact sees it. At most one bar per element.
+struct Bar {
+    int element = -1;
+    End end[2];
+    double radius = 0;      ///< m, half the depth of the member
+    double stiffness = 0;   ///< EA of the member, N
+};
+
+/// Nodes now, and their motion foreseen over the coming step.
+struct Motion {
+    const std::vector<Vec3>& position;   ///< m
+    const std::vector<Quat>& rotation;   ///< of each node since it was declared, of unit length
+    const std::vector<Vec6>& velocity;   ///< m/s and rad/s, in space: the mean velocity foreseen over the step
+};
+
+struct GapSettings {
+    double reach = 1.8;              ///< C_l of eq 18 (the paper's value); infinite: eq 18 always holds
+    double flatness = 3e-4;          ///< alpha of eq 19, m^3 (the paper's value)
+    double binding_time = 0.5e-3;    ///< s (the paper's value)
+    bool letter = false;             ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
+                                     ///< step, and the axes must also come within the sum of the half depths
+    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy is at a low minimum
+    double parting_energy = 0.1;     ///< how low: part of the most it has stored. Two elastic beams (fig 13; 26 variants of speed, angle,
+                                     ///< offset and support) lost on average 40 % of their energy with bonds cut at 0.5 ms, 28 % at the
+                                     ///< first minimum whatever its height, 13 / 5.5 % at 0.2 / 0.1 of the peak; below that they stick
+    double longest_hold = 20;        ///< binding times after which a bond is let go whatever it carries: 10 ms is longer than such an
+                                     ///< impact lasts; 40 changed nothing, with 10 some bonds were cut while full
+    double shortest_gap = 0.5;       ///< of the mean length of the two elements: gap elements shorter than this are as stiff as
+                                     ///< this, half an element, so that no gap brings in a frequency above the elements' own
+};
+
+struct ContactCounts {
+    long bound = 0, released = 0, dropped = 0;   ///< bonds made; let go by time; lost with a broken element
+    long pair_tests = 0, list_builds = 0;
+    double energy_let_go = 0;                    ///< J, stored in bonds when they were released or dropped
+};
+
+/// Something happened between two elements.
+struct ContactEvent {
+    double time;      ///< s; when bound, the moment of contact within the step
+    int element[2];
+    bool bound;       ///< else let go
+};
+
+/// The rule `gap` at work: finds pairs, binds them, carries their forces, lets them go. Copying it copies all its state.
+///
+/// A step calls: release, detect, then add_internal_forces and add_stiffness as often as it likes. A step that is undone
+/// restores a copy made before.
+class GapContact {
+public:
+    explicit GapContact(GapSettings settings);
+
+    /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their element
+    /// numbers. `bars` is the current list of bars; `changed` says that it differs from the last call (something broke).
+    /// Pairs that share a node never bind; nor do pairs that touch when they are first seen, until they have parted.
+    /// Returns the number of pairs newly bound.
+    int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time);
+
+    /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go, J.
+    double drop(int element);
+
+    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it compares the
+    /// energies with those of the call before. Returns the energy let go, J.
+    double release(double time);
+
+    /// Adds the forces that the gap elements exert to `force` (what resists: + dU/du), and stores the energies.
+    void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
+
+    /// The stiffness of every gap element.
+    void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const;
+
+    double stored_energy() const;   ///< J, as of the last add_internal_forces
+    bool idle() const { return bonds_.empty(); }
+    const GapSettings& settings() const { return settings_; }
+    const ContactCounts& counts() const { return counts_; }
+    const std::vector<Bond>& bonds() const { return bonds_; }   ///< in the order in which they were made
+    int candidates() const { return static_cast<int>(candidates_.size()); }
+
+    /// What happened since the log was last cleared.
+    const std::vector<ContactEvent>& events() const { return events_; }
+    void clear_events() { events_.clear(); }
+
+    /// Appends all state (not the settings), byte for byte the same for the same state.
+    void save(std::vector<char>& out) const;
+    /// Takes back what save wrote. Returns the number of bytes read, 0 if they are not a whole record (then nothing has changed).
+    std::size_t restore(const char* data, std::size_t size);
+
+private:
+    enum class PairState : int {
+        free,     ///< may bind
+        bound,
+        joined    ///< touched when first seen: a joint, or members that cross in one; free once they have parted
+    };
+    struct Candidate {
+        int element[2];
+        int bar[2];                  ///< places in the list of bars
+        PairState state;
+        double touch;                ///< sum of the half depths, m
+        Vec3 side = Vec3::Zero();    ///< unit direction from a to b when they last were clearly apart
+    };
+    struct ArmEnd {
+        End end;
+        Vec3 last;
+    };
+
+    void list_ends(const std::vector<Bar>& bars, const Motion& motion);
+    double advance(const Motion& motion, double dt);
+    void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight);
+    double farness(const Candidate& pair, const Two& two, const Closest& closest) const;
+    void observe(Candidate& pair, const Two& two, const Closest& closest) const;
+    bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
+    void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
+    void let_go(const Bond& bond);
+    Candidate* find(const int element[2], std::size_t* place);
+    template <class Io>
+    void fields(Io& io);
+
+    GapSettings settings_;
+    ContactCounts counts_;
+    std::vector<Bond> bonds_;
+    std::vector<ContactEvent> events_;
+
+    // Distances travelled stand for time: between two looks nothing can come closer than twice what the fastest point has
+    // travelled, however fast it has become meanwhile.
+    bool seen_ = false;
+    double now_ = 0;                  ///< s, the time last heard of
+    double travelled_ = 0;            ///< m, sum over the steps of the longest way of any end
+    double listed_at_ = 0;            ///< travelled_ when the list was made
+    double margin_ = 0;               ///< m, how far any end may travel before the list is made anew
+    std::vector<int> nodes_;          ///< nodes in which bars end, sorted
+    std::vector<Vec3> last_;          ///< where they were
+    std::vector<ArmEnd> arms_;        ///< virtual ends
+    std::vector<Candidate> candidates_;   ///< sorted by element numbers
+    std::vector<double> look_at_;         ///< of each candidate: the value of travelled_ before which it cannot matter
+};
+
+}  // namespace hinge::contact

@@ -1,0 +1,29 @@
+// Finite rotations: a rotation vector applied on top of a quaternion.
+#pragma once
+
+#include <cmath>
+
+#include "core/types.h"
+
+namespace hinge {
+
+/// exp(turn) * q for a rotation vector in space, rad; the result is kept a unit quaternion.
+inline Quat turned(const Vec3& turn, const Quat& q) {
+    const double h = 0.25 * turn.squaredNorm();  // square of the half angle
+    double c, s;                                  // cos, sin(half)/(2 half)
+    if (h < 0.01) {
+        c = 1 - h / 2 * (1 - h / 12 * (1 - h / 30 * (1 - h / 56 * (1 - h / 90))));
+        s = 0.5 * (1 - h / 6 * (1 - h / 20 * (1 - h / 42 * (1 - h / 72 * (1 - h / 110)))));
+    } else {
+        const double half = std::sqrt(h);
+        c = std::cos(half);
+        s = 0.5 * std::sin(half) / half;
+    }
+    const double x = s * turn.x(), y = s * turn.y(), z = s * turn.z();
+    Quat r(c * q.w() - x * q.x() - y * q.y() - z * q.z(), c * q.x() + x * q.w() + y * q.z() - z * q.y(),
+           c * q.y() - x * q.z() + y * q.w() + z * q.x(), c * q.z() + x * q.y() - y * q.x() + z * q.w());
+    r.coeffs() *= 1.5 - 0.5 * r.squaredNorm();
+    return r;
+}
+
+}  // namespace hinge

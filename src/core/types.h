@@ -1,0 +1,25 @@
+// The vectors, matrices and names of things that every part of the engine shares.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace hinge {
+
+using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Mat3 = Eigen::Matrix3d;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat12 = Eigen::Matrix<double, 12, 12>;
+using Quat = Eigen::Quaterniond;
+
+/// The skew matrix of v: skew(v) * w == v.cross(w).
+inline Mat3 skew(const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+}  // namespace hinge

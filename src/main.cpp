@@ -1,0 +1,103 @@
+// The program: runs scripts, says what would be simulated, draws what was written.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "script/module.h"
+#include "script/objects.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using hinge::script::Context;
+
+struct Request {
+    std::string verb = "run", script, case_name, out;
+    std::vector<std::string> overrides;
+};
+
+/// Calls require("hinge.<module>").<function>(table) and returns its status.
+int call_library(lua_State* L, const char* module, const char* function, const Request& request) {
+    lua_getglobal(L, "require");
+    lua_pushstring(L, module);
+    if (lua_pcall(L, 1, 1, 0) != LUA_OK) return std::cerr << "hinge: " << lua_tostring(L, -1) << "\n", 2;
+    lua_getfield(L, -1, function);
+    lua_newtable(L);
+    const auto set = [&](const char* name, const std::string& value) {
+        if (!value.empty()) lua_pushstring(L, value.c_str()), lua_setfield(L, -2, name);
+    };
+    set("script", request.script);
+    set("verb", request.verb);
+    set("case", request.case_name);
+    set("out", request.out);
+    lua_newtable(L);
+    int n = 0;
+    for (const std::string& pair : request.overrides) {
+        const auto equals = pair.find('=');
+        lua_createtable(L, 2, 0);
+        lua_pushlstring(L, pair.data(), equals), lua_rawseti(L, -2, 1);
+        lua_pushstring(L, pair.c_str() + equals + 1), lua_rawseti(L, -2, 2);
+        lua_rawseti(L, -2, ++n);
+    }
+    lua_setfield(L, -2, "overrides");
+    if (lua_pcall(L, 1, 1, 0) != LUA_OK) return std::cerr << "hinge: " << (lua_tostring(L, -1) ? lua_tostring(L, -1) : "the script failed") << "\n", 2;
+    return lua_isinteger(L, -1) ? int(lua_tointeger(L, -1)) : 0;
+}
+
+int with_lua(const Request& request, const char* module, const char* function, bool progress) {
+    std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
+    lua_State* L = state.get();
+    if (!L) return std::cerr << "hinge: not enough memory to start Lua\n", 1;
+    luaL_openlibs(L);
+    const auto context = hinge::script::prepare(L);
+    luaL_requiref(L, "hinge", luaopen_hinge, 0);
+    lua_pop(L, 1);
+    context->out_dir = request.out;
+    context->progress = progress;
+    return call_library(L, module, function, request);
+}
+
+int run(Request request) {
+    for (const std::string& pair : request.overrides)
+        if (pair.find('=') == std::string::npos || pair[0] == '=')
+            return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", 2;
+    if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
+    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
+    const int status = with_lua(request, "hinge.runner", "main", true);
+    if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> verbs = {"run", "render"};
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
+    if (!words.empty() && !named) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
+
+    CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4"};
+    app.set_version_flag("--version", HINGE_VERSION);
+    app.require_subcommand(1);
+    Request request;
+    auto* run_verb = app.add_subcommand("run", "Run a script; 'hinge SCRIPT' is the same");
+    run_verb->add_option("script", request.script, "Lua script")->required();
+    run_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    run_verb->add_option("--out", request.out, "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
+    run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong.");
+    auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
+    render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    if (*render_verb) {
+        request.verb = "render";
+        return with_lua(request, "hinge.render", "main", false);
+    }
+    return run(std::move(request));
+}

@@ -1,0 +1,103 @@
+#include "model/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/errors.h"
+
+namespace hinge {
+namespace {
+
+std::string number(double v) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", v);
+    return text;
+}
+
+std::string triple(const Vec3& v) { return "{" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "}"; }
+
+void must_be_finite(const Vec3& v, const char* what, const char* unit) {
+    if (!v.allFinite()) throw InputError(std::string(what) + " is " + triple(v) + " " + unit + "; all three must be finite");
+}
+
+}  // namespace
+
+Model::Model(ModelOptions options) : options_(options) {}
+
+int Model::add_node(const Vec3& position) {
+    must_be_finite(position, "position", "m");
+    nodes_.push_back({position, 0});
+    velocities_.push_back(Vec6::Zero());
+    return int(nodes_.size()) - 1;
+}
+
+void Model::fix(int node, std::uint8_t mask) { nodes_[node].fixed |= mask; }
+
+int Model::add_member(MemberData m) {
+    if (m.node[0] == m.node[1])
+        throw InputError("member joins node " + std::to_string(m.node[0] + 1) + " to itself; its two nodes must differ");
+    const Vec3 chord = nodes_[m.node[1]].position - nodes_[m.node[0]].position;
+    const double length = chord.norm();
+    const double scale = std::max(nodes_[m.node[0]].position.cwiseAbs().maxCoeff(), nodes_[m.node[1]].position.cwiseAbs().maxCoeff());
+    if (!(length > 1e-9 * std::max(scale, 1e-3)))
+        throw InputError("member has length " + number(length) + " m: nodes " + std::to_string(m.node[0] + 1) + " and " +
+                         std::to_string(m.node[1] + 1) + " are both at " + triple(nodes_[m.node[0]].position) +
+                         " m; a member needs a length above 0 m");
+    if (options_.formulation == Formulation::asi_gauss && m.elements % 2 != 0)
+        throw InputError("elements per member is " + std::to_string(m.elements) +
+                         "; formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...)");
+    must_be_finite(m.up, "up", "");
+    if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
+        throw InputError("up is " + triple(m.up) + ", parallel to the member (" + triple(chord) +
+                         " m); it gives the direction of the section's y axis and must point across the member");
+    members_.push_back(std::move(m));
+    return int(members_.size()) - 1;
+}
+
+void Model::set_member_groups(int member, std::vector<int> groups) { members_[member].groups = std::move(groups); }
+
+void Model::add_load(NodalLoad load) {
+    must_be_finite(load.force, "force", "N");
+    must_be_finite(load.moment, "moment", "N m");
+    loads_.push_back(std::move(load));
+}
+
+void Model::set_gravity(const Vec3& g) {
+    must_be_finite(g, "gravity", "m/s^2");
+    gravity_ = g;
+}
+
+void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
+    must_be_finite(linear, "velocity", "m/s");
+    must_be_finite(angular, "angular velocity", "rad/s");
+    velocities_[node] << linear, angular;
+    has_velocity_ = true;
+}
+
+void Model::add_fracture(FractureRule rule) { fracture_.push_back(std::move(rule)); }
+void Model::set_contact(ContactRule rule) { contact_ = std::move(rule); }
+void Model::set_damping(double d) { damping_ = d; }
+
+int Model::group(const std::string& name) {
+    const int found = find_group(name);
+    if (found >= 0) return found;
+    groups_.push_back(name);
+    return int(groups_.size()) - 1;
+}
+
+int Model::find_group(const std::string& name) const {
+    const auto at = std::find(groups_.begin(), groups_.end(), name);
+    return at == groups_.end() ? -1 : int(at - groups_.begin());
+}
+
+std::vector<int> Model::nodes_of_group(int group) const {
+    std::vector<int> nodes;
+    for (const auto& m : members_)
+        if (std::find(m.groups.begin(), m.groups.end(), group) != m.groups.end()) nodes.insert(nodes.end(), {m.node[0], m.node[1]});
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
+}  // namespace hinge

@@ -1,0 +1,146 @@
+// What a script declares: nodes, supports, members, loads and rules. Nothing here moves; see structure.h for what is computed from it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact.h"
+#include "core/types.h"
+
+namespace hinge {
+
+/// A material; SI units. `yield_stress` infinite: never yields.
+struct Material {
+    double E = 0;             ///< Pa
+    double G = 0;             ///< Pa
+    double density = 0;       ///< kg/m^3
+    double yield_stress = std::numeric_limits<double>::infinity();  ///< Pa
+};
+
+/// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
+struct Section {
+    std::string kind = "general";
+    double area = 0, Ix = 0, Iy = 0, J = 0;            ///< m^2, m^4
+    double shear_area_x = 0, shear_area_y = 0;         ///< m^2
+    double plastic_area = 0, Zx = 0, Zy = 0, Zz = 0;   ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
+    std::optional<double> N0, Mx0, My0, Mz0;           ///< given directly, N and N m
+    double width = 0, depth = 0;                       ///< m, along x and y: contact and pictures
+};
+
+enum class Formulation : std::uint8_t { conventional, asi, asi_gauss };
+enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF and ULF
+
+/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness stays that
+/// of the Gauss points and the pair stays exact. `whole`: the paper's letter, elastic and plastic together.
+enum class Shift : std::uint8_t { plastic, whole };
+
+struct NodeData {
+    Vec3 position;
+    std::uint8_t fixed = 0;  ///< bits 0..5: ux uy uz rx ry rz
+};
+
+struct MemberData {
+    int node[2];
+    std::shared_ptr<const Section> section;
+    std::shared_ptr<const Material> material;
+    Vec3 up;
+    int elements;
+    std::vector<int> groups;  ///< the first one colours it
+};
+
+/// A factor over time (s); empty: constant 1.
+using History = std::function<double(double)>;
+
+struct NodalLoad {
+    int node;
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
+    History history;
+};
+
+/// A section as a fracture rule sees it. Resultants N m and N, strains 1/m and -.
+struct SectionView {
+    double time, step;
+    int member, element, end;      ///< end: 1 or 2 of the element (0: its middle)
+    double curvature_x, curvature_y, axial_strain, twist;
+    double Mx, My, N, Mz, f_y;
+    double plastic_work;           ///< J, of the element so far
+    bool plastic;                  ///< fully plastic in this step
+};
+using FractureHook = std::function<bool(const SectionView&)>;
+
+/// Eq 16. A criterion left at infinity is not tested. The paper's 0.0004 is per millimetre: 0.4 1/m.
+struct FractureRule {
+    double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
+    double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
+    double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
+    bool tension_only = false;
+    FractureHook hook;
+    int group = -1;  ///< -1: all members
+    std::string asked_at;
+};
+
+struct ContactRule {
+    contact::GapSettings gap;
+    std::vector<int> groups;  ///< empty: all members
+    std::string asked_at;
+};
+
+struct ModelOptions {
+    Formulation formulation = Formulation::asi_gauss;
+    Displacement displacement = Displacement::large;
+    Shift shift = Shift::plastic;
+    bool plasticity = true;
+    int elements_per_member = 2;
+};
+
+/// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it was.
+class Model {
+public:
+    explicit Model(ModelOptions options);
+
+    int add_node(const Vec3& position);
+    void fix(int node, std::uint8_t mask);
+    int add_member(MemberData member);
+    void set_member_groups(int member, std::vector<int> groups);
+    void add_load(NodalLoad load);
+    void set_gravity(const Vec3& g);
+    void set_velocity(int node, const Vec3& linear, const Vec3& angular);
+    void add_fracture(FractureRule rule);
+    void set_contact(ContactRule rule);
+    void set_damping(double mass_proportional);
+    int group(const std::string& name);              ///< finds or makes
+    int find_group(const std::string& name) const;   ///< -1 when there is none
+
+    const ModelOptions& options() const { return options_; }
+    const std::vector<NodeData>& nodes() const { return nodes_; }
+    const std::vector<MemberData>& members() const { return members_; }
+    const std::vector<NodalLoad>& loads() const { return loads_; }
+    const std::vector<std::string>& groups() const { return groups_; }
+    const std::vector<FractureRule>& fracture() const { return fracture_; }
+    const std::optional<ContactRule>& contact() const { return contact_; }
+    const std::optional<Vec3>& gravity() const { return gravity_; }
+    double damping() const { return damping_; }
+    const std::vector<Vec6>& velocities() const { return velocities_; }
+    bool has_velocity() const { return has_velocity_; }
+    std::vector<int> nodes_of_group(int group) const;
+
+private:
+    ModelOptions options_;
+    std::vector<NodeData> nodes_;
+    std::vector<MemberData> members_;
+    std::vector<NodalLoad> loads_;
+    std::vector<std::string> groups_;
+    std::vector<FractureRule> fracture_;
+    std::optional<ContactRule> contact_;
+    std::optional<Vec3> gravity_;
+    double damping_ = 0;
+    std::vector<Vec6> velocities_;
+    bool has_velocity_ = false;
+};
+
+}  // namespace hinge

@@ -1,0 +1,120 @@
+#include "model/structure.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/errors.h"
+
+namespace hinge {
+namespace {
+
+beam::YieldSurface yield_surface(const Section& s, const Material& m) {
+    const auto inverse_square = [&](const std::optional<double>& given, double modulus, double stress) {
+        const double limit = given ? *given : modulus > 0 ? modulus * stress : std::numeric_limits<double>::infinity();
+        return std::isfinite(limit) ? 1 / (limit * limit) : 0.0;
+    };
+    const double tau = m.yield_stress / std::sqrt(3.0);
+    return {inverse_square(s.Mx0, s.Zx, m.yield_stress), inverse_square(s.My0, s.Zy, m.yield_stress),
+            inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
+}
+
+/// Paper, section 2.2 and fig 3: where the point stands while the element is elastic; `inner`: +1 when the pair's middle is at node 2.
+double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
+
+}  // namespace
+
+Structure::Structure(std::shared_ptr<const Model> model) : model_(std::move(model)) {
+    const Model& m = *model_;
+    for (const auto& n : m.nodes()) {
+        position_.push_back(n.position);
+        fixed_.push_back(n.fixed);
+    }
+    velocity_ = m.velocities();
+    for (std::size_t index = 0; index < m.members().size(); ++index) {
+        const MemberData& member = m.members()[index];
+        const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
+        const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
+        Mat3 axes;
+        axes << x, y, z;
+        const Material& mat = *member.material;
+        const Section& sec = *member.section;
+        Element e;
+        e.member = int(index);
+        e.length = span.norm() / member.elements;
+        e.chord = span / member.elements;
+        e.axes = Quat(axes).normalized();
+        e.rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
+                      mat.density * sec.area, mat.density * sec.Ix, mat.density * sec.Iy};
+        e.yield = m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
+        can_yield_ |= !e.yield.elastic();
+        e.radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
+        e.fracture = -1;
+        for (std::size_t r = 0; r < m.fracture().size(); ++r) {
+            const int group = m.fracture()[r].group;
+            if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end()) e.fracture = int(r);
+        }
+        e.touches = m.contact().has_value();
+        if (e.touches && !m.contact()->groups.empty())
+            e.touches = std::any_of(member.groups.begin(), member.groups.end(), [&](int g) {
+                return std::find(m.contact()->groups.begin(), m.contact()->groups.end(), g) != m.contact()->groups.end();
+            });
+        int left = member.node[0];
+        for (int i = 0; i < member.elements; ++i) {
+            int right = member.node[1];
+            if (i + 1 < member.elements) {
+                right = int(position_.size());
+                const double t = double(i + 1) / member.elements;
+                position_.push_back(start + t * span);
+                fixed_.push_back(0);
+                velocity_.push_back((1 - t) * m.velocities()[member.node[0]] + t * m.velocities()[member.node[1]]);
+            }
+            e.node[0] = left;
+            e.node[1] = right;
+            const bool paired = member.elements % 2 == 0;
+            e.partner = paired ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
+            e.s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
+            e.stiffness = beam::stiffness(e.rigidity, e.length, e.s);
+            elements_.push_back(e);
+            left = right;
+        }
+    }
+    elements_at_.resize(position_.size());
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+        for (int node : elements_[i].node) elements_at_[node].push_back(int(i));
+}
+
+int Structure::free_dofs() const {
+    int n = 0;
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+        if (!elements_at_[i].empty()) n += 6 - std::popcount(fixed_[i]);
+    return n;
+}
+
+bool Structure::in_group(int element, int group) const {
+    const auto& groups = model_->members()[elements_[element].member].groups;
+    return std::find(groups.begin(), groups.end(), group) != groups.end();
+}
+
+std::string Structure::node_name(int node) const {
+    char text[160];
+    const Vec3& x = position_[node];
+    const int declared = int(model_->nodes().size());
+    if (node < declared)
+        std::snprintf(text, sizeof text, "node %d at {%.4g, %.4g, %.4g} m", node + 1, x.x(), x.y(), x.z());
+    else
+        std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m", elements_[elements_at_[node][0]].member + 1, x.x(), x.y(), x.z());
+    return text;
+}
+
+std::string Structure::element_name(int index) const {
+    const Element& e = elements_[index];
+    const auto& member = model_->members()[e.member];
+    int first = index;
+    while (first > 0 && elements_[first - 1].member == e.member) --first;
+    std::string name = "element " + std::to_string(index - first + 1) + " of member " + std::to_string(e.member + 1);
+    if (!member.groups.empty()) name += " (" + model_->groups()[member.groups[0]] + ")";
+    return name + ", nodes " + std::to_string(member.node[0] + 1) + "-" + std::to_string(member.node[1] + 1);
+}
+
+}  // namespace hinge

@@ -1,0 +1,59 @@
+// What a run works on: nodes and elements computed once from the declared model, constant while it runs.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "beam/timoshenko.h"
+#include "beam/yield.h"
+#include "model/model.h"
+
+namespace hinge {
+
+struct Element {
+    int node[2];
+    int member;
+    int partner;                 ///< the other element of its pair, -1 if it has none
+    double length;               ///< m
+    Vec3 chord;                  ///< from node 1 to node 2 at the start, m
+    Quat axes;                   ///< local axes at the start (columns x y z)
+    beam::Rigidity rigidity;
+    double s;                    ///< normal position of the integration point
+    beam::Stiffness stiffness;   ///< k(s)
+    beam::YieldSurface yield;
+    double radius;               ///< half the smaller side of the section, m
+    int fracture;                ///< index of its rule, -1 for none
+    bool touches;                ///< takes part in contact
+};
+
+/// Nodes 0..declared-1 are the script's; the rest lie inside members.
+class Structure {
+public:
+    explicit Structure(std::shared_ptr<const Model> model);
+
+    const Model& model() const { return *model_; }
+    const std::vector<Vec3>& position() const { return position_; }      ///< m, at the start
+    const std::vector<std::uint8_t>& fixed() const { return fixed_; }    ///< six bits a node
+    const std::vector<Element>& elements() const { return elements_; }
+    const std::vector<Vec6>& initial_velocity() const { return velocity_; }
+    const std::vector<std::vector<int>>& elements_at() const { return elements_at_; }  ///< of each node
+    int free_dofs() const;
+    bool can_yield() const { return can_yield_; }
+    bool large() const { return model_->options().displacement == Displacement::large; }
+    bool conventional() const { return model_->options().formulation == Formulation::conventional; }
+    bool in_group(int element, int group) const;
+    std::string node_name(int node) const;        ///< "node 12 at {8, 0, 4} m"
+    std::string element_name(int element) const;  ///< "element 2 of member 31 (columns), nodes 4-9"
+
+private:
+    std::shared_ptr<const Model> model_;
+    std::vector<Vec3> position_;
+    std::vector<std::uint8_t> fixed_;
+    std::vector<Element> elements_;
+    std::vector<Vec6> velocity_;
+    std::vector<std::vector<int>> elements_at_;
+    bool can_yield_ = false;
+};
+
+}  // namespace hinge

@@ -1,0 +1,20 @@
+// What stands around the drawn structure: title, time, legend of colours and the directions of the axes.
+#pragma once
+
+#include "output/framing.h"
+#include "output/picture.h"
+#include "output/sketch.h"
+
+namespace hinge::output {
+
+/// Pixels kept free above and below the structure.
+struct Margins {
+    int top, bottom;
+};
+
+Margins caption_margins(const View& view);
+
+/// `nothing`: no bar is drawn, which the picture then says.
+void draw_caption(Pen& pen, const View& view, double time, const Camera& camera, bool nothing);
+
+}  // namespace hinge::output

@@ -1,0 +1,97 @@
+// The module's functions as the program finds them: C names, and no exception crosses them.
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <string>
+
+#include "core/errors.h"
+#include "output/draw_plot.h"
+#include "output/draw_still.h"
+#include "output/picture.h"
+#include "output/plot.h"
+#include "output/quiet_vtk.h"
+#include "output/still_file.h"
+#include "output/whole_file.h"
+
+#define HINGE_EXPORT __attribute__((visibility("default")))
+
+namespace hinge::output {
+namespace {
+
+/// VTK's one window, its message sink and the display are shared: callers take turns.
+std::mutex turn;
+
+/// Where standard output is closed, our files and the display's socket would become it, and take what others print.
+void hold_standard_streams() {
+    for (int fd = 0; fd <= 2; ++fd)
+        if (::fcntl(fd, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) < 0) return;
+}
+
+void tell(const std::string& message, char* error, int room) {
+    if (!error || room <= 0) return;
+    const std::size_t n = std::min(message.size(), static_cast<std::size_t>(room - 1));
+    std::memcpy(error, message.data(), n);
+    error[n] = '\0';
+}
+
+template <class Work>
+int guarded(char* error, int room, Work work) noexcept {
+    try {
+        const std::lock_guard lock(turn);
+        hold_standard_streams();
+        silence_vtk();
+        take_vtk_complaint();
+        work();
+        return 0;
+    } catch (const std::bad_alloc&) {
+        tell("out of memory while writing a picture or frame; make it smaller", error, room);
+    } catch (const std::exception& e) {
+        tell(e.what(), error, room);
+    } catch (...) {
+        tell("unknown failure while writing a picture or frame", error, room);
+    }
+    return 1;
+}
+
+std::string given(const char* path) {
+    if (!path || !*path) throw InputError("the file name of a picture or frame is empty; give one");
+    return path;
+}
+
+}  // namespace
+
+// In a namespace because the global names are taken by the types of these functions.
+extern "C" {
+
+HINGE_EXPORT int hinge_write_still(const char* path, const Still& still, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), encode_still(still)); });
+}
+
+HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* times, const char* const* files, char* error,
+                                        int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), encode_collection(n, times, files)); });
+}
+
+HINGE_EXPORT int hinge_read_still(const char* path, Still& still, char* error, int room) {
+    return guarded(error, room, [&] { still = decode_still(read_whole_file(given(path)), path); });
+}
+
+HINGE_EXPORT int hinge_render(const char* path, const Still& still, const View& view, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), draw_still(still, view)); });
+}
+
+HINGE_EXPORT int hinge_frame_box(const Still& still, const View& view, double box[6], char* error, int room) {
+    return guarded(error, room, [&] { std::ranges::copy(frame_box(still, view), box); });
+}
+
+HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), draw_plot(plot, width, height)); });
+}
+}  // extern "C"
+
+}  // namespace hinge::output

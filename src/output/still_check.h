@@ -1,0 +1,11 @@
+// Whether a still hangs together, checked before anything walks its indices.
+#pragma once
+
+#include "output/picture.h"
+
+namespace hinge::output {
+
+/// Throws InputError naming the first bar and field that is wrong.
+void check_still(const Still& still);
+
+}  // namespace hinge::output

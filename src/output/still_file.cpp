@@ -1,0 +1,207 @@
+// Stills as VTP, and the collection that lets ParaView play them.
+#include "output/still_file.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <charconv>
+
+#include "core/errors.h"
+#include "output/quiet_vtk.h"
+#include "output/still_check.h"
+
+namespace hinge::output {
+namespace {
+
+/// One cell array: how it is filled from the bars.
+template <class Array, class Value>
+void add_column(vtkFieldData* to, const char* name, const std::vector<Bar>& bars, Value value) {
+    const vtkNew<Array> column;
+    column->SetName(name);
+    column->SetNumberOfTuples(static_cast<vtkIdType>(bars.size()));
+    for (std::size_t i = 0; i < bars.size(); ++i) column->SetValue(static_cast<vtkIdType>(i), value(bars[i]));
+    to->AddArray(column);
+}
+
+void add_points(vtkPolyData* data, const Still& still) {
+    const auto n = static_cast<vtkIdType>(still.points.size());
+    const vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->SetNumberOfPoints(n);
+    const vtkNew<vtkUnsignedCharArray> is_virtual;
+    is_virtual->SetName("is_virtual");
+    is_virtual->SetNumberOfTuples(n);
+    for (vtkIdType i = 0; i < n; ++i) {
+        points->SetPoint(i, still.points[i].data());
+        is_virtual->SetValue(i, still.is_virtual.empty() ? 0 : still.is_virtual[i]);
+    }
+    data->SetPoints(points);
+    data->GetPointData()->AddArray(is_virtual);
+}
+
+void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
+    const vtkNew<vtkCellArray> lines;
+    for (const Bar& bar : bars) {
+        const vtkIdType ends[2] = {bar.point[0], bar.point[1]};
+        lines->InsertNextCell(2, ends);
+    }
+    data->SetLines(lines);
+    vtkCellData* cells = data->GetCellData();
+    add_column<vtkDoubleArray>(cells, "f_y", bars, [](const Bar& b) { return b.yield; });
+    add_column<vtkIntArray>(cells, "group", bars, [](const Bar& b) { return b.group; });
+    add_column<vtkUnsignedCharArray>(cells, "state", bars, [](const Bar& b) { return static_cast<std::uint8_t>(b.state); });
+    add_column<vtkIntArray>(cells, "member", bars, [](const Bar& b) { return b.member; });
+    add_column<vtkIntArray>(cells, "element", bars, [](const Bar& b) { return b.element; });
+    add_column<vtkDoubleArray>(cells, "width", bars, [](const Bar& b) { return b.width; });
+    cells->SetActiveScalars("f_y");
+}
+
+void add_field(vtkPolyData* data, const Still& still) {
+    const vtkNew<vtkDoubleArray> time;
+    time->SetName("TimeValue");
+    time->InsertNextValue(still.time);
+    data->GetFieldData()->AddArray(time);
+    const vtkNew<vtkStringArray> groups;
+    groups->SetName("groups");
+    for (const std::string& group : still.groups) groups->InsertNextValue(group);
+    data->GetFieldData()->AddArray(groups);
+}
+
+[[noreturn]] void not_ours(const std::string& name, const std::string& what) {
+    throw InputError("cannot read " + name + ": " + what + "; give a .vtp frame that hinge wrote, or run the script again");
+}
+
+template <class Array>
+Array* find_array(vtkFieldData* in, const char* array, vtkIdType n, const std::string& name) {
+    Array* found = Array::SafeDownCast(in->GetAbstractArray(array));
+    if (!found) not_ours(name, std::string("it has no array ") + array);
+    if (found->GetNumberOfValues() != n) not_ours(name, std::string("its array ") + array + " has the wrong length");
+    return found;
+}
+
+void read_bars(vtkPolyData* data, Still& still, const std::string& name) {
+    const vtkIdType n = data->GetNumberOfLines();
+    if (data->GetNumberOfCells() != n) not_ours(name, "it has cells other than lines");
+    vtkCellData* cells = data->GetCellData();
+    const auto* f_y = find_array<vtkDoubleArray>(cells, "f_y", n, name);
+    const auto* group = find_array<vtkIntArray>(cells, "group", n, name);
+    const auto* state = find_array<vtkUnsignedCharArray>(cells, "state", n, name);
+    const auto* member = find_array<vtkIntArray>(cells, "member", n, name);
+    const auto* element = find_array<vtkIntArray>(cells, "element", n, name);
+    const auto* width = find_array<vtkDoubleArray>(cells, "width", n, name);
+    still.bars.reserve(static_cast<std::size_t>(n));
+    for (vtkIdType i = 0; i < n; ++i) {
+        vtkIdType count = 0;
+        const vtkIdType* ends = nullptr;
+        data->GetLines()->GetCellAtId(i, count, ends);
+        if (count != 2) not_ours(name, "it has a line of other than two points");
+        still.bars.push_back({{static_cast<int>(ends[0]), static_cast<int>(ends[1])},
+                              f_y->GetValue(i),
+                              static_cast<BarState>(state->GetValue(i)),
+                              group->GetValue(i),
+                              member->GetValue(i),
+                              element->GetValue(i),
+                              width->GetValue(i)});
+    }
+}
+
+std::string xml_text(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += c;
+        }
+    }
+    return out;
+}
+
+/// Shortest digits that read back as the same number, whatever the locale.
+std::string shortest(double value) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+}  // namespace
+
+std::string encode_still(const Still& still) {
+    check_still(still);
+    const vtkNew<vtkPolyData> data;
+    add_points(data, still);
+    add_bars(data, still.bars);
+    add_field(data, still);
+
+    const vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressorTypeToZLib();
+    // Higher levels take several times as long and save a few per cent.
+    writer->SetCompressionLevel(1);
+    writer->WriteToOutputStringOn();
+    const bool written = writer->Write() != 0;
+    const std::string complaint = take_vtk_complaint();
+    if (!written || writer->GetErrorCode() != 0)
+        throw OutsideError("cannot put the frame together" + (complaint.empty() ? "" : ": " + complaint));
+    return writer->GetOutputString();
+}
+
+Still decode_still(const std::string& bytes, const std::string& name) {
+    // No XML declaration: raw appended data are not XML, and VTK leaves it off.
+    if (!bytes.starts_with("<VTKFile")) not_ours(name, "it is not a VTP file");
+    const vtkNew<vtkXMLPolyDataReader> reader;
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(bytes);
+    reader->Update();
+    const std::string complaint = take_vtk_complaint();
+    if (reader->GetErrorCode() != 0 || !complaint.empty())
+        not_ours(name, complaint.empty() ? "it is damaged" : "it is damaged (" + complaint + ")");
+
+    vtkPolyData* data = reader->GetOutput();
+    vtkFieldData* field = data->GetFieldData();
+    Still still;
+    still.time = find_array<vtkDoubleArray>(field, "TimeValue", 1, name)->GetValue(0);
+    const vtkIdType n = data->GetNumberOfPoints();
+    const auto* is_virtual = find_array<vtkUnsignedCharArray>(data->GetPointData(), "is_virtual", n, name);
+    still.points.resize(static_cast<std::size_t>(n));
+    still.is_virtual.resize(static_cast<std::size_t>(n));
+    for (vtkIdType i = 0; i < n; ++i) {
+        data->GetPoint(i, still.points[i].data());
+        still.is_virtual[i] = is_virtual->GetValue(i);
+    }
+    read_bars(data, still, name);
+    if (auto* groups = vtkStringArray::SafeDownCast(field->GetAbstractArray("groups")))
+        for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) still.groups.push_back(groups->GetValue(i));
+    try {
+        check_still(still);
+    } catch (const InputError& e) {
+        not_ours(name, e.what());
+    }
+    return still;
+}
+
+std::string encode_collection(int n, const double* times, const char* const* files) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "  <Collection>\n";
+    for (int i = 0; i < n; ++i)
+        text += "    <DataSet timestep=\"" + shortest(times[i]) + "\" group=\"\" part=\"0\" file=\"" + xml_text(files[i]) +
+                "\"/>\n";
+    return text + "  </Collection>\n</VTKFile>\n";
+}
+
+}  // namespace hinge::output

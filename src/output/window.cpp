@@ -1,0 +1,100 @@
+// The one off-screen window all pictures are taken in.
+#include "output/window.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "core/errors.h"
+#include "output/display.h"
+#include "output/quiet_vtk.h"
+
+namespace hinge::output {
+namespace {
+
+constexpr int smallest = 64, largest = 8192;
+
+/// Never destroyed: closing it talks to a server that may have gone, and Mesa's own exit may have come first.
+vtkRenderWindow* window = nullptr;
+
+void ready_window(int width, int height) {
+    bool fresh = false;
+    void* display = drawing_display(fresh);
+    if (fresh || !window) {
+        window = vtkRenderWindow::New();
+        window->SetDisplayId(display);
+        window->SetShowWindow(false);
+        window->SetUseOffScreenBuffers(true);
+        window->SwapBuffersOff();
+        window->SetMultiSamples(4);
+    }
+    window->SetSize(width, height);
+}
+
+/// Puts renderers into the window for one picture, and the window's context back for other threads.
+class Session {
+public:
+    explicit Session(std::span<vtkRenderer* const> layers) : layers_(layers) {
+        window->SetNumberOfLayers(static_cast<int>(layers.size()));
+        for (std::size_t i = 0; i < layers.size(); ++i) {
+            layers[i]->SetLayer(static_cast<int>(i));
+            window->AddRenderer(layers[i]);
+        }
+    }
+    ~Session() {
+        for (vtkRenderer* layer : layers_) window->RemoveRenderer(layer);
+        window->ReleaseCurrent();
+    }
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+private:
+    std::span<vtkRenderer* const> layers_;
+};
+
+std::string encode_png(vtkUnsignedCharArray* pixels, int width, int height) {
+    const vtkNew<vtkImageData> image;
+    image->SetDimensions(width, height, 1);
+    image->GetPointData()->SetScalars(pixels);
+    const vtkNew<vtkPNGWriter> writer;
+    writer->SetInputData(image);
+    writer->SetCompressionLevel(4);
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray* result = writer->GetResult();
+    if (writer->GetErrorCode() != 0 || !result) throw OutsideError("cannot encode the picture as PNG: out of memory?");
+    return {reinterpret_cast<const char*>(result->GetPointer(0)), static_cast<std::size_t>(result->GetNumberOfValues())};
+}
+
+}  // namespace
+
+void check_size(int width, int height) {
+    if (width < smallest || width > largest || height < smallest || height > largest)
+        throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                         " pixels: each side must be from " + std::to_string(smallest) + " to " + std::to_string(largest));
+}
+
+std::string take_picture(int width, int height, std::span<vtkRenderer* const> layers) {
+    check_size(width, height);
+    const CalmX calm;
+    ready_window(width, height);
+    const vtkNew<vtkUnsignedCharArray> pixels;
+    {
+        const Session session(layers);
+        window->Render();
+        window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0);
+    }
+    const std::string complaint = take_vtk_complaint();
+    if (!display_alive()) throw OutsideError("the display went away while a picture was drawn; draw it again");
+    if (!complaint.empty()) throw OutsideError("cannot draw the picture: " + complaint);
+    if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height)
+        throw OutsideError("cannot draw the picture: the display gave no pixels");
+    return encode_png(pixels, width, height);
+}
+
+}  // namespace hinge::output

@@ -1,0 +1,558 @@
+// hinge.model and what it holds: nodes, members, groups, loads, rules.
+#include <algorithm>
+
+#include "script/objects.h"
+
+namespace hinge::script {
+
+NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model) {
+    auto* node = find<NodeBox>(L, index);
+    if (!node) throw InputError(what + " is " + show(L, index) + "; must be a node made by model:node{x, y, z}");
+    if (model && node->model.get() != model) throw InputError(what + " is node " + std::to_string(node->index + 1) + " of another model; use a node of this one");
+    return *node;
+}
+
+std::string group_names(const Model& model, const std::string& typed) {
+    std::string list;
+    for (const auto& g : model.groups()) list += (list.empty() ? "" : ", ") + ("'" + g + "'");
+    return did_you_mean(typed, model.groups()) + (list.empty() ? "; the model has no groups" : "; the model has " + list);
+}
+
+int group_argument(lua_State* L, int index, const std::string& what, const Model& model) {
+    if (const auto* group = find<GroupBox>(L, index)) {
+        if (group->model.get() != &model) throw InputError(what + " is group '" + group->model->groups()[group->index] + "' of another model");
+        return group->index;
+    }
+    if (lua_type(L, index) != LUA_TSTRING) throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
+    const std::string name = lua_tostring(L, index);
+    const int found = model.find_group(name);
+    if (found < 0) throw InputError(what + ": no group '" + name + "'" + group_names(model, name));
+    return found;
+}
+
+namespace {
+
+std::uint8_t parse_freedoms(const std::string& what, const std::string& text) {
+    if (text == "all") return 63;
+    std::uint8_t mask = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const int shift = c == 'r' ? 3 : 0;
+        if (c == ' ' || c == ',') continue;
+        if ((c == 'r' || c == 'u') && i + 1 < text.size()) ++i;
+        const char axis = text[i];
+        if (axis < 'x' || axis > 'z')
+            throw InputError(what + " is '" + text + "'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations");
+        mask |= 1 << (shift + axis - 'x');
+    }
+    if (!mask) throw InputError(what + " is empty; give \"all\", \"xyz\" or the like");
+    return mask;
+}
+
+History read_history(Options& o) {
+    const int type = o.push_field("history");
+    lua_State* L = o.L();
+    if (type == LUA_TNIL) return lua_pop(L, 1), History{};
+    if (type == LUA_TFUNCTION) {
+        LuaFunction f(L, -1);
+        lua_pop(L, 1);
+        return [f, who = o.function()](double t) {
+            lua_State* L = f.running();
+            f.push(L);
+            lua_pushnumber(L, t);
+            call_hook(L, 1, 1);
+            const bool good = lua_isnumber(L, -1);
+            const double v = lua_tonumber(L, -1);
+            const std::string shown = show(L, -1);
+            lua_pop(L, 1);
+            if (!good) throw HookError(who + ": the history function returned " + shown + " at t = " + show(t) + " s; it must return a number");
+            return v;
+        };
+    }
+    const std::string shown = show(L, -1);
+    if (type != LUA_TTABLE) {
+        lua_pop(L, 1);
+        o.complain("history", shown, "must be a function of time (s) or a table of {time, factor} pairs");
+    }
+    std::vector<std::pair<double, double>> points;
+    const int table = lua_gettop(L);
+    for (lua_Integer i = 1, n = lua_rawlen(L, table); i <= n; ++i) {
+        double pair[2];
+        lua_rawgeti(L, table, i);
+        bool good = lua_istable(L, -1);
+        for (int k = 0; good && k < 2; ++k) {
+            good = lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER;
+            pair[k] = lua_tonumber(L, -1);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+        if (!good) o.complain("history", "wrong at point " + std::to_string(i), "each point must be {time in s, factor}");
+        if (!std::isfinite(pair[0]) || !std::isfinite(pair[1])) o.complain("history", "not finite at point " + std::to_string(i), "times and factors must be finite");
+        if (!points.empty() && pair[0] <= points.back().first) o.complain("history", "out of order at point " + std::to_string(i) + " (time " + show(pair[0]) + " s)", "times must rise");
+        points.push_back({pair[0], pair[1]});
+    }
+    lua_pop(L, 1);
+    if (points.empty()) o.complain("history", "empty", "give at least one {time, factor}");
+    return [points](double t) {
+        if (t <= points.front().first) return points.front().second;
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (t <= points[i].first) {
+                const double share = (t - points[i - 1].first) / (points[i].first - points[i - 1].first);
+                return (1 - share) * points[i - 1].second + share * points[i].second;
+            }
+        return points.back().second;
+    };
+}
+
+int model(lua_State* L) {
+    Options o(L, 1, "hinge.model", true);
+    ModelOptions m;
+    const std::string formulation = o.word("formulation", {"conventional", "asi", "asi-gauss"}, "asi-gauss");
+    m.formulation = formulation == "conventional" ? Formulation::conventional : formulation == "asi" ? Formulation::asi : Formulation::asi_gauss;
+    m.displacement = o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
+    m.plasticity = o.flag("plasticity", true);
+    m.elements_per_member = o.integer("elements_per_member", 1, 2);
+    if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)
+        o.complain("elements_per_member", std::to_string(m.elements_per_member),
+                   "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...); 'asi' and 'conventional' take any");
+    o.finish();
+    push<ModelBox>(L, std::make_shared<Model>(m));
+    return 1;
+}
+
+int add_node(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:node").value;
+    const int index = m->add_node(read_triple(L, 2, "model:node: position", "m"));
+    push<NodeBox>(L, m, index);
+    return 1;
+}
+
+int fix(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:fix").value;
+    if (lua_type(L, 3) != LUA_TSTRING && !lua_isnoneornil(L, 3)) throw InputError("model:fix: what to fix is " + show(L, 3) + "; give a string such as \"all\" or \"xyz\"");
+    const std::uint8_t mask = parse_freedoms("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
+    if (lua_istable(L, 2)) {
+        std::vector<int> nodes;
+        for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {
+            lua_rawgeti(L, 2, i);
+            nodes.push_back(node_argument(L, -1, "model:fix: item " + std::to_string(i), m.get()).index);
+            lua_pop(L, 1);
+        }
+        for (int n : nodes) m->fix(n, mask);
+    } else {
+        m->fix(node_argument(L, 2, "model:fix: node", m.get()).index, mask);
+    }
+    return 0;
+}
+
+void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std::string>& fresh) {
+    lua_State* L = o.L();
+    const int type = o.push_field("group");
+    const auto take = [&](int index) {
+        if (const auto* g = find<GroupBox>(L, index); g && g->model.get() == &m) return groups.push_back(g->index);
+        if (lua_type(L, index) != LUA_TSTRING || lua_rawlen(L, index) == 0) o.complain("group", show(L, index), "must be a name, or a table of names");
+        fresh.push_back(lua_tostring(L, index));
+    };
+    if (type == LUA_TTABLE)
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            take(-1);
+            lua_pop(L, 1);
+        }
+    else if (type != LUA_TNIL) take(-1);
+    lua_pop(L, 1);
+}
+
+int add_member(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:member").value;
+    Options o(L, 2, "model:member");
+    MemberData data;
+    for (int i = 0; i < 2; ++i) {
+        o.push_item(i + 1);
+        data.node[i] = node_argument(L, -1, "model:member: node [" + std::to_string(i + 1) + "]", m.get()).index;
+        lua_pop(L, 1);
+    }
+    o.push_field("section");
+    if (auto* s = find<SectionBox>(L, -1)) data.section = s->value;
+    else o.complain("section", lua_isnil(L, -1) ? "missing" : show(L, -1), "give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}");
+    o.push_field("material");
+    if (auto* s = find<MaterialBox>(L, -1)) data.material = s->value;
+    else o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1), "give one made by hinge.material{ E =, density =, ... }");
+    lua_pop(L, 2);
+    const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
+    // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
+    data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
+    data.elements = o.integer("elements", 1, m->options().elements_per_member);
+    std::vector<std::string> fresh;
+    read_groups(o, *m, data.groups, fresh);
+    o.finish(2);
+    if (fresh.empty()) {
+        const int index = m->add_member(std::move(data));
+        push<MemberBox>(L, m, index);
+        return 1;
+    }
+    // new groups come into being only with a member that is accepted
+    std::vector<int> names = data.groups;
+    data.groups.clear();
+    const int index = m->add_member(data);
+    for (const auto& name : fresh) names.push_back(m->group(name));
+    m->set_member_groups(index, names);
+    push<MemberBox>(L, m, index);
+    return 1;
+}
+
+int add_load(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:load").value;
+    Options o(L, 2, "model:load");
+    NodalLoad load;
+    o.push_field("node");
+    load.node = node_argument(L, -1, "model:load: field 'node'", m.get()).index;
+    lua_pop(L, 1);
+    const auto force = o.triple("force", "N"), moment = o.triple("moment", "N m");
+    if (!force && !moment) throw InputError("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}");
+    load.force = force.value_or(Vec3::Zero());
+    load.moment = moment.value_or(Vec3::Zero());
+    load.history = read_history(o);
+    o.finish();
+    m->add_load(std::move(load));
+    return 0;
+}
+
+int gravity(lua_State* L) {
+    self<ModelBox>(L, "model:gravity").value->set_gravity(read_triple(L, 2, "model:gravity: acceleration", "m/s^2"));
+    return 0;
+}
+
+int velocity(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:velocity").value;
+    std::vector<int> nodes;
+    if (auto* node = find<NodeBox>(L, 2)) {
+        nodes = {node_argument(L, 2, "model:velocity: target", m.get()).index};
+        (void)node;
+    } else if (auto* member = find<MemberBox>(L, 2)) {
+        if (member->model != m) throw InputError("model:velocity: target is a member of another model");
+        nodes = {m->members()[member->index].node[0], m->members()[member->index].node[1]};
+    } else if (find<GroupBox>(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
+        nodes = m->nodes_of_group(group_argument(L, 2, "model:velocity: target", *m));
+    } else {
+        throw InputError("model:velocity: target is " + show(L, 2) + "; must be a node, a member, a group or the name of one");
+    }
+    const Vec3 v = read_triple(L, 3, "model:velocity: velocity", "m/s");
+    const Vec3 w = lua_isnoneornil(L, 4) ? Vec3(Vec3::Zero()) : read_triple(L, 4, "model:velocity: angular velocity", "rad/s");
+    Vec3 centre = Vec3::Zero();
+    for (int n : nodes) centre += m->nodes()[n].position / double(nodes.size());
+    for (int n : nodes) m->set_velocity(n, v + w.cross(m->nodes()[n].position - centre), w);
+    return 0;
+}
+
+FractureHook read_fracture_hook(lua_State* L, int index, const std::shared_ptr<Model>& m) {
+    LuaFunction f(L, index);
+    std::weak_ptr<Model> model = m;
+    return [f, model](const SectionView& s) {
+        lua_State* L = f.running();
+        f.push(L);
+        lua_createtable(L, 0, 20);
+        const std::pair<const char*, double> numbers[] = {
+            {"time", s.time}, {"step", s.step}, {"member", s.member + 1.0}, {"element", s.element + 1.0}, {"end", double(s.end)},
+            {"curvature_x", s.curvature_x}, {"curvature_y", s.curvature_y}, {"axial_strain", s.axial_strain}, {"twist", s.twist},
+            {"Mx", s.Mx}, {"My", s.My}, {"N", s.N}, {"Mz", s.Mz}, {"f_y", s.f_y}, {"plastic_work", s.plastic_work}};
+        for (const auto& [name, value] : numbers) lua_pushnumber(L, value), lua_setfield(L, -2, name);
+        lua_pushboolean(L, s.plastic);
+        lua_setfield(L, -2, "plastic");
+        if (const auto own = model.lock(); own && !own->members()[s.member].groups.empty()) {
+            lua_pushstring(L, own->groups()[own->members()[s.member].groups[0]].c_str());
+            lua_setfield(L, -2, "group");
+        }
+        call_hook(L, 1, 1);
+        const bool breaks = lua_toboolean(L, -1);
+        lua_pop(L, 1);
+        return breaks;
+    };
+}
+
+int fracture(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:fracture").value;
+    FractureRule rule;
+    rule.asked_at = where(L);
+    if (lua_isfunction(L, 2)) {
+        rule.hook = read_fracture_hook(L, 2, m);
+    } else {
+        if (!lua_istable(L, 2)) throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
+        Options o(L, 2, "model:fracture");
+        const auto take = [&](const char* field, const char* unit, double& limit) {
+            if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
+        };
+        take("curvature_x", "1/m", rule.curvature_x);
+        take("curvature_y", "1/m", rule.curvature_y);
+        take("axial_strain", "", rule.axial_strain);
+        rule.tension_only = o.flag("tension_only", false);
+        const int type = o.push_field("rule");
+        if (type == LUA_TFUNCTION) rule.hook = read_fracture_hook(L, -1, m);
+        else if (type != LUA_TNIL) o.complain("rule", show(L, -1), "must be a function of a section that returns true where it breaks");
+        lua_pop(L, 1);
+        if (o.push_field("group") != LUA_TNIL) rule.group = group_argument(L, -1, "model:fracture: field 'group'", *m);
+        lua_pop(L, 1);
+        o.finish();
+        if (!rule.hook && !std::isfinite(rule.curvature_x) && !std::isfinite(rule.curvature_y) && !std::isfinite(rule.axial_strain))
+            throw InputError("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function");
+    }
+    m->add_fracture(std::move(rule));
+    return 0;
+}
+
+int contact_rule(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:contact").value;
+    Options o(L, 2, "model:contact", true);
+    ContactRule rule;
+    rule.asked_at = where(L);
+    o.word("rule", {"gap"}, "gap");
+    rule.gap.reach = o.number("reach", "", Range::positive, rule.gap.reach);
+    rule.gap.flatness = o.number("flatness", "m^3", Range::positive, rule.gap.flatness);
+    rule.gap.binding_time = o.number("binding_time", "s", Range::positive, rule.gap.binding_time);
+    rule.gap.letter = o.flag("letter", rule.gap.letter);
+    rule.gap.hold_until_parting = o.word("release", {"parting", "time"}, rule.gap.letter ? "time" : "parting") == "parting";
+    const int type = o.push_field("groups");
+    if (type == LUA_TTABLE)
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            rule.groups.push_back(group_argument(L, -1, "model:contact: field 'groups', item " + std::to_string(i), *m));
+            lua_pop(L, 1);
+        }
+    else if (type != LUA_TNIL) o.complain("groups", show(L, -1), "must be a table of groups or their names");
+    lua_pop(L, 1);
+    o.finish();
+    m->set_contact(std::move(rule));
+    return 0;
+}
+
+int group(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:group").value;
+    const int index = group_argument(L, 2, "model:group: name", *m);
+    push<GroupBox>(L, m, index);
+    return 1;
+}
+
+int counts(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:counts").value;
+    const Structure structure(m);
+    lua_createtable(L, 0, 4);
+    const auto set = [&](const char* name, lua_Integer v) { lua_pushinteger(L, v), lua_setfield(L, -2, name); };
+    set("members", lua_Integer(m->members().size()));
+    set("elements", lua_Integer(structure.elements().size()));
+    set("nodes", lua_Integer(structure.position().size()));
+    set("free_dofs", structure.free_dofs());
+    return 1;
+}
+
+State start_state(Options& o, const std::shared_ptr<const Structure>& structure) {
+    lua_State* L = o.L();
+    State state = initial_state(*structure);
+    if (o.push_field("from") != LUA_TNIL) {
+        auto* box = find<RunBox>(L, -1);
+        if (!box) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
+        const State& from = box->value->run->state();
+        if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
+            o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
+                       "this model has " + std::to_string(state.displacement.size()) + " and " + std::to_string(state.broken.size()) + "; add nothing between the runs");
+        state = from;
+        state.step = 0;
+    }
+    lua_pop(L, 1);
+    return state;
+}
+
+int static_run(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:static").value;
+    Options o(L, 2, "model:static", true);
+    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    StaticSettings s;
+    s.steps = o.integer("steps", 1, 10);
+    s.iterations = o.integer("iterations", 2, s.iterations);
+    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
+    const int type = o.push_field("control");
+    if (type == LUA_TSTRING) {
+        const std::string word = lua_tostring(L, -1);
+        if (word == "arc") s.control = Control::arc;
+        else if (word != "load") o.complain("control", "'" + word + "'", "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
+    } else if (type == LUA_TTABLE) {
+        Options c(L, -1, "model:static, control");
+        s.control = Control::displacement;
+        c.push_field("node");
+        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
+        c.push_item(1);
+        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
+        const auto at = std::find(names.begin(), names.end(), component);
+        if (at == names.end()) throw InputError("model:static, control: component is " + show(L, -1) + "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
+        lua_pop(L, 2);
+        s.component = int(at - names.begin());
+        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
+        if (s.target == 0) c.complain("to", "0", "must differ from 0");
+        c.finish(1);
+        if (m->nodes()[s.node].fixed >> s.component & 1) throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) + " is fixed by a support and cannot be driven");
+    } else if (type != LUA_TNIL) {
+        o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
+    }
+    lua_pop(L, 1);
+    if (o.push_field("hold") != LUA_TNIL) {
+        s.held.assign(structure->position().size(), 0);
+        const int g = group_argument(L, -1, "model:static: field 'hold'", *m);
+        for (std::size_t e = 0; e < structure->elements().size(); ++e)
+            if (structure->in_group(int(e), g))
+                for (int n : structure->elements()[e].node) s.held[n] = 63;
+    }
+    lua_pop(L, 1);
+    const int every = o.integer("record", 1, 1);
+    State start = start_state(o, structure);
+    o.finish();
+    if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
+    context(L)->running = L;
+    try {
+        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
+    } catch (const InputError& e) {
+        throw InputError(std::string("model:static: ") + e.what());
+    }
+}
+
+int dynamic_run(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:dynamic").value;
+    Options o(L, 2, "model:dynamic");
+    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    DynamicSettings s;
+    s.dt = o.number("dt", "s", Range::positive);
+    s.duration = o.number("duration", "s", Range::positive);
+    if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
+    if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
+    s.beta = o.number("beta", "", Range::not_negative, s.beta);
+    if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
+    s.iterations = o.integer("iterations", 1, 1);
+    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
+    s.geometric = o.flag("geometric", s.geometric);
+    s.turn = o.number("turn", "rad", Range::positive, s.turn);
+    s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
+    s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
+    s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
+    const long planned = std::llround(s.duration / s.dt);
+    const int every = o.integer("record", 1, int(std::max(1L, planned / 500)));
+    State start = start_state(o, structure);
+    o.finish();
+    if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
+    for (const NodalLoad& l : m->loads())
+        if (start.gone[l.node]) throw InputError("model:dynamic: a load acts on " + structure->node_name(l.node) + ", which has no element left");
+    for (const Element& e : structure->elements())
+        if (!(e.rigidity.rhoA > 0))
+            throw InputError("model:dynamic: " + structure->element_name(int(&e - structure->elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
+    context(L)->running = L;
+    return make_run(L, std::make_shared<Dynamics>(structure, std::move(start), s), m, every);
+}
+
+// ---- fields and text ----------------------------------------------------------------------------------------------
+
+int node_fields(lua_State* L) {
+    auto& n = self<NodeBox>(L, "node");
+    const Vec3& x = n.model->nodes()[n.index].position;
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (key == "x" || key == "y" || key == "z") lua_pushnumber(L, x[key[0] - 'x']);
+    else if (key == "index") lua_pushinteger(L, n.index + 1);
+    else throw InputError("node has no field '" + key + "'" + did_you_mean(key, {"x", "y", "z", "index"}) + "; it has x, y, z (m) and index");
+    return 1;
+}
+
+int node_text(lua_State* L) {
+    auto& n = self<NodeBox>(L, "tostring");
+    const Vec3& x = n.model->nodes()[n.index].position;
+    char text[120];
+    std::snprintf(text, sizeof text, "node %d at {%.6g, %.6g, %.6g} m", n.index + 1, x.x(), x.y(), x.z());
+    return lua_pushstring(L, text), 1;
+}
+
+int member_fields(lua_State* L) {
+    auto& m = self<MemberBox>(L, "member");
+    const MemberData& data = m.model->members()[m.index];
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (key == "index") lua_pushinteger(L, m.index + 1);
+    else if (key == "length") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm());
+    else if (key == "mass") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm() * data.section->area * data.material->density);
+    else if (key == "a" || key == "b") push<NodeBox>(L, m.model, data.node[key == "b"]);
+    else if (key == "group") data.groups.empty() ? lua_pushnil(L) : (void)lua_pushstring(L, m.model->groups()[data.groups[0]].c_str());
+    else throw InputError("member has no field '" + key + "'" + did_you_mean(key, {"index", "length", "mass", "a", "b", "group"}) + "; it has index, length (m), mass (kg), a, b and group");
+    return 1;
+}
+
+int member_text(lua_State* L) {
+    auto& m = self<MemberBox>(L, "tostring");
+    const MemberData& d = m.model->members()[m.index];
+    char text[120];
+    std::snprintf(text, sizeof text, "member %d, nodes %d-%d", m.index + 1, d.node[0] + 1, d.node[1] + 1);
+    return lua_pushstring(L, text), 1;
+}
+
+int group_fields(lua_State* L) {
+    auto& g = self<GroupBox>(L, "group");
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    long count = 0;
+    double mass = 0, length = 0;
+    for (const MemberData& d : g.model->members()) {
+        if (std::find(d.groups.begin(), d.groups.end(), g.index) == d.groups.end()) continue;
+        const double l = (g.model->nodes()[d.node[1]].position - g.model->nodes()[d.node[0]].position).norm();
+        ++count, length += l, mass += l * d.section->area * d.material->density;
+    }
+    if (key == "name") lua_pushstring(L, g.model->groups()[g.index].c_str());
+    else if (key == "size") lua_pushinteger(L, count);
+    else if (key == "mass") lua_pushnumber(L, mass);
+    else if (key == "length") lua_pushnumber(L, length);
+    else throw InputError("group has no field '" + key + "'" + did_you_mean(key, {"name", "size", "mass", "length"}) + "; it has name, size (members), mass (kg) and length (m)");
+    return 1;
+}
+
+int group_text(lua_State* L) {
+    auto& g = self<GroupBox>(L, "tostring");
+    return lua_pushfstring(L, "group '%s'", g.model->groups()[g.index].c_str()), 1;
+}
+
+int model_text(lua_State* L) {
+    auto& m = *self<ModelBox>(L, "tostring").value;
+    return lua_pushfstring(L, "model: %d nodes, %d members", int(m.nodes().size()), int(m.members().size())), 1;
+}
+
+template <class T>
+int same(lua_State* L) {
+    const T *a = find<T>(L, 1), *b = find<T>(L, 2);
+    return lua_pushboolean(L, a && b && a->model == b->model && a->index == b->index), 1;
+}
+
+int model_fields(lua_State* L) {
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
+    lua_pop(L, 1);
+    std::vector<std::string> names;
+    lua_pushnil(L);
+    while (lua_next(L, lua_upvalueindex(1))) {
+        lua_pop(L, 1);
+        names.push_back(lua_tostring(L, -1));
+    }
+    std::sort(names.begin(), names.end());
+    std::string list;
+    for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
+    throw InputError("model has no method '" + key + "'" + did_you_mean(key, names) + "; it has " + list);
+}
+
+}  // namespace
+
+void open_model(lua_State* L, int module) {
+    static const luaL_Reg none[] = {{nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"node", guarded<add_node>},       {"fix", guarded<fix>},           {"member", guarded<add_member>},
+                                       {"load", guarded<add_load>},       {"gravity", guarded<gravity>},   {"velocity", guarded<velocity>},
+                                       {"fracture", guarded<fracture>},   {"contact", guarded<contact_rule>}, {"group", guarded<group>},
+                                       {"counts", guarded<counts>},       {"static", guarded<static_run>}, {"dynamic", guarded<dynamic_run>},
+                                       {nullptr, nullptr}};
+    make_metatable(L, ModelBox::lua_name, methods, guarded<model_fields>, collect<ModelBox>, guarded<model_text>, nullptr);
+    make_metatable(L, NodeBox::lua_name, none, guarded<node_fields>, collect<NodeBox>, guarded<node_text>, same<NodeBox>);
+    make_metatable(L, MemberBox::lua_name, none, guarded<member_fields>, collect<MemberBox>, guarded<member_text>, same<MemberBox>);
+    make_metatable(L, GroupBox::lua_name, none, guarded<group_fields>, collect<GroupBox>, guarded<group_text>, same<GroupBox>);
+    lua_pushcfunction(L, guarded<model>);
+    lua_setfield(L, module, "model");
+}
+
+}  // namespace hinge::script

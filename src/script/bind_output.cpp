@@ -1,0 +1,251 @@
+// What a script leaves behind: frames, pictures and summary.json.
+#include <algorithm>
+#include <dlfcn.h>
+#include <nlohmann/json.hpp>
+
+#include "core/files.h"
+#include "script/still.h"
+
+namespace hinge::script {
+
+using Json = nlohmann::ordered_json;
+
+output::Still make_still(const Run& run) {
+    const Structure& structure = run.structure();
+    const State& state = run.state();
+    output::Still still;
+    still.time = state.time;
+    still.groups = structure.model().groups();
+    for (std::size_t i = 0; i < structure.position().size(); ++i) {
+        const Vec3 x = structure.position()[i] + state.displacement[i];
+        still.points.push_back({x.x(), x.y(), x.z()});
+    }
+    still.is_virtual.assign(still.points.size(), 0);
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
+        const auto& groups = structure.model().members()[e.member].groups;
+        output::Bar bar;
+        bar.point[0] = e.node[0];
+        bar.point[1] = e.node[1];
+        bar.yield = run.yield_value(int(i));
+        bar.state = state.broken[i] ? output::BarState::broken : state.yielded[i] ? output::BarState::yielded : output::BarState::elastic;
+        bar.group = groups.empty() ? -1 : groups[0];
+        bar.member = e.member + 1;
+        bar.element = int(i) + 1;
+        bar.width = 2 * e.radius;
+        if (state.broken[i]) {
+            const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
+            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] + state.rotation[carrier] * state.stub[i];
+            bar.point[side] = int(still.points.size());
+            still.points.push_back({end.x(), end.y(), end.z()});
+            still.is_virtual.push_back(1);
+        }
+        still.bars.push_back(bar);
+    }
+    return still;
+}
+
+namespace {
+
+/// The picture module's function `name`, loaded with the module at first use.
+template <class F>
+F picture_function(const Context& c, const char* name) {
+    static void* module = nullptr;
+    if (!module) module = dlopen(c.picture_module.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module) throw OutsideError(std::string("pictures need the module libhinge_output.so, which did not load (") + dlerror() + "); build it with VTK installed: apt-get install libvtk9-dev");
+    auto* f = reinterpret_cast<F>(dlsym(module, name));
+    if (!f) throw OutsideError(std::string("the picture module has no function ") + name + "; rebuild it");
+    return f;
+}
+
+void must_work(int status, const char* error) {
+    if (status != 0) throw OutsideError(error);
+}
+
+const StillBox& still_argument(lua_State* L, int index, const char* function) {
+    if (auto* s = find<StillBox>(L, index)) return *s;
+    throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
+}
+
+/// core.write_frame(still): adds it to frames.pvd in the output folder.
+int write_frame(lua_State* L) {
+    const output::Still& still = still_argument(L, 1, "write_frame").value;
+    const auto c = context(L);
+    const std::string folder = c->out_dir.empty() ? "." : c->out_dir;
+    make_folder(folder + "/frames");
+    auto& frames = c->frames;
+    char file[48], error[512] = "";
+    std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
+    must_work(picture_function<hinge_write_still>(*c, "hinge_write_still")((folder + "/" + file).c_str(), still, error, sizeof error), error);
+    frames.push_back({still.time, file});
+    std::vector<double> times;
+    std::vector<const char*> files;
+    for (const auto& [t, f] : frames) times.push_back(t), files.push_back(f.c_str());
+    must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")((folder + "/frames.pvd").c_str(), int(times.size()), times.data(), files.data(), error, sizeof error), error);
+    return 0;
+}
+
+output::View read_view(lua_State* L, int index, output::Still& still, const Structure& structure) {
+    Options o(L, index, "picture", true);
+    output::View view;
+    view.width = o.integer("width", 1, view.width);
+    view.height = o.integer("height", 1, view.height);
+    if (const auto v = o.triple("from", "")) view.from = {v->x(), v->y(), v->z()};
+    if (const auto v = o.triple("up", "")) view.up = {v->x(), v->y(), v->z()};
+    view.leave_out_broken = o.flag("leave_out_broken", false);
+    view.above = o.number("above", "m", Range::any, view.above);
+    if (const auto t = o.text("title")) view.title = *t;
+    if (o.push_field("box") == LUA_TTABLE) {
+        view.box.emplace();
+        for (int i = 0; i < 6; ++i) {
+            lua_rawgeti(L, -1, i + 1);
+            (*view.box)[i] = lua_tonumber(L, -1);
+            lua_pop(L, 1);
+        }
+    }
+    lua_pop(L, 1);
+    if (o.push_field("groups") == LUA_TTABLE) {
+        std::vector<int> wanted;
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), structure.model()));
+            lua_pop(L, 1);
+        }
+        std::erase_if(still.bars, [&](const output::Bar& b) {
+            return std::none_of(wanted.begin(), wanted.end(), [&](int g) { return structure.in_group(b.element - 1, g); });
+        });
+    }
+    lua_pop(L, 1);
+    o.finish();
+    return view;
+}
+
+/// core.write_picture(still, view, path)
+int write_picture(lua_State* L) {
+    const StillBox& box = still_argument(L, 1, "write_picture");
+    if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
+    output::Still still = box.value;
+    const output::View view = read_view(L, 2, still, *box.structure);
+    const std::string path = lua_tostring(L, 3);
+    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    char error[512] = "";
+    must_work(picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), still, view, error, sizeof error), error);
+    return 0;
+}
+
+/// core.render_file(vtp, png, view): draws a frame written before.
+int render_file(lua_State* L) {
+    char error[512] = "";
+    output::Still still;
+    const auto c = context(L);
+    must_work(picture_function<hinge_read_still>(*c, "hinge_read_still")(luaL_checkstring(L, 1), still, error, sizeof error), error);
+    output::View view;
+    if (lua_type(L, 3) == LUA_TSTRING) view.title = lua_tostring(L, 3);
+    must_work(picture_function<hinge_render>(*c, "hinge_render")(luaL_checkstring(L, 2), still, view, error, sizeof error), error);
+    return 0;
+}
+
+Json to_json(lua_State* L, int index, int depth) {
+    index = lua_absindex(L, index);
+    switch (lua_type(L, index)) {
+        case LUA_TBOOLEAN: return bool(lua_toboolean(L, index));
+        case LUA_TNUMBER:
+            if (lua_isinteger(L, index)) return lua_tointeger(L, index);
+            return std::isfinite(lua_tonumber(L, index)) ? Json(lua_tonumber(L, index)) : Json(show(lua_tonumber(L, index)));
+        case LUA_TSTRING: return lua_tostring(L, index);
+        case LUA_TTABLE: break;
+        default: return nullptr;
+    }
+    if (depth > 16) return "...";
+    if (const lua_Integer n = lua_rawlen(L, index); n > 0) {
+        Json list = Json::array();
+        for (lua_Integer i = 1; i <= n; ++i) {
+            lua_rawgeti(L, index, i);
+            list.push_back(to_json(L, -1, depth + 1));
+            lua_pop(L, 1);
+        }
+        return list;
+    }
+    std::map<std::string, Json> sorted;
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        if (lua_type(L, -2) == LUA_TSTRING) sorted[lua_tostring(L, -2)] = to_json(L, -1, depth + 1);
+        lua_pop(L, 1);
+    }
+    Json object = Json::object();
+    for (auto& [k, v] : sorted) object[k] = std::move(v);
+    return object;
+}
+
+Json energy_json(const Energy& e) {
+    return {{"initial", e.initial}, {"kinetic", e.kinetic}, {"gravity", e.gravity}, {"elastic", e.elastic}, {"plastic", e.plastic}, {"fracture", e.fracture},
+            {"fracture_elastic", e.fracture_elastic}, {"fracture_kinetic", e.fracture_kinetic}, {"contact", e.contact}, {"contact_stored", e.contact_stored},
+            {"contact_released", e.contact_released}, {"work", e.work}, {"remainder", e.remainder}};
+}
+
+/// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns verdict, reason.
+int write_summary(lua_State* L) {
+    const auto c = context(L);
+    Json j;
+    std::string verdict = "completed", reason;
+    const auto field = [&](const char* name) {
+        lua_getfield(L, 1, name);
+        Json v = to_json(L, -1, 0);
+        lua_pop(L, 1);
+        return v;
+    };
+    if (const auto& r = c->record) {
+        const Run& run = *r->run;
+        verdict = run.verdict() == Verdict::running ? "stopped" : name(run.verdict());
+        reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : run.reason();
+    }
+    j["verdict"] = verdict;
+    if (!reason.empty()) j["reason"] = reason;
+    for (const char* name : {"script", "case", "parameters"})
+        if (Json v = field(name); !v.is_null()) j[name] = v;
+    if (const auto& r = c->record) {
+        const Run& run = *r->run;
+        const Structure& s = run.structure();
+        j["kind"] = run.kind();
+        j["model"] = {{"members", s.model().members().size()}, {"elements", s.elements().size()}, {"nodes", s.position().size()}, {"free_dofs", s.free_dofs()}};
+        j["steps"] = run.steps_done();
+        j["time"] = run.state().time;
+        j["factor"] = run.state().factor;
+        j["wall_seconds"] = r->wall;
+        j["effects"] = Json::array();
+        for (const Effect& e : run.effects()) j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+        j["stages"] = Json::array();
+        for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
+        j["energy"] = energy_json(run.energy());
+        j["worst_remainder"] = r->worst_remainder;
+        j["state_hash"] = [&] { char t[20]; std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state())); return std::string(t); }();
+    }
+    Json results = field("results");
+    j["results"] = results.is_null() ? Json::object() : results;
+    if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
+    if (!c->out_dir.empty()) {
+        make_folder(c->out_dir);
+        write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+    lua_pushstring(L, verdict.c_str());
+    lua_pushstring(L, reason.c_str());
+    return 2;
+}
+
+int out_dir(lua_State* L) {
+    const std::string& dir = context(L)->out_dir;
+    lua_pushstring(L, dir.empty() ? "." : dir.c_str());
+    return 1;
+}
+
+}  // namespace
+
+void open_output(lua_State* L, int module) {
+    static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"render_file", guarded<render_file>},
+                                         {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
+    lua_pushvalue(L, module);
+    luaL_setfuncs(L, functions, 0);
+    lua_pop(L, 1);
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,97 @@
+// The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
+#include <dlfcn.h>
+#include <filesystem>
+
+#include "script/module.h"
+#include "script/objects.h"
+
+namespace hinge::script {
+namespace {
+
+/// core.input_error(message): wrong input found by the Lua library, raised at the script's own line.
+int input_error(lua_State* L) {
+    const char* text = lua_tostring(L, 1);
+    throw InputError(text ? text : "wrong input");
+}
+
+/// core.error_kind(failure): "input", "outside", "interrupted" for a message that the engine raised, nil for others.
+int error_kind(lua_State* L) {
+    const auto c = context(L);
+    const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
+    if (text && !c->last_error.empty() && c->last_error == text) lua_pushstring(L, c->last_error_kind);
+    else lua_pushnil(L);
+    return 1;
+}
+
+int open_core(lua_State* L) {
+    lua_newtable(L);
+    const int module = lua_gettop(L);
+    open_values(L, module);
+    open_model(L, module);
+    open_run(L);
+    open_output(L, module);
+    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
+    luaL_setfuncs(L, functions, 0);
+    lua_pushstring(L, HINGE_VERSION);
+    lua_setfield(L, module, "version");
+    return 1;
+}
+
+/// Where this shared object or program lies.
+std::filesystem::path own_folder() {
+    Dl_info info;
+    if (dladdr(reinterpret_cast<void*>(&open_core), &info) && info.dli_fname && std::filesystem::exists(info.dli_fname)) {
+        const auto path = std::filesystem::canonical(info.dli_fname).parent_path();
+        return path;
+    }
+    return ".";
+}
+
+std::string library_folder() {
+    const auto own = own_folder();
+    for (const auto& folder : {own / "../share/hinge/lua", own / "../../../share/hinge/lua", std::filesystem::path(HINGE_LUA_FOLDER)})
+        if (std::filesystem::exists(folder / "hinge/init.lua")) return std::filesystem::canonical(folder).string();
+    return HINGE_LUA_FOLDER;
+}
+
+std::string picture_module() {
+    const auto own = own_folder();
+    for (const auto& folder : {own, own / "../lib/hinge", own / "../lib", own / "../../hinge"})
+        if (std::filesystem::exists(folder / "libhinge_output.so")) return (folder / "libhinge_output.so").string();
+    return (own / "libhinge_output.so").string();
+}
+
+}  // namespace
+
+std::shared_ptr<Context> prepare(lua_State* L) {
+    if (auto c = context(L)) return c;
+    auto c = std::make_shared<Context>();
+    c->running = L;
+    c->library = library_folder();
+    c->picture_module = picture_module();
+    set_context(L, c);
+    set_library_folder(L, c->library + "/hinge/");
+    lua_getglobal(L, "package");
+    lua_getfield(L, -1, "path");
+    const std::string path = c->library + "/?.lua;" + c->library + "/?/init.lua;" + (lua_isstring(L, -1) ? lua_tostring(L, -1) : "");
+    lua_pop(L, 1);
+    lua_pushstring(L, path.c_str());
+    lua_setfield(L, -2, "path");
+    lua_getfield(L, -1, "preload");
+    lua_pushcfunction(L, open_core);
+    lua_setfield(L, -2, "hinge.core");
+    lua_pop(L, 2);
+    return c;
+}
+
+}  // namespace hinge::script
+
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) {
+    std::string init;
+    init = hinge::script::prepare(L)->library + "/hinge/init.lua";
+    const bool loaded = luaL_loadfilex(L, init.c_str(), "t") == LUA_OK;
+    std::string().swap(init);  // nothing may be pending when Lua raises
+    if (!loaded) return lua_error(L);
+    lua_call(L, 0, 1);
+    return 1;
+}

@@ -1,0 +1,97 @@
+// What stands behind the userdata a script holds.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "script/lua_support.h"
+#include "sim/dynamics.h"
+#include "sim/statics.h"
+
+namespace hinge::script {
+
+/// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
+struct Context {
+    lua_State* running = nullptr;         ///< the thread that entered the engine last; hooks are called on it
+    std::string out_dir;                  ///< empty: nothing is written unless a path is given
+    std::string library;                  ///< folder of the Lua library
+    std::string picture_module;           ///< path of the output module
+    bool progress = false;                ///< show a progress line on stderr
+    bool interrupted = false;
+    std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
+    const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
+    std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
+    std::shared_ptr<struct RunRecord> record;  ///< of the last run
+    int runs = 0;
+};
+std::shared_ptr<Context> context(lua_State* L);
+void set_context(lua_State* L, std::shared_ptr<Context> c);
+
+/// A Lua function kept from collection while C++ holds it.
+class LuaFunction {
+public:
+    LuaFunction(lua_State* L, int index);  ///< takes the function at index
+    void push(lua_State* L) const;
+    lua_State* running() const { return context_->running; }
+
+private:
+    struct Slot;
+    std::shared_ptr<Slot> slot_;
+    std::shared_ptr<Context> context_;
+};
+
+/// Calls the function on top of its `n` arguments; a Lua error becomes HookError with the message it had.
+void call_hook(lua_State* L, int arguments, int results);
+
+struct MaterialBox { static constexpr const char* lua_name = "hinge.material"; std::shared_ptr<const Material> value; };
+struct SectionBox { static constexpr const char* lua_name = "hinge.section"; std::shared_ptr<const Section> value; };
+struct ModelBox { static constexpr const char* lua_name = "hinge.model"; std::shared_ptr<Model> value; };
+struct NodeBox { static constexpr const char* lua_name = "hinge.node"; std::shared_ptr<Model> model; int index; };
+struct MemberBox { static constexpr const char* lua_name = "hinge.member"; std::shared_ptr<Model> model; int index; };
+struct GroupBox { static constexpr const char* lua_name = "hinge.group"; std::shared_ptr<Model> model; int index; };
+
+/// A quantity of a node recorded at every step.
+struct Probe {
+    int node;
+    enum class Quantity { displacement, velocity, acceleration, reaction } quantity;
+    int component;
+    std::string name;
+    std::vector<double> time, value;
+};
+struct ProbeBox { static constexpr const char* lua_name = "hinge.probe"; std::shared_ptr<Probe> value; };
+
+/// A run with what is recorded of it.
+struct RunRecord {
+    std::shared_ptr<Run> run;
+    std::shared_ptr<Model> model;         ///< the script's own, to know its nodes and groups again
+    std::vector<std::shared_ptr<Probe>> probes;
+    long every = 1;                       ///< steps between rows of history.csv
+    std::string rows;                     ///< not yet written
+    std::string history_path;
+    bool header_written = false, started = false;
+    std::chrono::steady_clock::time_point start, last_progress, last_write;
+    double wall = 0;                      ///< s in steps
+    double worst_remainder = 0, last_remainder = 0, initial = 0;
+};
+struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
+
+/// One step, recorded. False at the end.
+bool advance(lua_State* L, RunRecord& record);
+
+void open_values(lua_State* L, int module);   ///< hinge.material, hinge.section
+void open_model(lua_State* L, int module);    ///< hinge.model and what it holds
+void open_run(lua_State* L);
+void open_output(lua_State* L, int module);   ///< pictures, frames, summary
+
+/// Makes the run that model:static{} and model:dynamic{} return.
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> model, int record_every);
+
+NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
+int group_argument(lua_State* L, int index, const std::string& what, const Model& model);
+std::string group_names(const Model& model, const std::string& typed);
+
+}  // namespace hinge::script

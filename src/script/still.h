@@ -1,0 +1,18 @@
+// A run at one instant, as pictures and frames take it.
+#pragma once
+
+#include "output/picture.h"
+#include "script/objects.h"
+
+namespace hinge::script {
+
+struct StillBox {
+    static constexpr const char* lua_name = "hinge.still";
+    output::Still value;
+    std::shared_ptr<const Structure> structure;
+};
+
+/// Elements as bars; a broken one as the rigid bar from the node that carries it to its virtual node (paper, fig 4).
+output::Still make_still(const Run& run);
+
+}  // namespace hinge::script

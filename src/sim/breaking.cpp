@@ -1,0 +1,161 @@
+#include "sim/breaking.h"
+
+#include <Eigen/LU>
+
+#include "beam/mass.h"
+
+namespace hinge {
+namespace {
+
+Mat3 frame(const Structure& structure, const State& state, int index) {
+    const Element& e = structure.elements()[index];
+    if (!structure.large()) return e.axes.toRotationMatrix();
+    const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
+    const Vec3 c = e.chord + (state.displacement[e.node[1]] - state.displacement[e.node[0]]);
+    const auto p = beam::place<double>({c.x(), c.y(), c.z()}, quad(state.rotation[e.node[0]]), quad(state.rotation[e.node[1]]), quad(e.axes));
+    Mat3 m;
+    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
+    return m;
+}
+
+Vec12 element_velocity(const Element& e, const State& state) {
+    Vec12 v;
+    v << state.velocity[e.node[0]], state.velocity[e.node[1]];
+    return v;
+}
+
+/// Momentum rows (linear, and angular about `about`) of nodal momenta p (12) at the element's nodes.
+Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& about) {
+    Vec6 h;
+    h << p.segment<3>(0) + p.segment<3>(6),
+        p.segment<3>(3) + p.segment<3>(9) + (x1 - about).cross(Vec3(p.segment<3>(0))) + (x2 - about).cross(Vec3(p.segment<3>(6)));
+    return h;
+}
+
+}  // namespace
+
+Mat6 hung_in_space(const State& state, int node) {
+    const HungMass& h = state.hung[node];
+    const Mat3 R = state.rotation[node].toRotationMatrix();
+    return beam::hung_mass(h.mass, R * h.moment, R * h.inertia * R.transpose());
+}
+
+Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
+
+double kinetic_energy(const Structure& structure, const State& state) {
+    double energy = 0;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Element& e = structure.elements()[i];
+        const Mat3 axes = frame(structure, state, int(i)).transpose();
+        const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
+        const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = axes * a.tail<3>(), wb = axes * b.tail<3>();
+        const Vec3 J = beam::rotary_inertia(e.rigidity);
+        energy += e.length / 6 * (e.rigidity.rhoA * (va.dot(va) + va.dot(vb) + vb.dot(vb)) +
+                                  wa.dot(J.cwiseProduct(wa)) + wa.dot(J.cwiseProduct(wb)) + wb.dot(J.cwiseProduct(wb)));
+    }
+    for (std::size_t i = 0; i < state.hung.size(); ++i)
+        if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state, int(i)) * state.velocity[i]);
+    return energy;
+}
+
+Momentum momentum(const Structure& structure, const State& state) {
+    Momentum total{0, Vec3::Zero(), Vec3::Zero()};
+    Vec6 h = Vec6::Zero();
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Element& e = structure.elements()[i];
+        const Mat12 M = beam::consistent_mass(e.rigidity, e.length, frame(structure, state, int(i)));
+        h += momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
+                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
+        total.mass += e.rigidity.rhoA * e.length;
+    }
+    for (std::size_t i = 0; i < state.hung.size(); ++i) {
+        if (state.hung[i].mass == 0) continue;
+        const Vec6 p = hung_in_space(state, int(i)) * state.velocity[i];
+        h.head<3>() += p.head<3>();
+        h.tail<3>() += p.tail<3>() + (structure.position()[i] + state.displacement[i]).cross(Vec3(p.head<3>()));
+        total.mass += state.hung[i].mass;
+    }
+    total.linear = h.head<3>();
+    total.angular = h.tail<3>();
+    return total;
+}
+
+BreakReport break_element(const Structure& structure, State& state, int index, int end) {
+    const Element& e = structure.elements()[index];
+    BreakReport report;
+    const int a = end == 2 ? 0 : 1, carrier = e.node[a], freed = e.node[1 - a];
+    report.carrier = carrier;
+    const auto where = [&](int node) -> Vec3 { return structure.position()[node] + state.displacement[node]; };
+    const beam::Stiffness k = state.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[index]);
+    report.elastic = 0.5 * state.force[index].dot(k.solve(state.force[index]));
+
+    // what the element carries now, about the carrier
+    const Mat3 axes = frame(structure, state, index);
+    const Mat12 M = beam::consistent_mass(e.rigidity, e.length, axes);
+    const Vec12 v = element_velocity(e, state);
+    const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(carrier));
+    double before = 0.5 * v.dot(M * v);
+
+    state.broken[index] = std::int8_t(end);
+    state.force[index].setZero();
+    if (state.hung.empty()) state.hung.assign(structure.position().size(), {});
+    const Vec3 span = where(freed) - where(carrier);
+    const double stretch = e.length / span.norm();
+    beam::Rigidity same_mass = e.rigidity;
+    same_mass.rhoA *= stretch; same_mass.rhoIx *= stretch; same_mass.rhoIy *= stretch;
+    const beam::Stub stub = beam::rigid_stub(same_mass, span, axes);
+    const Mat6 stub_mass = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
+
+    // everything else that moves with the carrier: momentum of the system per unit of its velocity
+    Mat6 G = stub_mass;
+    if (state.hung[carrier].mass > 0) G += hung_in_space(state, carrier);
+    const auto others_energy = [&] {
+        double energy = state.hung[carrier].mass > 0 ? 0.5 * state.velocity[carrier].dot(hung_in_space(state, carrier) * state.velocity[carrier]) : 0.0;
+        for (int other : structure.elements_at()[carrier]) {
+            if (state.broken[other]) continue;
+            const Element& o = structure.elements()[other];
+            const Vec12 w = element_velocity(o, state);
+            energy += 0.5 * w.dot(beam::consistent_mass(o.rigidity, o.length, frame(structure, state, other)) * w);
+        }
+        return energy;
+    };
+    for (int other : structure.elements_at()[carrier]) {
+        if (state.broken[other]) continue;
+        const Element& o = structure.elements()[other];
+        const int at = o.node[0] == carrier ? 0 : 1;
+        const Mat12 Mo = beam::consistent_mass(o.rigidity, o.length, frame(structure, state, other));
+        for (int c = 0; c < 6; ++c)
+            G.col(c) += momentum_of(Mo.col(6 * at + c), where(o.node[0]), where(o.node[1]), where(carrier));
+    }
+    before += others_energy();
+    Vec6 missing = carried - stub_mass * state.velocity[carrier];
+    for (int c = 0; c < 6; ++c)
+        if (state.held[carrier] >> c & 1) G.row(c).setZero(), G.col(c).setZero(), G(c, c) = 1, missing[c] = 0;  // the support takes it
+    state.velocity[carrier] += G.fullPivLu().solve(missing);
+    report.kinetic = before - others_energy() - 0.5 * state.velocity[carrier].dot(stub_mass * state.velocity[carrier]);
+
+    HungMass& h = state.hung[carrier];
+    const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
+    if (state.stub.empty()) state.stub.assign(structure.elements().size(), Vec3::Zero());
+    state.stub[index] = back * span;
+    h.mass += stub.mass;
+    h.moment += back * stub.moment;
+    h.inertia += back * stub.inertia * back.transpose();
+
+    bool alone = state.hung[freed].mass == 0;
+    for (int other : structure.elements_at()[freed]) alone &= state.broken[other] != 0;
+    if (alone) {
+        report.orphaned = true;
+        state.gone[freed] = 1;
+        state.held[freed] = 63;
+        state.velocity[freed].setZero();
+        state.acceleration[freed].setZero();
+    }
+    state.booked.fracture_elastic += report.elastic;
+    state.booked.fracture_kinetic += report.kinetic;
+    return report;
+}
+
+}  // namespace hinge

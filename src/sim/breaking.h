@@ -1,0 +1,30 @@
+// What happens when an element breaks (paper, section 2.3, figs 4 and 5): its forces go to zero, it becomes a rigid stub on its
+// other node, and the mass is rebuilt so that linear and angular momentum stay what they were.
+#pragma once
+
+#include "sim/sweep.h"
+
+namespace hinge {
+
+struct BreakReport {
+    double elastic = 0;   ///< strain energy let go, J
+    double kinetic = 0;   ///< kinetic energy lost by the node that takes the stub, J
+    int carrier = -1;     ///< that node
+    bool orphaned = false;///< the node at the broken end has nothing left and leaves the solve
+};
+
+/// Breaks `element` at `end` (1 or 2) in `state`.
+BreakReport break_element(const Structure& structure, State& state, int element, int end);
+
+/// Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s), and the mass (kg).
+struct Momentum { double mass; Vec3 linear, angular; };
+Momentum momentum(const Structure& structure, const State& state);
+double kinetic_energy(const Structure& structure, const State& state);
+
+/// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
+Mat6 hung_in_space(const State& state, int node);
+
+/// A state's nodes as a pose.
+Pose pose_of(const State& state);
+
+}  // namespace hinge

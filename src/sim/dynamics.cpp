@@ -1,0 +1,481 @@
+#include "sim/dynamics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "beam/fracture.h"
+#include "beam/mass.h"
+#include "core/rotation.h"
+
+namespace hinge {
+namespace {
+
+/// A stub's inertia about its own axis is a thousandth of that across: its part of the operator must not lag by more than
+/// 2 mrad, the cosine of whose half this is.
+constexpr double hung_turn = 1 - 5e-7;
+
+double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
+
+Mat3 frame_of(const beam::Placement<double>& p) {
+    Mat3 m;
+    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
+    return m;
+}
+
+}  // namespace
+
+Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
+    : Run(std::move(structure), std::move(start)), settings_(settings),
+      planned_(long(std::llround(settings.duration / settings.dt))), sweep_(*structure_, true),
+      operator_(*structure_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large()) {
+    const Model& model = structure_->model();
+    const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
+    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->gap);
+    if (!model.contact()) state_.contact.reset();
+
+    stages_.push_back({"loads", "loads", &Dynamics::loads});
+    if (state_.contact) stages_.push_back({"contact", "contact", &Dynamics::contact});
+    stages_.push_back({"predict", "inertia", &Dynamics::predict});
+    stages_.push_back({"recover stresses", "elements", &Dynamics::recover});
+    if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
+    stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
+    stages_.push_back({"solve", "inertia", &Dynamics::solve});
+    stages_.push_back({"correct", "inertia", &Dynamics::correct});
+    if (!model.fracture().empty()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
+    stages_.push_back({"commit", "inertia", &Dynamics::commit});
+
+    trial_ = pose_of(state_);
+    increment_.assign(nodes, Vec3::Zero());
+    for (auto* v : {&constant_load_, &external_, &external_before_, &nodal_, &right_, &change_}) v->assign(nodes, Vec6::Zero());
+    force_ = state_.force;
+    in_rebuild_.assign(elements, 0);
+    if (model.gravity())
+        for (std::size_t i = 0; i < elements; ++i) {
+            const Element& e = structure_->elements()[i];
+            if (!state_.broken[i])
+                for (int n : e.node) constant_load_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
+        }
+    sweep_.take_up(state_);
+    sweep_.watch_turning(settings_.turn);
+    operator_.set_held(state_.held);
+    for (std::size_t i = 0; i < elements; ++i) {
+        if (!state_.broken[i]) rebuild_.push_back(int(i)), in_rebuild_[i] = 1;
+        const Element& e = structure_->elements()[i];
+        if (e.fracture < 0) continue;
+        const FractureRule& rule = model.fracture()[e.fracture];
+        const auto limit = [](double w, double rigidity) { return w > 0 ? 1 / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
+        if (e.yield.elastic() || rule.curvature_x <= limit(e.yield.x, e.rigidity.EIx) || rule.curvature_y <= limit(e.yield.y, e.rigidity.EIy) ||
+            rule.axial_strain <= limit(e.yield.n, e.rigidity.EA))
+            fracture_candidates_.push_back(int(i));
+    }
+    if (!state_.hung.empty())
+        for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
+    find_initial_acceleration();
+}
+
+bool Dynamics::advance() {
+    if (verdict_ != Verdict::running) return false;
+    if (steps_done() >= planned_) {
+        verdict_ = Verdict::completed;
+        return false;
+    }
+    std::size_t recover_at = 0;
+    iteration_ = 0;
+    for (std::size_t i = 0; i < stages_.size(); ++i) {
+        Stage& stage = stages_[i];
+        if (stage.run == &Dynamics::recover) recover_at = i;
+        const auto start = std::chrono::steady_clock::now();
+        (this->*stage.run)();
+        stage.seconds += seconds_since(start);
+        if (!failure_.empty()) {
+            char at[64];
+            std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + settings_.dt);
+            fail(at + failure_);
+            return false;
+        }
+        if (stage.run == &Dynamics::correct && again_) i = recover_at - 1;  // Newton: once more
+    }
+    if (steps_done() >= planned_) verdict_ = Verdict::completed;
+    return true;
+}
+
+// ---- stages ------------------------------------------------------------------------------------------------------
+
+/// F at the end of the step: gravity and the script's loads.
+void Dynamics::loads() {
+    external_before_.swap(external_);
+    external_ = constant_load_;
+    const double t = state_.time + settings_.dt;
+    for (const NodalLoad& load : structure_->model().loads()) {
+        if (state_.gone[load.node]) continue;
+        const double factor = load.history ? load.history(t) : 1.0;
+        external_[load.node].head<3>() += factor * load.force;
+        external_[load.node].tail<3>() += factor * load.moment;
+    }
+}
+
+/// Eqs 17-19: who comes into contact over this step, and who is let go.
+void Dynamics::contact() {
+    if (bars_changed_) list_bars();
+    std::vector<Vec3>& x = contact_position_;
+    std::vector<Vec6>& v = contact_velocity_;
+    x.resize(trial_.displacement.size());
+    v.resize(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] = structure_->position()[i] + state_.displacement[i];
+        v[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    }
+    const long released = state_.contact->counts().released;
+    state_.booked.contact_released += state_.contact->release(state_.time);
+    const int bound = state_.contact->detect(bars_, bars_changed_, {x, state_.rotation, v}, settings_.dt, state_.time);
+    bars_changed_ = false;
+    for (const contact::ContactEvent& event : state_.contact->events())
+        for (int e : event.element) state_.touched[e] = 1;
+    state_.contact->clear_events();
+    const bool changed = bound > 0 || state_.contact->counts().released != released;
+    if (changed || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings();
+}
+
+/// du known at the start of the step: dt v + dt^2/2 a, with the acceleration held.
+void Dynamics::predict() {
+    const double dt = settings_.dt;
+    for (std::size_t i = 0; i < increment_.size(); ++i) {
+        const Vec6 step = dt * state_.velocity[i] + (0.5 * dt * dt) * state_.acceleration[i];
+        trial_.displacement[i] = state_.displacement[i] + step.head<3>();
+        increment_[i] = step.tail<3>();
+        trial_.velocity[i] = state_.velocity[i] + dt * state_.acceleration[i];
+        trial_.acceleration[i] = state_.acceleration[i];
+        move_to_increment(i);
+    }
+}
+
+/// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
+void Dynamics::recover() {
+    for (Vec6& n : nodal_) n.setZero();
+    sweep_.run(state_, trial_, nodal_, force_, yielding_);
+    if (!state_.hung.empty()) add_hung_inertia();
+    if (state_.contact && !state_.contact->idle()) {
+        for (std::size_t i = 0; i < contact_position_.size(); ++i) contact_position_[i] = structure_->position()[i] + trial_.displacement[i];
+        state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
+    }
+    for (int e : sweep_.turned())
+        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+}
+
+/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e].
+void Dynamics::yield() {
+    for (int e : was_yielding_)
+        if (!in_rebuild_[e] && !state_.broken[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+    was_yielding_.clear();
+    for (const Yielding& y : yielding_) {
+        was_yielding_.push_back(y.element);
+        if (!in_rebuild_[y.element]) in_rebuild_[y.element] = 1, rebuild_.push_back(y.element);
+    }
+}
+
+/// Rebuilds M + beta dt^2 K for the elements that turned, yielded or broke.
+void Dynamics::renew_operator() {
+    if (!rebuild_.empty()) {
+        std::sort(rebuild_.begin(), rebuild_.end());
+        tangents_.resize(yielding_.size());
+        std::vector<const Mat6*> given(rebuild_.size(), nullptr);
+        double section[2];
+        const int n = sweep_.sections(section);
+        for (std::size_t i = 0; i < yielding_.size(); ++i) {
+            const Yielding& y = yielding_[i];
+            const Element& e = structure_->elements()[y.element];
+            const beam::Stiffness k = state_.point[y.element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state_.point[y.element]);
+            const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
+            tangents_[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n);
+            const auto at = std::lower_bound(rebuild_.begin(), rebuild_.end(), y.element);
+            if (at != rebuild_.end() && *at == y.element) given[at - rebuild_.begin()] = &tangents_[i];
+        }
+        force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
+        operator_.build(rebuild_, state_, trial_, given);
+        force_.swap(state_.force);
+        for (int e : rebuild_) {
+            sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
+            in_rebuild_[e] = 0;
+        }
+        rebuild_.clear();
+    }
+    operator_.assemble();
+}
+
+/// (M + beta dt^2 K) da = F - R - M a.
+void Dynamics::solve() {
+    double check = 0;
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        right_[i] = external_[i] - nodal_[i];
+        check += right_[i].squaredNorm();
+        if (state_.held[i])
+            for (int c = 0; c < 6; ++c)
+                if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
+    }
+    if (!std::isfinite(check)) {
+        failure_ = name_the_culprit();
+        return;
+    }
+    const SolveReport report = operator_.solve(right_, change_, settings_.solver);
+    if (!report.converged)
+        failure_ = settings_.solver.direct ? "the operator could not be factorised"
+                                           : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
+                                                 " iterations; a shorter dt makes the system easier";
+}
+
+/// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
+void Dynamics::correct() {
+    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = 0.5 * dt;
+    double size = 0;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        trial_.acceleration[i] += change_[i];
+        trial_.velocity[i] += to_v * change_[i];
+        trial_.displacement[i] += to_u * change_[i].head<3>();
+        increment_[i] += to_u * change_[i].tail<3>();
+        move_to_increment(i);
+        size += change_[i].head<3>().squaredNorm();
+    }
+    ++iteration_;
+    if (iteration_ == 1) first_change_ = size;
+    again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
+    if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ && first_change_ > 1e-12)
+        failure_ = "Newton did not converge in " + std::to_string(iteration_) + " iterations (last correction " +
+                   std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
+}
+
+/// Eq 16, element by element, where it can be met: those that have yielded, and those that can break without.
+void Dynamics::fracture() {
+    to_break_.clear();
+    std::vector<int>& look = looked_at_;
+    look.assign(fracture_candidates_.begin(), fracture_candidates_.end());
+    look.insert(look.end(), ever_yielded_.begin(), ever_yielded_.end());
+    for (const Yielding& y : yielding_) look.push_back(y.element);
+    std::sort(look.begin(), look.end());
+    look.erase(std::unique(look.begin(), look.end()), look.end());
+    std::size_t next = 0;
+    for (int e : look) {
+        while (next < yielding_.size() && yielding_[next].element < e) ++next;
+        const beam::Flow* flow = next < yielding_.size() && yielding_[next].element == e ? &yielding_[next].flow : nullptr;
+        int end = 0;
+        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, flow, end)) to_break_.push_back({e, end});
+    }
+}
+
+/// What was tried becomes the state.
+void Dynamics::commit() {
+    for (const NodalLoad& load : structure_->model().loads()) {
+        const int n = load.node;
+        if (state_.gone[n]) continue;
+        const Vec6 mean = 0.5 * (external_[n] + external_before_[n]) - constant_load_[n];
+        const auto first = std::find_if(structure_->model().loads().begin(), structure_->model().loads().end(), [&](const NodalLoad& l) { return l.node == n; });
+        if (&*first != &load) continue;  // several loads on one node are one force
+        state_.booked.work += mean.head<3>().dot(trial_.displacement[n] - state_.displacement[n]) + mean.tail<3>().dot(increment_[n]);
+    }
+    state_.displacement.swap(trial_.displacement);
+    state_.rotation.swap(trial_.rotation);
+    state_.turn.swap(trial_.turn);
+    state_.velocity.swap(trial_.velocity);
+    state_.acceleration.swap(trial_.acceleration);
+    state_.force.swap(force_);
+    for (int e : flowing_) state_.hinge[e] = 0;
+    flowing_.clear();
+    for (const Yielding& y : yielding_) {
+        state_.plastic[y.element] += y.flow.plastic;
+        state_.plastic_work[y.element] += y.flow.dissipation;
+        state_.booked.plastic += y.flow.dissipation;
+        const std::uint8_t bits = structure_->conventional() ? hinge_at_middle
+                                  : std::uint8_t((y.flow.lambda[0] > 0 ? hinge_at_1 : 0) | (y.flow.lambda[1] > 0 ? hinge_at_2 : 0));
+        state_.hinge[y.element] = bits;
+        if (!state_.yielded[y.element]) ever_yielded_.push_back(y.element);
+        state_.yielded[y.element] |= bits;
+        flowing_.push_back(y.element);
+    }
+    for (const auto& [element, end] : to_break_) {
+        const Element& e = structure_->elements()[element];
+        const BreakReport report = break_element(*structure_, state_, element, end);
+        operator_.remove(element);
+        renew_hung_operator(report.carrier);
+        operator_.set_held(state_.held);
+        if (structure_->model().gravity())
+            for (int n : e.node) constant_load_[n].head<3>() -= 0.5 * e.rigidity.rhoA * e.length * *structure_->model().gravity();
+        if (state_.contact) {
+            state_.booked.contact_released += state_.contact->drop(element);
+            bars_changed_ = true;
+        }
+        std::erase(ever_yielded_, element);
+        std::erase(fracture_candidates_, element);
+    }
+    if (!to_break_.empty()) {
+        sweep_.take_up(state_);
+        if (state_.contact) renew_couplings();
+        to_break_.clear();
+    }
+    ++state_.step;
+    state_.time += settings_.dt;
+}
+
+// ---- what the stages use ------------------------------------------------------------------------------------------
+
+void Dynamics::move_to_increment(std::size_t i) {
+    if (structure_->large()) trial_.rotation[i] = turned(increment_[i], state_.rotation[i]);
+    else trial_.turn[i] = state_.turn[i] + increment_[i];
+}
+
+/// M a = F - R at the start, so that a load that is there from the beginning acts from the beginning.
+void Dynamics::find_initial_acceleration() {
+    for (Vec6& a : state_.acceleration) a.setZero();
+    trial_ = pose_of(state_);
+    for (Vec6& n : nodal_) n.setZero();
+    sweep_.run(state_, trial_, nodal_, force_, yielding_);
+    if (!state_.hung.empty()) add_hung_inertia();
+    external_ = constant_load_;
+    for (const NodalLoad& load : structure_->model().loads()) {
+        const double factor = load.history ? load.history(state_.time) : 1.0;
+        external_[load.node].head<3>() += factor * load.force;
+        external_[load.node].tail<3>() += factor * load.moment;
+    }
+    Operator mass(*structure_, 1.0, 0.0, false);
+    mass.set_held(state_.held);
+    std::vector<int> whole;
+    for (std::size_t i = 0; i < state_.broken.size(); ++i)
+        if (!state_.broken[i]) whole.push_back(int(i));
+    mass.build(whole, state_, trial_, {});
+    for (std::size_t i = 0; i < state_.hung.size(); ++i)
+        if (state_.hung[i].mass > 0) mass.set_hung(int(i), hung_in_space(state_, int(i)));
+    mass.assemble();
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        right_[i] = external_[i] - nodal_[i];
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
+    }
+    SolverSettings sharp;
+    sharp.tolerance = 1e-13;
+    mass.solve(right_, state_.acceleration, sharp);
+    yielding_.clear();
+}
+
+void Dynamics::renew_hung_operator(std::size_t node) {
+    if (state_.hung[node].mass == 0) return;
+    hung_built_.resize(state_.hung.size(), Quat::Identity());
+    hung_built_[node] = state_.rotation[node];
+    operator_.set_hung(int(node), hung_in_space(state_, int(node)));
+}
+
+/// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
+void Dynamics::add_hung_inertia() {
+    const Vec3 g = structure_->model().gravity().value_or(Vec3::Zero());
+    for (std::size_t i = 0; i < state_.hung.size(); ++i) {
+        const HungMass& h = state_.hung[i];
+        if (h.mass == 0) continue;
+        const Mat3 R = trial_.rotation[i].toRotationMatrix();
+        const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(), w = trial_.velocity[i].tail<3>();
+        const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body), Ja = R * (h.inertia * (R.transpose() * alpha));
+        nodal_[i].head<3>() += h.mass * a + alpha.cross(S) + w.cross(w.cross(S));
+        nodal_[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
+        if (trial_.rotation[i].coeffs().dot(hung_built_[i].coeffs()) < hung_turn) renew_hung_operator(i);
+    }
+}
+
+void Dynamics::renew_couplings() {
+    std::vector<Operator::Coupling> couplings;
+    for (std::size_t i = 0; i < contact_position_.size(); ++i) contact_position_[i] = structure_->position()[i] + state_.displacement[i];
+    state_.contact->add_stiffness(contact_position_, state_.rotation, [&](int a, int b, const Mat12& K) { couplings.push_back({a, b, K}); });
+    operator_.set_couplings(std::move(couplings));
+}
+
+void Dynamics::list_bars() {
+    bars_.clear();
+    for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
+        const Element& e = structure_->elements()[i];
+        if (!e.touches) continue;
+        contact::Bar bar;
+        bar.element = int(i);
+        bar.radius = e.radius;
+        bar.stiffness = e.rigidity.EA;
+        if (state_.broken[i]) {
+            const int carrier = e.node[state_.broken[i] == 2 ? 0 : 1];
+            bar.end[0] = {carrier, Vec3::Zero()};
+            bar.end[1] = {carrier, state_.stub[i]};
+        } else {
+            bar.end[0] = {e.node[0], Vec3::Zero()};
+            bar.end[1] = {e.node[1], Vec3::Zero()};
+        }
+        bars_.push_back(bar);
+    }
+}
+
+bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) const {
+    const Element& e = structure_->elements()[index];
+    const FractureRule& rule = structure_->model().fracture()[e.fracture];
+    const beam::Stiffness k = state_.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state_.point[index]);
+    const Vec6& p = force_[index];
+    Vec6 d = k.solve(p) + state_.plastic[index];
+    if (flow) d += flow->plastic;
+    const beam::FractureStrains strains = beam::fracture_strains(d, e.length);
+    const double f1 = beam::yield_function(p, -1, e.yield), f2 = beam::yield_function(p, 1, e.yield);
+    const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
+    end = f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
+    if (!rule.hook) return beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only);
+    // a script's rule is asked where it can matter: sections that flow, or the ends of an element that cannot
+    for (int side : {1, 2}) {
+        const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
+        if (!flows && !e.yield.elastic()) continue;
+        SectionView view;
+        view.time = state_.time + settings_.dt;
+        view.step = double(state_.step + 1);
+        view.member = e.member;
+        view.element = index;
+        view.end = side;
+        view.curvature_x = strains.curvature_x;
+        view.curvature_y = strains.curvature_y;
+        view.axial_strain = strains.axial;
+        view.twist = strains.twist;
+        const double r = side == 1 ? -1 : 1;
+        view.Mx = beam::moment_at(p[0], p[1], r);
+        view.My = beam::moment_at(p[2], p[3], r);
+        view.N = p[4];
+        view.Mz = p[5];
+        view.f_y = side == 1 ? f1 : f2;
+        view.plastic_work = state_.plastic_work[index] + (flow ? flow->dissipation : 0);
+        view.plastic = flows;
+        if (rule.hook(view)) return end = side, true;
+    }
+    return false;
+}
+
+std::string Dynamics::name_the_culprit() const {
+    for (std::size_t i = 0; i < force_.size(); ++i)
+        if (!state_.broken[i] && !force_[i].allFinite()) return "the forces of " + structure_->element_name(int(i)) + " are not finite";
+    for (std::size_t i = 0; i < nodal_.size(); ++i)
+        if (!nodal_[i].allFinite()) return "the forces at " + structure_->node_name(int(i)) + " are not finite";
+    return "a load is not finite";
+}
+
+std::vector<StageTime> Dynamics::stage_times() const {
+    std::vector<StageTime> times;
+    for (const Stage& s : stages_) times.push_back({s.name, s.seconds});
+    return times;
+}
+
+std::vector<Effect> Dynamics::effects() const {
+    const Model& model = structure_->model();
+    const auto seconds = [&](const char* effect) {
+        double sum = 0;
+        for (const Stage& s : stages_)
+            if (std::string(s.effect) == effect) sum += s.seconds;
+        return sum;
+    };
+    return {
+        {"inertia", true, "model:dynamic", seconds("inertia")},
+        {"gravity", model.gravity().has_value(), model.gravity() ? "model:gravity" : "not declared", 0},
+        {"large displacement", structure_->large(), structure_->large() ? "the default; displacement = \"small\" leaves it out" : "displacement = \"small\"", seconds("elements")},
+        {"geometric stiffness", settings_.geometric && structure_->large(), "part of large displacement", 0},
+        {"plasticity", structure_->can_yield(), structure_->can_yield() ? "a material has a yield stress" : "no section can yield", seconds("plasticity")},
+        {"fracture", !model.fracture().empty(), model.fracture().empty() ? "not declared" : "model:fracture", seconds("fracture")},
+        {"contact", state_.contact.has_value(), state_.contact ? "model:contact" : "not declared", seconds("contact")},
+    };
+}
+
+}  // namespace hinge

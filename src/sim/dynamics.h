@@ -1,0 +1,93 @@
+// Dynamics: Newmark's beta method, one linear solve a step (paper, eq 15).
+//
+// A step, in the paper's words: loads, [contact], predict, recover stresses, [yield], solve, correct, [fracture], commit.
+// Stages in brackets are in the list only if the scene calls for them.
+//
+// Eq 15 has M a' + K du = F - R_t with du = dt v + dt^2 ((1/2 - beta) a + beta a'). Here the part of du that is known when the
+// step begins, dt v + dt^2 a / 2, is applied first and the stresses are recovered there, exactly; what is left to solve for
+// is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure this is eq 15 to
+// the letter; for one that turns and yields, the force out of balance is not carried to the next step but met in this one.
+#pragma once
+
+#include <functional>
+
+#include "sim/operator.h"
+#include "sim/run.h"
+
+namespace hinge {
+
+struct DynamicSettings {
+    double dt = 0;                  ///< s
+    double duration = 0;            ///< s
+    double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact
+    int iterations = 1;             ///< 1: the paper's one solve; more: Newton until `tolerance`
+    double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
+    bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
+    double turn = 0.005;            ///< rad: an element's part of the operator is rebuilt when it has turned by this much
+    SolverSettings solver;
+};
+
+class Dynamics : public Run {
+public:
+    Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings);
+
+    bool advance() override;
+    long planned_steps() const override { return planned_; }
+    const char* kind() const override { return "dynamic"; }
+    std::vector<StageTime> stage_times() const override;
+    std::vector<Effect> effects() const override;
+    const DynamicSettings& settings() const { return settings_; }
+    Operator::Counts operator_counts() const { return operator_.counts(); }
+    long element_updates() const { return sweep_.updates(); }
+
+private:
+    struct Stage { const char* name; const char* effect; void (Dynamics::*run)(); double seconds = 0; };
+    void loads();
+    void contact();
+    void predict();
+    void recover();
+    void yield();
+    void renew_operator();
+    void solve();
+    void correct();
+    void fracture();
+    void commit();
+
+    void find_initial_acceleration();
+    void add_hung_inertia();
+    void renew_couplings();
+    void list_bars();
+    void move_to_increment(std::size_t node);
+    bool breaks(int element, const beam::Flow* flow, int& end) const;
+    void renew_hung_operator(std::size_t node);
+    std::string name_the_culprit() const;
+
+    DynamicSettings settings_;
+    long planned_;
+    std::vector<Stage> stages_;
+    Sweep sweep_;
+    Operator operator_;
+    Pose trial_;
+    std::vector<Vec3> increment_;                ///< rotation vector of the step
+    std::vector<Vec6> constant_load_, external_, external_before_, nodal_, right_, change_, force_;
+    std::vector<Yielding> yielding_;
+    std::vector<int> was_yielding_;
+    std::vector<Mat6> tangents_;
+    std::vector<int> rebuild_;
+    std::vector<char> in_rebuild_;
+    std::vector<contact::Bar> bars_;
+    bool bars_changed_ = true, again_ = false;
+    long contact_age_ = 0;
+    double first_change_ = 0;
+    int iteration_ = 0;
+    std::string failure_;
+    std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator
+    std::vector<Vec3> contact_position_;
+    std::vector<Vec6> contact_velocity_;
+    std::vector<int> fracture_candidates_;       ///< elements that can break without ever yielding
+    std::vector<int> ever_yielded_, flowing_, looked_at_;
+    struct Break { int element, end; };
+    std::vector<Break> to_break_;
+};
+
+}  // namespace hinge

@@ -1,0 +1,66 @@
+#include "sim/energy.h"
+
+namespace hinge {
+
+Ledger::Ledger(const Structure& structure, const State& start) : structure_(structure), booked_at_start_(start.booked) {
+    potential_at_start_ = potential(start);
+    initial_ = kinetic_energy(structure, start) + elastic(start);
+}
+
+double Ledger::potential(const State& state) const {
+    if (!structure_.model().gravity()) return 0;
+    const Vec3 g = *structure_.model().gravity();
+    Vec3 moment = Vec3::Zero();  // of mass about the origin
+    for (std::size_t i = 0; i < structure_.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Element& e = structure_.elements()[i];
+        Vec3 x = Vec3::Zero();
+        for (int n : e.node) x += structure_.position()[n] + state.displacement[n];
+        moment += 0.5 * e.rigidity.rhoA * e.length * x;
+    }
+    for (std::size_t i = 0; i < state.hung.size(); ++i)
+        if (state.hung[i].mass > 0)
+            moment += state.hung[i].mass * (structure_.position()[i] + state.displacement[i]) + state.rotation[i] * state.hung[i].moment;
+    return -moment.dot(g);
+}
+
+double Ledger::elastic(const State& state) const {
+    const Pose pose = pose_of(state);
+    double energy = 0;
+    for (std::size_t i = 0; i < structure_.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Element& e = structure_.elements()[i];
+        const beam::Stiffness k = state.point[i] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[i]);
+        const Vec6 d = element_deformation(structure_, int(i), pose) - state.plastic[i];
+        energy += 0.5 * d.dot(k.times(d));
+    }
+    return energy;
+}
+
+Energy Ledger::balance(const State& state) const {
+    Energy e;
+    const Booked &now = state.booked, &then = booked_at_start_;
+    e.initial = initial_;
+    e.kinetic = kinetic_energy(structure_, state);
+    e.gravity = potential(state) - potential_at_start_;
+    e.elastic = elastic(state);
+    e.plastic = now.plastic - then.plastic;
+    e.fracture_elastic = now.fracture_elastic - then.fracture_elastic;
+    e.fracture_kinetic = now.fracture_kinetic - then.fracture_kinetic;
+    e.fracture = e.fracture_elastic + e.fracture_kinetic;
+    e.contact_released = now.contact_released - then.contact_released;
+    if (state.contact) {
+        std::vector<Vec3> x(structure_.position());
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += state.displacement[i];
+        contact::GapContact bonds = *state.contact;
+        std::vector<Vec6> unused(x.size(), Vec6::Zero());
+        bonds.add_internal_forces(x, state.rotation, unused);
+        e.contact_stored = bonds.stored_energy();
+    }
+    e.contact = e.contact_stored + e.contact_released;
+    e.work = now.work - then.work;
+    e.remainder = e.initial + e.work - (e.kinetic + e.gravity + e.elastic + e.plastic + e.fracture + e.contact);
+    return e;
+}
+
+}  // namespace hinge

@@ -1,0 +1,37 @@
+// The energy ledger (eq 20 and what it leaves out): where the energy is, where it went, and what is missing.
+#pragma once
+
+#include "sim/breaking.h"
+
+namespace hinge {
+
+/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact): the numerical error.
+struct Energy {
+    double initial = 0;   ///< kinetic + elastic at the start of the run
+    double kinetic = 0;
+    double gravity = 0;   ///< potential, zero at the start of the run
+    double elastic = 0;
+    double plastic = 0;   ///< dissipated in hinges since the start of the run
+    double fracture = 0;  ///< let go by fracture: strain energy, and kinetic energy of stubs
+    double contact = 0;   ///< stored in bonds now, and let go with them
+    double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
+    double work = 0;      ///< done by loads (not gravity)
+    double remainder = 0;
+};
+
+class Ledger {
+public:
+    /// Takes `start` as the zero of everything that is counted from the start of the run.
+    Ledger(const Structure& structure, const State& start);
+    Energy balance(const State& state) const;
+
+private:
+    double potential(const State& state) const;
+    double elastic(const State& state) const;
+    const Structure& structure_;
+    double potential_at_start_ = 0;
+    Booked booked_at_start_;
+    double initial_ = 0;
+};
+
+}  // namespace hinge

@@ -1,0 +1,263 @@
+#include "sim/operator.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "beam/mass.h"
+#include "beam/tangent.h"
+
+namespace hinge {
+
+Operator::Operator(const Structure& structure, double mass_factor, double stiffness_factor, bool geometric)
+    : structure_(structure), mass_factor_(mass_factor), stiffness_factor_(stiffness_factor), geometric_(geometric) {
+    const int n = int(structure.position().size());
+    std::vector<std::vector<int>> neighbours(n);
+    for (const Element& e : structure.elements()) {
+        neighbours[e.node[0]].push_back(e.node[1]);
+        neighbours[e.node[1]].push_back(e.node[0]);
+    }
+    row_.push_back(0);
+    for (int i = 0; i < n; ++i) {
+        auto& near = neighbours[i];
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        column_.push_back(i);
+        column_.insert(column_.end(), near.begin(), near.end());
+        row_.push_back(int(column_.size()));
+    }
+    value_.assign(column_.size() * 36 + 8, 0);
+    const auto find = [&](int i, int j) { return int(std::lower_bound(column_.begin() + row_[i] + 1, column_.begin() + row_[i + 1], j) - column_.begin()); };
+    for (const Element& e : structure.elements()) slot_.push_back({find(e.node[0], e.node[1]), find(e.node[1], e.node[0])});
+    part_.assign(structure.elements().size(), Mat12::Zero());
+    inverse_.assign(n, Mat6::Identity());
+    is_dirty_.assign(n, 0);
+    held_ = structure.fixed();
+    for (auto* v : {&r_, &z_, &d_, &q_}) v->assign(n, Vec6::Zero());
+    for (int i = 0; i < n; ++i) mark(i);
+}
+
+void Operator::mark(int node) {
+    if (!is_dirty_[node]) is_dirty_[node] = 1, dirty_.push_back(node);
+}
+
+void Operator::build(const std::vector<int>& elements, const State& state, const Pose& pose, const std::vector<const Mat6*>& tangents) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const int index = elements[i];
+        const Element& e = structure_.elements()[index];
+        const beam::Placement<double> place = place_element(structure_, index, pose);
+        Mat3 axes;
+        const auto& f = place.frame;
+        axes << f.x.x, f.y.x, f.z.x, f.x.y, f.y.y, f.z.y, f.x.z, f.y.z, f.z.z;
+        Mat6 k;
+        if (!tangents.empty() && tangents[i]) k = *tangents[i];
+        else k = (state.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[index])).matrix();
+        const auto stiffness = [&](bool geometric) {
+            return structure_.large() ? beam::tangent(place, state.force[index], k, geometric) : beam::linear_tangent(axes.transpose(), e.length, k);
+        };
+        const Mat12 K = stiffness(geometric_);
+        Mat12& A = part_[index];
+        if (unsymmetric_) A = stiffness_factor_ * K;
+        else A = (0.5 * stiffness_factor_) * (K + K.transpose());
+        if (mass_factor_ != 0) {
+            const Mat12 M = mass_factor_ * beam::consistent_mass(e.rigidity, e.length, axes);
+            A += M;
+            // conjugate gradients need every part positive: initial stress stays out of one that it would turn over
+            if (geometric_ && A.llt().info() != Eigen::Success) A = stiffness_factor_ * stiffness(false) + M;
+        }
+        mark(e.node[0]);
+        mark(e.node[1]);
+        ++counts_.built;
+    }
+}
+
+void Operator::remove(int element) {
+    part_[element].setZero();
+    for (int node : structure_.elements()[element].node) mark(node);
+}
+
+void Operator::set_couplings(std::vector<Coupling> couplings) {
+    for (const auto* list : {&couplings_, &couplings})
+        for (const Coupling& c : *list) mark(c.a), mark(c.b);
+    couplings_ = std::move(couplings);
+    for (Coupling& c : couplings_) {
+        c.K *= stiffness_factor_;
+        for (int i = 0; i < 12; ++i)
+            if (held_[i < 6 ? c.a : c.b] >> (i % 6) & 1) c.K.row(i).setZero(), c.K.col(i).setZero();
+    }
+}
+
+void Operator::set_hung(int node, const Mat6& mass) {
+    if (hung_.empty()) hung_.assign(held_.size(), Mat6::Zero());
+    hung_[node] = mass_factor_ * mass;
+    mark(node);
+}
+
+void Operator::set_held(const std::vector<std::uint8_t>& held) {
+    for (std::size_t i = 0; i < held.size(); ++i)
+        if (held[i] != held_[i]) {
+            mark(int(i));
+            for (int k = row_[i] + 1; k < row_[i + 1]; ++k) mark(column_[k]);
+        }
+    held_ = held;
+}
+
+Mat6 Operator::masked(int a, int b, const Mat6& block) const {
+    if (held_[a] == 0 && held_[b] == 0) return block;
+    Mat6 m = block;
+    for (int c = 0; c < 6; ++c) {
+        if (held_[a] >> c & 1) m.row(c).setZero();
+        if (held_[b] >> c & 1) m.col(c).setZero();
+    }
+    return m;
+}
+
+void Operator::assemble() {
+    if (dirty_.empty()) return;
+    factor_valid_ = false;
+    std::sort(dirty_.begin(), dirty_.end());
+    const auto store = [&](int slot, const Mat6& m) { std::memcpy(&value_[36 * slot], m.data(), 36 * sizeof(double)); };
+    for (int i : dirty_) {
+        Mat6 diagonal = Mat6::Zero();
+        for (int k = row_[i] + 1; k < row_[i + 1]; ++k) store(k, Mat6::Zero());
+        for (int index : structure_.elements_at()[i]) {
+            const Element& e = structure_.elements()[index];
+            const int a = e.node[0] == i ? 0 : 1, other = e.node[1 - a];
+            diagonal += part_[index].block<6, 6>(6 * a, 6 * a);
+            const Mat6 block = masked(i, other, part_[index].block<6, 6>(6 * a, 6 * (1 - a)));
+            double* at = &value_[36 * slot_[index][a]];
+            for (int c = 0; c < 36; ++c) at[c] += block.data()[c];
+        }
+        if (!hung_.empty()) diagonal += hung_[i];
+        diagonal = masked(i, i, diagonal);
+        for (int c = 0; c < 6; ++c)
+            if (held_[i] >> c & 1) diagonal(c, c) = 1;
+        store(row_[i], diagonal);
+        inverse_[i] = diagonal;
+    }
+    for (const Coupling& c : couplings_) {
+        if (is_dirty_[c.a]) inverse_[c.a] += c.K.block<6, 6>(0, 0);
+        if (is_dirty_[c.b]) inverse_[c.b] += c.K.block<6, 6>(6, 6);
+    }
+    for (int i : dirty_) {
+        inverse_[i] = inverse_[i].llt().solve(Mat6::Identity()).eval();
+        is_dirty_[i] = 0;
+    }
+    dirty_.clear();
+}
+
+void Operator::multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const {
+    using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));  // eight from a column of six: the last two are not used
+    const int n = int(x.size());
+    for (int i = 0; i < n; ++i) {
+        Wide even{}, odd{};
+        for (int k = row_[i]; k < row_[i + 1]; ++k) {
+            const double *v = &value_[36 * k], *b = x[column_[k]].data();
+            for (int c = 0; c < 6; c += 2) {
+                even += *reinterpret_cast<const Wide*>(v + 6 * c) * b[c];
+                odd += *reinterpret_cast<const Wide*>(v + 6 * c + 6) * b[c + 1];
+            }
+        }
+        even += odd;
+        for (int c = 0; c < 6; ++c) y[i][c] = even[c];
+    }
+    for (const Coupling& c : couplings_) {
+        Vec12 v;
+        v << x[c.a], x[c.b];
+        const Vec12 w = c.K * v;
+        y[c.a] += w.head<6>();
+        y[c.b] += w.tail<6>();
+    }
+}
+
+bool Operator::factorise() {
+    if (factor_valid_) return (unsymmetric_ ? lu_->info() : factor_.info()) == Eigen::Success;
+    std::vector<Eigen::Triplet<double>> entries;
+    const int n = int(held_.size());
+    for (int i = 0; i < n; ++i)
+        for (int k = row_[i]; k < row_[i + 1]; ++k)
+            for (int c = 0; c < 6; ++c)
+                for (int r = 0; r < 6; ++r)
+                    if (const double v = value_[36 * k + 6 * c + r]; v != 0 && (unsymmetric_ || 6 * i + r >= 6 * column_[k] + c)) entries.emplace_back(6 * i + r, 6 * column_[k] + c, v);
+    for (const Coupling& p : couplings_)
+        for (int c = 0; c < 12; ++c)
+            for (int r = 0; r < 12; ++r) {
+                const int at_r = 6 * (r < 6 ? p.a : p.b) + r % 6, at_c = 6 * (c < 6 ? p.a : p.b) + c % 6;
+                if (p.K(r, c) != 0 && (unsymmetric_ || at_r >= at_c)) entries.emplace_back(at_r, at_c, p.K(r, c));
+            }
+    Eigen::SparseMatrix<double> A(6 * n, 6 * n);
+    A.setFromTriplets(entries.begin(), entries.end());
+    diagonal_ = A.diagonal();
+    factor_valid_ = true;
+    ++counts_.factorisations;
+    if (unsymmetric_) {
+        lu_ = std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(A);
+        return lu_->info() == Eigen::Success;
+    }
+    factor_.compute(A);
+    return factor_.info() == Eigen::Success;
+}
+
+int Operator::loosest_freedom(double ratio) const {
+    if (factor_.info() != Eigen::Success) {
+        for (int i = 0; i < diagonal_.size(); ++i)
+            if (!(diagonal_[i] > 0)) return i;
+    }
+    const Eigen::VectorXd pivots = factor_.vectorD();
+    const Eigen::VectorXd in_order = factor_.permutationP() * diagonal_;
+    int worst = -1;
+    double least = ratio;
+    for (int i = 0; i < pivots.size(); ++i)
+        if (const double share = std::abs(pivots[i]) / in_order[i]; !(share > least)) least = share, worst = i;
+    return worst < 0 ? -1 : factor_.permutationPinv().indices()[worst];
+}
+
+SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings) {
+    ++counts_.solves;
+    const int n = int(right.size());
+    if (settings.direct) {
+        if (!factorise()) return {0, false};
+        Eigen::Map<const Eigen::VectorXd> b(right[0].data(), 6 * n);
+        Eigen::Map<Eigen::VectorXd> out(x[0].data(), 6 * n);
+        if (unsymmetric_) out = lu_->solve(b);
+        else out = factor_.solve(b);
+        return {0, out.allFinite()};
+    }
+    // preconditioned conjugate gradients from x = 0
+    double rho = 0;
+    for (int i = 0; i < n; ++i) {
+        x[i].setZero();
+        r_[i] = right[i];
+        z_[i].noalias() = inverse_[i] * r_[i];
+        d_[i] = z_[i];
+        rho += r_[i].dot(z_[i]);
+    }
+    const double goal = rho * settings.tolerance * settings.tolerance;
+    SolveReport report;
+    while (rho > goal && rho > 1e-280) {
+        if (report.iterations == settings.max_iterations) return report.converged = false, report;
+        multiply(d_, q_);
+        double dq = 0;
+        for (int i = 0; i < n; ++i) dq += d_[i].dot(q_[i]);
+        if (!(dq > 0)) return report.converged = false, report;
+        const double alpha = rho / dq;
+        double next = 0;
+        for (int i = 0; i < n; ++i) {
+            x[i] += alpha * d_[i];
+            r_[i] -= alpha * q_[i];
+            z_[i].noalias() = inverse_[i] * r_[i];
+            next += r_[i].dot(z_[i]);
+        }
+        const double beta = next / rho;
+        rho = next;
+        for (int i = 0; i < n; ++i) d_[i] = z_[i] + beta * d_[i];
+        ++report.iterations;
+    }
+    counts_.iterations += report.iterations;
+    report.converged = std::isfinite(rho);
+    return report;
+}
+
+}  // namespace hinge

@@ -1,0 +1,42 @@
+#include "sim/state.h"
+
+#include <cstring>
+
+namespace hinge {
+
+State initial_state(const Structure& structure) {
+    const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
+    State s;
+    s.displacement.assign(nodes, Vec3::Zero());
+    s.rotation.assign(nodes, Quat::Identity());
+    s.turn.assign(nodes, Vec3::Zero());
+    s.velocity = structure.initial_velocity();
+    s.acceleration.assign(nodes, Vec6::Zero());
+    s.held = structure.fixed();
+    s.gone.assign(nodes, 0);
+    for (std::size_t i = 0; i < nodes; ++i) {
+        if (structure.elements_at()[i].empty()) s.held[i] = 63, s.gone[i] = 1;
+        for (int c = 0; c < 6; ++c)
+            if (s.held[i] >> c & 1) s.velocity[i][c] = 0;
+    }
+    s.plastic.assign(elements, Vec6::Zero());
+    s.force.assign(elements, Vec6::Zero());
+    for (const Element& e : structure.elements()) s.point.push_back(e.s);
+    s.plastic_work.assign(elements, 0);
+    s.hinge.assign(elements, 0);
+    s.yielded.assign(elements, 0);
+    s.touched.assign(elements, 0);
+    s.broken.assign(elements, 0);
+    return s;
+}
+
+std::uint64_t hash(const State& state) {
+    std::uint64_t h = 14695981039346656037ull;
+    State::for_each_field(state, [&](const char*, const auto& array) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
+        for (std::size_t i = 0, n = array.size() * sizeof(array[0]); i < n; ++i) h = (h ^ bytes[i]) * 1099511628211ull;
+    });
+    return h;
+}
+
+}  // namespace hinge

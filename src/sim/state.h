@@ -1,0 +1,75 @@
+// Everything that changes while a run goes on: dense arrays, and one list of them that drives copies, snapshots and hashes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "contact/contact.h"
+#include "model/structure.h"
+
+namespace hinge {
+
+/// Mass hung rigidly on a node: the stubs of broken elements (paper, fig 5). In the node's own frame.
+struct HungMass {
+    double mass = 0;             ///< kg
+    Vec3 moment = Vec3::Zero();  ///< first moment about the node, kg m
+    Mat3 inertia = Mat3::Zero(); ///< about the node, kg m^2
+};
+
+enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
+
+/// Sums kept from step to step, J.
+struct Booked {
+    double work = 0;              ///< done by loads
+    double plastic = 0;           ///< dissipated in hinges
+    double fracture_elastic = 0;  ///< strain energy let go by broken elements
+    double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
+    double contact_released = 0;  ///< let go with bonds
+    double damping = 0;
+};
+
+struct State {
+    // nodes
+    std::vector<Vec3> displacement;     ///< m
+    std::vector<Quat> rotation;         ///< large displacement: since the start
+    std::vector<Vec3> turn;             ///< small displacement: rotation vector, rad
+    std::vector<Vec6> velocity;         ///< m/s and rad/s, in space
+    std::vector<Vec6> acceleration;     ///< m/s^2 and rad/s^2, in space
+    std::vector<std::uint8_t> held;     ///< bits as in Structure::fixed; all six for a node that has lost its elements
+    std::vector<HungMass> hung;         ///< empty until something breaks, then one a node
+    // elements
+    std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h
+    std::vector<Vec6> force;            ///< p of timoshenko.h, N m and N
+    std::vector<double> point;          ///< s
+    std::vector<double> plastic_work;   ///< J
+    std::vector<std::uint8_t> hinge;    ///< HingeBits: flowing in the last step
+    std::vector<std::uint8_t> yielded;  ///< HingeBits: has ever flowed
+    std::vector<std::uint8_t> touched;  ///< 1: has been bound in contact
+    std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
+    std::vector<Vec3> stub;             ///< of broken elements: from the node that carries it to its free end, in that node's frame, m; empty until something breaks
+    std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
+
+    double time = 0;
+    long step = 0;
+    double factor = 1;                  ///< load factor reached in statics
+    Booked booked;
+    std::optional<contact::GapContact> contact;
+
+    /// Calls f(name, array) for each array, in a fixed order.
+    template <class Self, class F>
+    static void for_each_field(Self& s, F f) {
+        f("displacement", s.displacement); f("rotation", s.rotation); f("turn", s.turn); f("velocity", s.velocity);
+        f("acceleration", s.acceleration); f("held", s.held); f("hung", s.hung); f("plastic", s.plastic); f("force", s.force);
+        f("point", s.point); f("plastic_work", s.plastic_work); f("hinge", s.hinge); f("yielded", s.yielded);
+        f("touched", s.touched); f("broken", s.broken); f("stub", s.stub); f("gone", s.gone);
+    }
+};
+
+/// The state at the start: declared positions and velocities, no stress.
+State initial_state(const Structure& structure);
+
+/// A hash of every array: equal states have equal hashes, whatever the machine's thread count.
+std::uint64_t hash(const State& state);
+
+}  // namespace hinge
