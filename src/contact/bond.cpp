@@ -36,24 +36,19 @@ Vec3 downhill(const Mat3& grip, const Vec3& c, double size) {
     return angle > 0.5 ? Vec3(0.5 / angle * step) : step;
 }
 
-// Q by Newton's method on the rotation: sum k s x r = 0, with S as the derivative. It starts from the mean rotation of the four
-// nodes, which is near since they belong to the same two elements; two or three rounds reach rounding. Where all gaps lie on one
+// Q by Newton's method on the rotation: sum k s x r = 0, with S as the derivative. It starts from the last Q, so that it follows
+// one valley of U as the points move, however the nodes spin; two or three rounds reach rounding. Where all gaps lie on one
 // line S has no grip about that line, nor does Q matter there: a trace of stiffness keeps it invertible. Far from the
 // least U (gaps stretched by their own length) S may point uphill: then downhill() steps.
 Pose pose(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Pose out;
     Vec3 point[4];
-    Vec4 mean = Vec4::Zero(), first = Vec4::Zero();
     for (int i = 0; i < 4; ++i) {
         const BondEnd& end = bond.end[i];
-        const Quat& now = rotation[end.node];
-        out.arm[i] = now * end.arm;
+        out.arm[i] = rotation[end.node] * end.arm;
         point[i] = position[end.node] + out.arm[i];
-        const Vec4 turned = (now * end.unturn).coeffs();
-        if (i == 0) first = turned;
-        mean += turned.dot(first) < 0 ? Vec4(-turned) : turned;
     }
-    out.q.coeffs() = mean.normalized();
+    out.q = bond.turn;
     Vec3 kr[4];
     double size = 0;
     for (int g = 0; g < 4; ++g) {
@@ -105,6 +100,7 @@ void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::v
     Vec3 at_end[4];
     for (Vec3& f : at_end) f.setZero();
     bond.energy = bond.opening = 0;
+    bond.turn = now.q;
     bond.side_now = now.q * bond.side;
     for (int g = 0; g < 4; ++g) {
         const int a = gap_a(g), b = gap_b(g);

@@ -15,7 +15,6 @@ using AddStiffness = std::function<void(int node_a, int node_b, const Mat12&)>;
 struct BondEnd {
     int node = -1;
     Vec3 arm = Vec3::Zero();           ///< m, in the node's own frame
-    Quat unturn = Quat::Identity();    ///< R_bind^-1: R unturn is the node's rotation since binding
 };
 
 /// A gap element: a spring on the vector that joins its two ends.
@@ -45,6 +44,7 @@ struct Bond {
     Vec3 side = Vec3::Zero();    ///< direction from a to b when they met
     double at[2] = {0, 0};       ///< where they met, along a and along b
 
+    Quat turn = Quat::Identity();     ///< Q, as of the last forces
     double energy = 0;                ///< J, as of the last forces
     double opening = 0;               ///< m, as of the last forces: how much further apart along the side than at binding
     Vec3 side_now = Vec3::Zero();     ///< Q side, as of the last forces

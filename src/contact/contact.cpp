@@ -52,7 +52,10 @@ int GapContact::detect(const std::vector<Bar>& bars, bool changed, const Motion&
 
     // How far anything has gone, and will go. A motion that is not finite is the step's business, not ours.
     const double foreseen = advance(motion, dt);
-    if (!std::isfinite(foreseen) || !std::isfinite(travelled_)) return 0;
+    if (!std::isfinite(foreseen)) {
+        seen_ = false;
+        return 0;
+    }
     if (first_sight || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
 
     int bound = 0;
@@ -81,18 +84,23 @@ void GapContact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
 // Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
 double GapContact::advance(const Motion& motion, double dt) {
     double gone = 0, fast = 0;
+    bool wild = false;
+    const auto heed = [&](double gone_squared, double fast_squared) {
+        wild = wild || !(gone_squared + fast_squared < never);
+        gone = std::max(gone, gone_squared);
+        fast = std::max(fast, fast_squared);
+    };
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const Vec3& x = motion.position[nodes_[i]];
-        gone = std::max(gone, (x - last_[i]).squaredNorm());
-        fast = std::max(fast, motion.velocity[nodes_[i]].head<3>().squaredNorm());
+        heed((x - last_[i]).squaredNorm(), motion.velocity[nodes_[i]].head<3>().squaredNorm());
         last_[i] = x;
     }
     for (ArmEnd& arm : arms_) {
         const Vec3 x = point(arm.end, motion);
-        gone = std::max(gone, (x - arm.last).squaredNorm());
-        fast = std::max(fast, velocity(arm.end, motion).squaredNorm());
+        heed((x - arm.last).squaredNorm(), velocity(arm.end, motion).squaredNorm());
         arm.last = x;
     }
+    if (wild) return never;
     travelled_ += std::sqrt(gone);
     return std::sqrt(fast) * dt;
 }
@@ -124,7 +132,7 @@ void GapContact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, 
     for (int i = 0; i < n; ++i) {
         // By eq 18 the axes are no further apart than C_l (L_c + L_i) / 4.
         const double pad =
-            margin_ + (settings_.letter ? 0.25 * settings_.reach * length(ends[i].p, ends[i].q) : bars[order[i]].radius);
+            margin_ + (settings_.letter ? 0.25 * std::min(settings_.reach, 1e9) * length(ends[i].p, ends[i].q) : bars[order[i]].radius);
         boxes[i] = {ends[i].p.cwiseMin(ends[i].q).array() - pad, ends[i].p.cwiseMax(ends[i].q).array() + pad};
     }
 
@@ -174,7 +182,7 @@ double GapContact::farness(const Candidate& pair, const Two& two, const Closest&
     const double lengths = length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]);
     // Each of the four distances and both lengths change by at most twice what an end travels.
     const double far = (spread(two) - settings_.reach * lengths) / (4 + 2 * settings_.reach);
-    return far > 0 && closest.distance <= pair.touch ? 0.0 : far;
+    return far > 0 && closest.distance <= pair.touch ? 0.0 : far;  // in touch is not apart, whatever eq 18 says
 }
 
 // What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they are within
@@ -227,7 +235,7 @@ void GapContact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion&
     Vec3 at[4];
     for (int i = 0; i < 4; ++i) {
         const End& end = i < 2 ? a.end[i] : b.end[i - 2];
-        bond.end[i] = {end.node, end.arm, motion.rotation[end.node].conjugate()};
+        bond.end[i] = {end.node, end.arm};
         at[i] = point(end, motion);
     }
     const double shortest = settings_.shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
@@ -391,7 +399,6 @@ void GapContact::fields(Io& io) {
         for (BondEnd& end : bond.end) {
             plain(io, end.node);
             vector(io, end.arm);
-            plain(io, end.unturn.coeffs()[0], end.unturn.coeffs()[1], end.unturn.coeffs()[2], end.unturn.coeffs()[3]);
         }
         for (Gap& gap : bond.gap) {
             vector(io, gap.rest);
@@ -399,7 +406,9 @@ void GapContact::fields(Io& io) {
         }
         vector(io, bond.side);
         vector(io, bond.side_now);
-        plain(io, bond.at[0], bond.at[1], bond.energy, bond.opening, bond.energy_before, bond.opening_before, bond.energy_peak, bond.falling);
+        plain(io, bond.at[0], bond.at[1], bond.energy, bond.opening);
+        plain(io, bond.turn.coeffs()[0], bond.turn.coeffs()[1], bond.turn.coeffs()[2], bond.turn.coeffs()[3]);
+        plain(io, bond.energy_before, bond.opening_before, bond.energy_peak, bond.falling);
     });
     io.list(events_, [&](ContactEvent& event) { plain(io, event.time, event.element[0], event.element[1], event.bound); });
     plain(io, seen_, now_, travelled_, listed_at_, margin_);

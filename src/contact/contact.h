@@ -39,7 +39,8 @@ struct Motion {
 };
 
 struct GapSettings {
-    double reach = 1.8;              ///< C_l of eq 18 (the paper's value); infinite: eq 18 always holds
+    double reach = 1.8;              ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other never meets it at mid
+                                     ///< length, than 1/4 near an end, nor do bars end on. Infinite: eq 18 always holds, touch decides
     double flatness = 3e-4;          ///< alpha of eq 19, m^3 (the paper's value)
     double binding_time = 0.5e-3;    ///< s (the paper's value)
     bool letter = false;             ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
@@ -69,8 +70,9 @@ struct ContactEvent {
 
 /// The rule `gap` at work: finds pairs, binds them, carries their forces, lets them go. Copying it copies all its state.
 ///
-/// A step calls: release, detect, then add_internal_forces and add_stiffness as often as it likes. A step that is undone
-/// restores a copy made before.
+/// A step calls: release (and drop, for what broke), detect, then add_internal_forces and add_stiffness as often as it likes.
+/// A step that is undone restores a copy made before. A bond starts without force, but ends with one: an integrator that carries
+/// accelerations from step to step must find them anew after a release or a drop, or it goes on pulling for half a step.
 class GapContact {
 public:
     explicit GapContact(GapSettings settings);

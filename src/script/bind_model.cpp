@@ -110,6 +110,7 @@ int model(lua_State* L) {
     const std::string formulation = o.word("formulation", {"conventional", "asi", "asi-gauss"}, "asi-gauss");
     m.formulation = formulation == "conventional" ? Formulation::conventional : formulation == "asi" ? Formulation::asi : Formulation::asi_gauss;
     m.displacement = o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
+    m.shift = o.word("shift", {"plastic", "whole"}, "plastic") == "whole" ? Shift::whole : Shift::plastic;
     m.plasticity = o.flag("plasticity", true);
     m.elements_per_member = o.integer("elements_per_member", 1, 2);
     if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "beam/mass.h"
+#include "sim/hinges.h"
 
 namespace hinge {
 namespace {
@@ -88,8 +89,9 @@ BreakReport break_element(const Structure& structure, State& state, int index, i
     const int a = end == 2 ? 0 : 1, carrier = e.node[a], freed = e.node[1 - a];
     report.carrier = carrier;
     const auto where = [&](int node) -> Vec3 { return structure.position()[node] + state.displacement[node]; };
-    const beam::Stiffness k = state.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[index]);
-    report.elastic = 0.5 * state.force[index].dot(k.solve(state.force[index]));
+    const beam::Stiffness k = stiffness_now(structure, state, index);
+    const Vec6 stretched = element_deformation(structure, index, pose_of(state)) - state.plastic[index];
+    report.elastic = 0.5 * stretched.dot(k.times(stretched));
 
     // what the element carries now, about the carrier
     const Mat3 axes = frame(structure, state, index);

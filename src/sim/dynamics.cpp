@@ -8,6 +8,7 @@
 #include "beam/fracture.h"
 #include "beam/mass.h"
 #include "core/rotation.h"
+#include "sim/hinges.h"
 
 namespace hinge {
 namespace {
@@ -37,6 +38,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 
     stages_.push_back({"loads", "loads", &Dynamics::loads});
     if (state_.contact) stages_.push_back({"contact", "contact", &Dynamics::contact});
+    if (state_.contact || !model.fracture().empty()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
     stages_.push_back({"predict", "inertia", &Dynamics::predict});
     stages_.push_back({"recover stresses", "elements", &Dynamics::recover});
     if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
@@ -57,6 +59,9 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
             if (!state_.broken[i])
                 for (int n : e.node) constant_load_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
         }
+    lumped_mass_.assign(nodes, 0);
+    for (const Element& e : structure_->elements())
+        for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
     sweep_.take_up(state_);
     sweep_.watch_turning(settings_.turn);
     operator_.set_held(state_.held);
@@ -72,7 +77,9 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     }
     if (!state_.hung.empty())
         for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
-    find_initial_acceleration();
+    gather_loads(state_.time, external_);
+    find_acceleration();
+    if (!state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
 }
 
 bool Dynamics::advance() {
@@ -106,14 +113,7 @@ bool Dynamics::advance() {
 /// F at the end of the step: gravity and the script's loads.
 void Dynamics::loads() {
     external_before_.swap(external_);
-    external_ = constant_load_;
-    const double t = state_.time + settings_.dt;
-    for (const NodalLoad& load : structure_->model().loads()) {
-        if (state_.gone[load.node]) continue;
-        const double factor = load.history ? load.history(t) : 1.0;
-        external_[load.node].head<3>() += factor * load.force;
-        external_[load.node].tail<3>() += factor * load.moment;
-    }
+    gather_loads(state_.time + settings_.dt, external_);
 }
 
 /// Eqs 17-19: who comes into contact over this step, and who is let go.
@@ -128,14 +128,24 @@ void Dynamics::contact() {
         v[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
     }
     const long released = state_.contact->counts().released;
+    if (!state_.contact->idle()) {  // what a bond holds is weighed where the nodes are, not where they were foreseen
+        for (Vec6& n : nodal_) n.setZero();
+        state_.contact->add_internal_forces(x, state_.rotation, nodal_);
+    }
     state_.booked.contact_released += state_.contact->release(state_.time);
     const int bound = state_.contact->detect(bars_, bars_changed_, {x, state_.rotation, v}, settings_.dt, state_.time);
     bars_changed_ = false;
     for (const contact::ContactEvent& event : state_.contact->events())
         for (int e : event.element) state_.touched[e] = 1;
     state_.contact->clear_events();
-    const bool changed = bound > 0 || state_.contact->counts().released != released;
+    const bool let_go = state_.contact->counts().released != released, changed = bound > 0 || let_go;
+    restart_ |= let_go;
     if (changed || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings();
+}
+
+/// After something broke or was let go: the acceleration anew.
+void Dynamics::restart() {
+    if (restart_) find_acceleration();
 }
 
 /// du known at the start of the step: dt v + dt^2/2 a, with the acceleration held.
@@ -157,6 +167,7 @@ void Dynamics::recover() {
     sweep_.run(state_, trial_, nodal_, force_, yielding_);
     if (!state_.hung.empty()) add_hung_inertia();
     if (state_.contact && !state_.contact->idle()) {
+        contact_position_.resize(trial_.displacement.size());
         for (std::size_t i = 0; i < contact_position_.size(); ++i) contact_position_[i] = structure_->position()[i] + trial_.displacement[i];
         state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
     }
@@ -186,7 +197,7 @@ void Dynamics::renew_operator() {
         for (std::size_t i = 0; i < yielding_.size(); ++i) {
             const Yielding& y = yielding_[i];
             const Element& e = structure_->elements()[y.element];
-            const beam::Stiffness k = state_.point[y.element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state_.point[y.element]);
+            const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
             const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
             tangents_[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n);
             const auto at = std::lower_bound(rebuild_.begin(), rebuild_.end(), y.element);
@@ -198,6 +209,7 @@ void Dynamics::renew_operator() {
         for (int e : rebuild_) {
             sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
             in_rebuild_[e] = 0;
+            if (mass_) mass_stale_.push_back(e);
         }
         rebuild_.clear();
     }
@@ -218,6 +230,10 @@ void Dynamics::solve() {
         failure_ = name_the_culprit();
         return;
     }
+    // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to solve
+    double motion = 0;
+    for (std::size_t i = 0; i < lumped_mass_.size(); ++i) motion += lumped_mass_[i] * trial_.velocity[i].head<3>().squaredNorm();
+    settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
     const SolveReport report = operator_.solve(right_, change_, settings_.solver);
     if (!report.converged)
         failure_ = settings_.solver.direct ? "the operator could not be factorised"
@@ -279,23 +295,17 @@ void Dynamics::commit() {
     state_.velocity.swap(trial_.velocity);
     state_.acceleration.swap(trial_.acceleration);
     state_.force.swap(force_);
-    for (int e : flowing_) state_.hinge[e] = 0;
-    flowing_.clear();
-    for (const Yielding& y : yielding_) {
-        state_.plastic[y.element] += y.flow.plastic;
-        state_.plastic_work[y.element] += y.flow.dissipation;
-        state_.booked.plastic += y.flow.dissipation;
-        const std::uint8_t bits = structure_->conventional() ? hinge_at_middle
-                                  : std::uint8_t((y.flow.lambda[0] > 0 ? hinge_at_1 : 0) | (y.flow.lambda[1] > 0 ? hinge_at_2 : 0));
-        state_.hinge[y.element] = bits;
+    for (const Yielding& y : yielding_)
         if (!state_.yielded[y.element]) ever_yielded_.push_back(y.element);
-        state_.yielded[y.element] |= bits;
-        flowing_.push_back(y.element);
+    for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
+        take_up_ = true;
+        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
     }
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
         const BreakReport report = break_element(*structure_, state_, element, end);
         operator_.remove(element);
+        if (mass_) mass_->remove(element);
         renew_hung_operator(report.carrier);
         operator_.set_held(state_.held);
         if (structure_->model().gravity())
@@ -307,10 +317,12 @@ void Dynamics::commit() {
         std::erase(ever_yielded_, element);
         std::erase(fracture_candidates_, element);
     }
+    if (take_up_ || !to_break_.empty()) sweep_.take_up(state_);
+    take_up_ = false;
     if (!to_break_.empty()) {
-        sweep_.take_up(state_);
         if (state_.contact) renew_couplings();
         to_break_.clear();
+        restart_ = true;
     }
     ++state_.step;
     state_.time += settings_.dt;
@@ -323,37 +335,48 @@ void Dynamics::move_to_increment(std::size_t i) {
     else trial_.turn[i] = state_.turn[i] + increment_[i];
 }
 
-/// M a = F - R at the start, so that a load that is there from the beginning acts from the beginning.
-void Dynamics::find_initial_acceleration() {
+/// F at time t: gravity and the script's loads.
+void Dynamics::gather_loads(double t, std::vector<Vec6>& into) const {
+    into = constant_load_;
+    for (const NodalLoad& load : structure_->model().loads()) {
+        if (state_.gone[load.node]) continue;
+        const double factor = load.history ? load.history(t) : 1.0;
+        into[load.node].head<3>() += factor * load.force;
+        into[load.node].tail<3>() += factor * load.moment;
+    }
+}
+
+/// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a step
+/// of a force that is no longer there would go into the velocities.
+void Dynamics::find_acceleration() {
     for (Vec6& a : state_.acceleration) a.setZero();
     trial_ = pose_of(state_);
-    for (Vec6& n : nodal_) n.setZero();
-    sweep_.run(state_, trial_, nodal_, force_, yielding_);
-    if (!state_.hung.empty()) add_hung_inertia();
-    external_ = constant_load_;
-    for (const NodalLoad& load : structure_->model().loads()) {
-        const double factor = load.history ? load.history(state_.time) : 1.0;
-        external_[load.node].head<3>() += factor * load.force;
-        external_[load.node].tail<3>() += factor * load.moment;
+    recover();
+    gather_loads(state_.time, right_);
+    if (!mass_) {
+        mass_ = std::make_unique<Operator>(*structure_, 1.0, 0.0, false);
+        for (std::size_t i = 0; i < state_.broken.size(); ++i)
+            if (!state_.broken[i]) mass_stale_.push_back(int(i));
     }
-    Operator mass(*structure_, 1.0, 0.0, false);
-    mass.set_held(state_.held);
-    std::vector<int> whole;
-    for (std::size_t i = 0; i < state_.broken.size(); ++i)
-        if (!state_.broken[i]) whole.push_back(int(i));
-    mass.build(whole, state_, trial_, {});
+    std::sort(mass_stale_.begin(), mass_stale_.end());
+    mass_stale_.erase(std::unique(mass_stale_.begin(), mass_stale_.end()), mass_stale_.end());
+    std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
+    mass_->set_held(state_.held);
+    mass_->build(mass_stale_, state_, trial_, {});
+    mass_stale_.clear();
     for (std::size_t i = 0; i < state_.hung.size(); ++i)
-        if (state_.hung[i].mass > 0) mass.set_hung(int(i), hung_in_space(state_, int(i)));
-    mass.assemble();
+        if (state_.hung[i].mass > 0) mass_->set_hung(int(i), hung_in_space(state_, int(i)));
+    mass_->assemble();
     for (std::size_t i = 0; i < right_.size(); ++i) {
-        right_[i] = external_[i] - nodal_[i];
+        right_[i] -= nodal_[i];
         for (int c = 0; c < 6; ++c)
             if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
     }
     SolverSettings sharp;
-    sharp.tolerance = 1e-13;
-    mass.solve(right_, state_.acceleration, sharp);
+    sharp.tolerance = 1e-12;
+    mass_->solve(right_, state_.acceleration, sharp);
     yielding_.clear();
+    restart_ = false;
 }
 
 void Dynamics::renew_hung_operator(std::size_t node) {
@@ -409,7 +432,7 @@ void Dynamics::list_bars() {
 bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) const {
     const Element& e = structure_->elements()[index];
     const FractureRule& rule = structure_->model().fracture()[e.fracture];
-    const beam::Stiffness k = state_.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state_.point[index]);
+    const beam::Stiffness k = stiffness_now(*structure_, state_, index);
     const Vec6& p = force_[index];
     Vec6 d = k.solve(p) + state_.plastic[index];
     if (flow) d += flow->plastic;

@@ -44,6 +44,7 @@ private:
     struct Stage { const char* name; const char* effect; void (Dynamics::*run)(); double seconds = 0; };
     void loads();
     void contact();
+    void restart();
     void predict();
     void recover();
     void yield();
@@ -53,7 +54,8 @@ private:
     void fracture();
     void commit();
 
-    void find_initial_acceleration();
+    void gather_loads(double t, std::vector<Vec6>& into) const;
+    void find_acceleration();
     void add_hung_inertia();
     void renew_couplings();
     void list_bars();
@@ -67,8 +69,11 @@ private:
     std::vector<Stage> stages_;
     Sweep sweep_;
     Operator operator_;
+    std::unique_ptr<Operator> mass_;             ///< M alone, for the acceleration after a force has vanished
+    std::vector<int> mass_stale_;
     Pose trial_;
     std::vector<Vec3> increment_;                ///< rotation vector of the step
+    std::vector<double> lumped_mass_;            ///< kg, to judge what is rounding
     std::vector<Vec6> constant_load_, external_, external_before_, nodal_, right_, change_, force_;
     std::vector<Yielding> yielding_;
     std::vector<int> was_yielding_;
@@ -76,7 +81,7 @@ private:
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_;
     std::vector<contact::Bar> bars_;
-    bool bars_changed_ = true, again_ = false;
+    bool bars_changed_ = true, again_ = false, restart_ = false, take_up_ = false;
     long contact_age_ = 0;
     double first_change_ = 0;
     int iteration_ = 0;

@@ -1,5 +1,7 @@
 #include "sim/energy.h"
 
+#include "sim/hinges.h"
+
 namespace hinge {
 
 Ledger::Ledger(const Structure& structure, const State& start) : structure_(structure), booked_at_start_(start.booked) {
@@ -29,8 +31,7 @@ double Ledger::elastic(const State& state) const {
     double energy = 0;
     for (std::size_t i = 0; i < structure_.elements().size(); ++i) {
         if (state.broken[i]) continue;
-        const Element& e = structure_.elements()[i];
-        const beam::Stiffness k = state.point[i] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[i]);
+        const beam::Stiffness k = stiffness_now(structure_, state, int(i));
         const Vec6 d = element_deformation(structure_, int(i), pose) - state.plastic[i];
         energy += 0.5 * d.dot(k.times(d));
     }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "beam/mass.h"
+#include "sim/hinges.h"
 #include "beam/tangent.h"
 
 namespace hinge {
@@ -53,7 +54,7 @@ void Operator::build(const std::vector<int>& elements, const State& state, const
         axes << f.x.x, f.y.x, f.z.x, f.x.y, f.y.y, f.z.y, f.x.z, f.y.z, f.z.z;
         Mat6 k;
         if (!tangents.empty() && tangents[i]) k = *tangents[i];
-        else k = (state.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[index])).matrix();
+        else k = stiffness_now(structure_, state, index).matrix();
         const auto stiffness = [&](bool geometric) {
             return structure_.large() ? beam::tangent(place, state.force[index], k, geometric) : beam::linear_tangent(axes.transpose(), e.length, k);
         };
@@ -234,7 +235,7 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
         d_[i] = z_[i];
         rho += r_[i].dot(z_[i]);
     }
-    const double goal = rho * settings.tolerance * settings.tolerance;
+    const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
     while (rho > goal && rho > 1e-280) {
         if (report.iterations == settings.max_iterations) return report.converged = false, report;

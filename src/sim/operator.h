@@ -15,6 +15,7 @@ struct SolverSettings {
     bool direct = false;        ///< sparse LDLT in place of conjugate gradients
     double tolerance = 1e-8;    ///< of the residual, relative to the right side, in the norm of the preconditioner
     int max_iterations = 500;
+    double floor = 0;           ///< of r . A^-1 r: below it nothing is left to solve
 };
 
 struct SolveReport { int iterations = 0; bool converged = true; };

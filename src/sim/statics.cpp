@@ -6,6 +6,7 @@
 
 #include "core/errors.h"
 #include "core/rotation.h"
+#include "sim/hinges.h"
 
 namespace hinge {
 namespace {
@@ -83,8 +84,9 @@ bool Statics::renew_and_factorise() {
     for (std::size_t i = 0; i < yielding_.size(); ++i) {
         const Yielding& y = yielding_[i];
         const Element& e = structure_->elements()[y.element];
+        const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
         const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        tangents[i] = beam::plastic_tangent(y.flow.p, e.stiffness, e.yield, section, y.flow.lambda, active, n) + hinge_regularisation * e.stiffness.matrix();
+        tangents[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) + hinge_regularisation * k.matrix();
         given[std::lower_bound(list.begin(), list.end(), y.element) - list.begin()] = &tangents[i];
         was_yielding_.push_back(y.element);
     }
@@ -221,15 +223,10 @@ void Statics::commit(double before) {
     state_.turn = trial_.turn;
     state_.force = force_;
     state_.factor = trial_factor_;
-    std::fill(state_.hinge.begin(), state_.hinge.end(), 0);
-    for (const Yielding& y : yielding_) {
-        state_.plastic[y.element] += y.flow.plastic;
-        state_.plastic_work[y.element] += y.flow.dissipation;
-        state_.booked.plastic += y.flow.dissipation;
-        const std::uint8_t bits = structure_->conventional() ? hinge_at_middle
-                                  : std::uint8_t((y.flow.lambda[0] > 0 ? hinge_at_1 : 0) | (y.flow.lambda[1] > 0 ? hinge_at_2 : 0));
-        state_.hinge[y.element] = bits;
-        state_.yielded[y.element] |= bits;
+    const std::vector<int> moved = commit_flow(*structure_, state_, yielding_, flowing_);
+    if (!moved.empty()) {
+        sweep_.take_up(state_);
+        was_yielding_.insert(was_yielding_.end(), moved.begin(), moved.end());
     }
     ++state_.step;
 }

@@ -51,7 +51,7 @@ private:
     std::vector<Vec6> load_, gravity_load_, nodal_, right_, change_, response_, force_, last_move_;
     std::vector<Vec3> moved_;
     std::vector<Yielding> yielding_;
-    std::vector<int> was_yielding_;
+    std::vector<int> was_yielding_, flowing_;
     bool built_ = false;
     std::vector<StageTime> times_ = {{"recover stresses"}, {"operator"}, {"solve"}};
 };

@@ -131,7 +131,6 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
     for (int i = 0; i < 4; ++i) {
         out.bond.end[i].node = i;
         out.bond.end[i].arm = arms ? dice.vector(0.3) : Vec3::Zero();
-        out.bond.end[i].unturn = out.q[i].conjugate();
     }
     const auto point = [&](int i) { return Vec3(out.x[i] + out.q[i] * out.bond.end[i].arm); };
     for (int g = 0; g < 4; ++g) {
@@ -658,7 +657,6 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
             const int from = seed < 14 ? 1 : 3, to = from - 1;
             BondEnd& end = b.bond.end[from];
             end.arm = b.q[to].conjugate() * (b.x[from] + b.q[from] * end.arm - b.x[to]);
-            end.unturn = b.bond.end[to].unturn;
             end.node = to;
         }
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
@@ -909,6 +907,20 @@ TEST_CASE("contact: nothing near, next to nothing done", "[contact]") {
     CHECK(contact.detect(one, true, s.motion(), 1e-5, 1) == 0);
     s.v[0][0] = std::numeric_limits<double>::quiet_NaN();
     CHECK(contact.detect(s.bars, true, s.motion(), 1e-5, 1) == 0);
+    s.v[0][0] = 0;
+    s.x[0][1] = infinite;
+    CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 1) == 0);
+}
+
+TEST_CASE("contact: to the letter without eq 18, every flat pair that approaches", "[contact]") {
+    Scene s = crossing(50, 1.0);
+    GapSettings settings;
+    settings.letter = true;
+    settings.reach = infinite;
+    GapContact contact(settings);
+    CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 0);
+    for (int n = 3; n < 6; ++n) s.x[n].z() = 1e-3;
+    CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
 }
 
 // ----------------------------------------------------------------------------------------------------------- letting go
