@@ -33,10 +33,10 @@ Operator::Operator(const Structure& structure, double mass_factor, double stiffn
     const auto find = [&](int i, int j) { return int(std::lower_bound(column_.begin() + row_[i] + 1, column_.begin() + row_[i + 1], j) - column_.begin()); };
     for (const Element& e : structure.elements()) slot_.push_back({find(e.node[0], e.node[1]), find(e.node[1], e.node[0])});
     part_.assign(structure.elements().size(), Mat12::Zero());
-    inverse_.assign(n, Mat6::Identity());
+    inverse_.assign(n + 1, Mat6::Identity());  // one more: a block is read two numbers past its end
     is_dirty_.assign(n, 0);
     held_ = structure.fixed();
-    for (auto* v : {&r_, &z_, &d_, &q_}) v->assign(n, Vec6::Zero());
+    for (auto* v : {&x_, &r_, &z_, &d_, &q_}) v->assign(6 * std::size_t(n) + 8, 0);
     for (int i = 0; i < n; ++i) mark(i);
 }
 
@@ -149,28 +149,47 @@ void Operator::assemble() {
     dirty_.clear();
 }
 
-void Operator::multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const {
-    using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));  // eight from a column of six: the last two are not used
-    const int n = int(x.size());
+namespace {
+
+/// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are masked out.
+using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));
+constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
+
+inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
+inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(double)); }
+inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
+
+/// B x for a 6x6 block stored by columns.
+inline Wide times(const double* B, const double* x) {
+    Wide even = load(B) * x[0], odd = load(B + 6) * x[1];
+    even += load(B + 12) * x[2];
+    odd += load(B + 18) * x[3];
+    even += load(B + 24) * x[4];
+    odd += load(B + 30) * x[5];
+    return even + odd;
+}
+
+}  // namespace
+
+double Operator::multiply(const double* x, double* y) const {
+    const int n = int(held_.size());
+    Wide product{};
     for (int i = 0; i < n; ++i) {
-        Wide even{}, odd{};
-        for (int k = row_[i]; k < row_[i + 1]; ++k) {
-            const double *v = &value_[36 * k], *b = x[column_[k]].data();
-            for (int c = 0; c < 6; c += 2) {
-                even += *reinterpret_cast<const Wide*>(v + 6 * c) * b[c];
-                odd += *reinterpret_cast<const Wide*>(v + 6 * c + 6) * b[c + 1];
-            }
-        }
-        even += odd;
-        for (int c = 0; c < 6; ++c) y[i][c] = even[c];
+        Wide row{};
+        for (int k = row_[i]; k < row_[i + 1]; ++k) row += times(&value_[36 * std::size_t(k)], x + 6 * column_[k]);
+        store_six(y + 6 * i, row);
+        product += six * row * load(x + 6 * i);
     }
+    double dot = sum(product);
     for (const Coupling& c : couplings_) {
         Vec12 v;
-        v << x[c.a], x[c.b];
+        v << Eigen::Map<const Vec6>(x + 6 * c.a), Eigen::Map<const Vec6>(x + 6 * c.b);
         const Vec12 w = c.K * v;
-        y[c.a] += w.head<6>();
-        y[c.b] += w.tail<6>();
+        Eigen::Map<Vec6>(y + 6 * c.a) += w.head<6>();
+        Eigen::Map<Vec6>(y + 6 * c.b) += w.tail<6>();
+        dot += v.dot(w);
     }
+    return dot;
 }
 
 bool Operator::factorise() {
@@ -226,36 +245,44 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
         else out = factor_.solve(b);
         return {0, out.allFinite()};
     }
-    // preconditioned conjugate gradients from x = 0
-    double rho = 0;
+    return solve_iteratively(right[0].data(), x[0].data(), settings);
+}
+
+/// Conjugate gradients from x = 0, preconditioned by each node's own block.
+SolveReport Operator::solve_iteratively(const double* right, double* solution, const SolverSettings& settings) {
+    const int n = int(held_.size());
+    double *x = x_.data(), *r = r_.data(), *z = z_.data(), *d = d_.data(), *q = q_.data();
+    Wide product{};
     for (int i = 0; i < n; ++i) {
-        x[i].setZero();
-        r_[i] = right[i];
-        z_[i].noalias() = inverse_[i] * r_[i];
-        d_[i] = z_[i];
-        rho += r_[i].dot(z_[i]);
+        std::memcpy(r + 6 * i, right + 6 * i, 6 * sizeof(double));
+        const Wide zi = times(inverse_[i].data(), right + 6 * i);
+        store_six(d + 6 * i, zi);
+        product += six * zi * load(r + 6 * i);
     }
+    std::memset(x, 0, 6 * sizeof(double) * std::size_t(n));
+    double rho = sum(product);
     const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
     while (rho > goal && rho > 1e-280) {
         if (report.iterations == settings.max_iterations) return report.converged = false, report;
-        multiply(d_, q_);
-        double dq = 0;
-        for (int i = 0; i < n; ++i) dq += d_[i].dot(q_[i]);
+        const double dq = multiply(d, q);
         if (!(dq > 0)) return report.converged = false, report;
         const double alpha = rho / dq;
-        double next = 0;
+        product = Wide{};
         for (int i = 0; i < n; ++i) {
-            x[i] += alpha * d_[i];
-            r_[i] -= alpha * q_[i];
-            z_[i].noalias() = inverse_[i] * r_[i];
-            next += r_[i].dot(z_[i]);
+            const Wide ri = load(r + 6 * i) - alpha * load(q + 6 * i);
+            store_six(x + 6 * i, load(x + 6 * i) + alpha * load(d + 6 * i));
+            store_six(r + 6 * i, ri);
+            const Wide zi = times(inverse_[i].data(), r + 6 * i);
+            store_six(z + 6 * i, zi);
+            product += six * zi * ri;
         }
-        const double beta = next / rho;
+        const double next = sum(product), beta = next / rho;
         rho = next;
-        for (int i = 0; i < n; ++i) d_[i] = z_[i] + beta * d_[i];
+        for (int k = 0; k < 6 * n; ++k) d[k] = z[k] + beta * d[k];
         ++report.iterations;
     }
+    std::memcpy(solution, x, 6 * sizeof(double) * std::size_t(n));
     counts_.iterations += report.iterations;
     report.converged = std::isfinite(rho);
     return report;

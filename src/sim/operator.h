@@ -38,8 +38,8 @@ public:
     /// Sums what changed into the blocks.
     void assemble();
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
-    /// y = A x
-    void multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const;
+    /// y = A x for arrays of six a node, two numbers of room behind them. Returns x . y.
+    double multiply(const double* x, double* y) const;
     /// Factorises A as it stands. False when it is singular.
     bool factorise();
     /// After factorise: the freedom (6 node + component) that can move with next to no resistance, -1 when there is none.
@@ -51,6 +51,7 @@ public:
 
 private:
     void mark(int node);
+    SolveReport solve_iteratively(const double* right, double* solution, const SolverSettings& settings);
     Mat6 masked(int a, int b, const Mat6& block) const;
 
     const Structure& structure_;
@@ -72,7 +73,7 @@ private:
     std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu_;
     Eigen::VectorXd diagonal_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
-    std::vector<Vec6> r_, z_, d_, q_;
+    std::vector<double> x_, r_, z_, d_, q_;         // six a node, padded at the end
     Counts counts_;
 };
 
