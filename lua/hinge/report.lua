@@ -60,6 +60,10 @@ function report.show(run, groups)
   local head = ("%s at %.6g s"):format(run.verdict, run.time)
   if run.reason and run.reason ~= "" then head = head .. ": " .. run.reason end
   local contacts = ("contacts: %d pairs of elements bound, %d let go"):format(run.contacts.bound, run.contacts.released)
+  local fastest = run.fastest
+  if fastest then
+    contacts = contacts .. ("\nfastest node: %.4g m/s at t = %.4g s (%s)"):format(fastest.speed, fastest.time, fastest.node)
+  end
   print(table.concat({ head, damage_table(damage, groups), contacts, energy_table(run.energy), seconds_table(run.stages) }, "\n\n"))
   return damage
 end

@@ -218,6 +218,8 @@ int write_summary(lua_State* L) {
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run.energy());
         j["worst_remainder"] = r->worst_remainder;
+        if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
+            j["fastest_node"] = {{"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
         j["state_hash"] = [&] { char t[20]; std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state())); return std::string(t); }();
     }
     Json results = field("results");

@@ -292,6 +292,47 @@ int member_state(lua_State* L) {
     return 2;
 }
 
+/// run:read("f_y", group): one number a member of the group, in the order they were declared.
+int read(lua_State* L) {
+    const auto& r = *self<RunBox>(L, "run:read").value;
+    static const std::vector<std::string> names = {"f_y", "N", "broken", "yielded", "touched", "plastic_work", "member", "x", "y", "z"};
+    const std::string what = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    const int quantity = int(std::find(names.begin(), names.end(), what) - names.begin());
+    if (quantity == int(names.size()))
+        throw InputError("run:read: quantity is " + show(L, 2) + "; must be one of 'f_y', 'N', 'broken', 'yielded', 'touched', 'plastic_work', 'member', 'x', 'y', 'z'" + did_you_mean(what, names));
+    const int group = lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, "run:read: group", *r.model);
+    const State& state = r.run->state();
+    const auto& elements = r.run->structure().elements();
+    std::vector<double> values;
+    for (std::size_t i = 0; i < elements.size();) {
+        const std::size_t first = i;
+        const int member = elements[i].member;
+        double largest = 0, sum = 0;
+        Vec3 middle = Vec3::Zero();
+        for (; i < elements.size() && elements[i].member == member; ++i) {
+            switch (quantity) {
+                case 0: largest = std::max(largest, r.run->yield_value(int(i))); break;
+                case 2: largest = std::max(largest, double(state.broken[i] != 0)); break;
+                case 3: largest = std::max(largest, double(state.yielded[i] != 0)); break;
+                case 4: largest = std::max(largest, double(state.touched[i] != 0)); break;
+                case 5: sum += state.plastic_work[i]; break;
+                default: break;
+            }
+        }
+        if (group >= 0 && !r.run->structure().in_group(int(first), group)) continue;
+        for (int n : {elements[first].node[0], elements[i - 1].node[1]}) middle += 0.5 * (r.run->structure().position()[n] + state.displacement[n]);
+        // N: the mean of the member's elements that are whole; a broken one carries none
+        double n_sum = 0;
+        int whole = 0;
+        for (std::size_t k = first; k < i; ++k)
+            if (!state.broken[k]) n_sum += state.force[k][4], ++whole;
+        const double value[] = {largest, whole == int(i - first) ? n_sum / whole : 0.0, largest, largest, largest, sum, member + 1.0, middle.x(), middle.y(), middle.z()};
+        values.push_back(value[quantity]);
+    }
+    push_array(L, values.data(), int(values.size()));
+    return 1;
+}
+
 int run_momentum(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:momentum").value;
     const Momentum m = momentum(r.run->structure(), r.run->state());
@@ -347,6 +388,13 @@ int fields(lua_State* L) {
         lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
         lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
         lua_pushinteger(L, c.factorisations), lua_setfield(L, -2, "factorisations");
+    } else if (key == "fastest") {
+        const auto* d = dynamic_cast<const Dynamics*>(&run);
+        if (!d || d->fastest().node < 0) return lua_pushnil(L), 1;
+        lua_createtable(L, 0, 4);
+        lua_pushnumber(L, d->fastest().speed), lua_setfield(L, -2, "speed");
+        lua_pushnumber(L, d->fastest().time), lua_setfield(L, -2, "time");
+        lua_pushstring(L, run.structure().node_name(d->fastest().node).c_str()), lua_setfield(L, -2, "node");
     } else if (key == "stages") {
         lua_newtable(L);
         int i = 0;
@@ -357,8 +405,8 @@ int fields(lua_State* L) {
             lua_rawseti(L, -2, ++i);
         }
     } else {
-        static const std::vector<std::string> names = {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "stages",
-                                                       "steps", "step", "finish", "stop", "displacement", "velocity", "acceleration", "reaction", "position", "probe", "count", "forces", "state", "momentum", "still"};
+        static const std::vector<std::string> names = {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "fastest", "stages",
+                                                       "steps", "step", "finish", "stop", "displacement", "velocity", "acceleration", "reaction", "position", "probe", "count", "forces", "state", "read", "momentum", "still"};
         throw InputError("run has no field or method '" + key + "'" + did_you_mean(key, names));
     }
     return 1;
@@ -392,7 +440,7 @@ void open_run(lua_State* L) {
     static const luaL_Reg methods[] = {
         {"steps", guarded<steps>}, {"step", guarded<step>}, {"finish", guarded<finish>}, {"stop", guarded<stop>}, {"displacement", guarded<displacement>},
         {"velocity", guarded<velocity>}, {"acceleration", guarded<acceleration>}, {"reaction", guarded<reaction>}, {"position", guarded<position>},
-        {"probe", guarded<probe>}, {"count", guarded<count>}, {"forces", guarded<forces>}, {"state", guarded<member_state>}, {"momentum", guarded<run_momentum>},
+        {"probe", guarded<probe>}, {"count", guarded<count>}, {"forces", guarded<forces>}, {"state", guarded<member_state>}, {"read", guarded<read>}, {"momentum", guarded<run_momentum>},
         {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, nullptr, nullptr);

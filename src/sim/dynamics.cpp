@@ -232,7 +232,11 @@ void Dynamics::solve() {
     }
     // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to solve
     double motion = 0;
-    for (std::size_t i = 0; i < lumped_mass_.size(); ++i) motion += lumped_mass_[i] * trial_.velocity[i].head<3>().squaredNorm();
+    for (std::size_t i = 0; i < lumped_mass_.size(); ++i) {
+        const double v2 = trial_.velocity[i].head<3>().squaredNorm();
+        motion += lumped_mass_[i] * v2;
+        if (v2 > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(v2), int(i), state_.time + settings_.dt};
+    }
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
     const SolveReport report = operator_.solve(right_, change_, settings_.solver);
     if (!report.converged)

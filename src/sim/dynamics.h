@@ -38,6 +38,9 @@ public:
     std::vector<Effect> effects() const override;
     const DynamicSettings& settings() const { return settings_; }
     Operator::Counts operator_counts() const { return operator_.counts(); }
+    /// The fastest node of the run so far: m/s, node, s.
+    struct Fastest { double speed = 0; int node = -1; double time = 0; };
+    const Fastest& fastest() const { return fastest_; }
     long element_updates() const { return sweep_.updates(); }
 
 private:
@@ -73,6 +76,7 @@ private:
     std::vector<int> mass_stale_;
     Pose trial_;
     std::vector<Vec3> increment_;                ///< rotation vector of the step
+    Fastest fastest_;
     std::vector<double> lumped_mass_;            ///< kg, to judge what is rounding
     std::vector<Vec6> constant_load_, external_, external_before_, nodal_, right_, change_, force_;
     std::vector<Yielding> yielding_;
