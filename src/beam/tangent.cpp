@@ -58,7 +58,9 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
     T.row(4).setZero(); T(4, 2) = -1; T(4, 8) = 1;
     T.row(5) = turn[1].row(2) - turn[0].row(2);
 
-    Mat12 K = T.transpose() * k * T;
+    // lazyProduct: at this size plain loops beat the packed product
+    const Eigen::Matrix<double, 6, 12> kT = k.lazyProduct(T);
+    Mat12 K = T.transpose().lazyProduct(kT);
     if (geometric) {
         const Vec3 m[2] = {{p[0], p[2], -p[5]}, {p[1], p[3], p[5]}};
         const Vec3 mu[2] = {H[0].transpose() * m[0], H[1].transpose() * m[1]};
@@ -92,7 +94,10 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
     Mat3 E;
     E << eigen(place.frame.x), eigen(place.frame.y), eigen(place.frame.z);
     for (int r = 0; r < 4; ++r)
-        for (int c = 0; c < 4; ++c) K.block<3, 3>(3 * r, 3 * c) = (E * K.block<3, 3>(3 * r, 3 * c) * E.transpose()).eval();
+        for (int c = 0; c < 4; ++c) {
+            const Mat3 block = K.block<3, 3>(3 * r, 3 * c);
+            K.block<3, 3>(3 * r, 3 * c) = E * block * E.transpose();
+        }
     return K;
 }
 

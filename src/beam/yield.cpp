@@ -152,7 +152,11 @@ Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, c
         S += 2 * lambda[i] * yield_matrix(sections[i], w);
         a.col(count++) = yield_gradient(p, sections[i], w);
     }
-    const Mat6 X = S.inverse();
+    Mat6 X = Mat6::Zero();  // S^-1: bending about x, about y, N and Mz do not mix
+    X.block<2, 2>(0, 0) = S.block<2, 2>(0, 0).inverse();
+    X.block<2, 2>(2, 2) = S.block<2, 2>(2, 2).inverse();
+    X(4, 4) = 1 / S(4, 4);
+    X(5, 5) = 1 / S(5, 5);
     if (count == 0) return X;
     const Eigen::Matrix<double, 6, 2> Xa = X * a;
     if (count == 2) {

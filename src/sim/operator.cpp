@@ -11,6 +11,21 @@
 #include "beam/tangent.h"
 
 namespace hinge {
+namespace {
+
+/// The inverse of a symmetric positive matrix from its 3x3 quarters, which Eigen inverts without loops.
+Mat6 inverse_by_halves(const Mat6& A) {
+    const Mat3 P = A.topLeftCorner<3, 3>().inverse(), Q = A.topRightCorner<3, 3>(), PQ = P * Q;
+    const Mat3 S = (A.bottomRightCorner<3, 3>() - Q.transpose() * PQ).inverse();
+    Mat6 out;
+    out.topRightCorner<3, 3>() = -PQ * S;
+    out.topLeftCorner<3, 3>() = P - out.topRightCorner<3, 3>() * PQ.transpose();
+    out.bottomLeftCorner<3, 3>() = out.topRightCorner<3, 3>().transpose();
+    out.bottomRightCorner<3, 3>() = S;
+    return 0.5 * (out + out.transpose());
+}
+
+}  // namespace
 
 Operator::Operator(const Structure& structure, double mass_factor, double stiffness_factor, bool geometric)
     : structure_(structure), mass_factor_(mass_factor), stiffness_factor_(stiffness_factor), geometric_(geometric) {
@@ -143,7 +158,7 @@ void Operator::assemble() {
         if (is_dirty_[c.b]) inverse_[c.b] += c.K.block<6, 6>(6, 6);
     }
     for (int i : dirty_) {
-        inverse_[i] = inverse_[i].llt().solve(Mat6::Identity()).eval();
+        inverse_[i] = inverse_by_halves(inverse_[i]);
         is_dirty_[i] = 0;
     }
     dirty_.clear();
