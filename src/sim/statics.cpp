@@ -39,6 +39,10 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     }
     if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
     for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
+    // forces that rounding of the positions alone makes: below them equilibrium cannot be told
+    for (const Element& e : structure_->elements())
+        noise_ = std::max(noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
+    noise_ *= std::sqrt(double(nodes));
     for (const NodalLoad& l : model.loads()) {
         const double factor = l.history ? l.history(0) : 1.0;
         load_[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
@@ -200,7 +204,7 @@ Statics::Outcome Statics::equilibrate(double increment) {
         if (!std::isfinite(r)) return Outcome::diverged;
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && turn <= 1e-11 && r <= 1e-6 * scale;
-        if (r <= settings_.tolerance * scale || stalled) {
+        if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
             converged_in_ = iteration;
             last_move_ = total;
             return Outcome::converged;
@@ -257,7 +261,7 @@ bool Statics::advance() {
     }
     commit(before);
     progress_ += increment;
-    if (arc) arc_scale_ = std::clamp(arc_scale_ * std::sqrt(5.0 / converged_in_), 0.05, 1.0);
+    if (arc) arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5), 30.0);  // five iterations a step
     else if (converged_in_ <= 6) step_size_ = std::min(2 * step_size_, 1.0 / settings_.steps);
     if (arc ? steps_done() >= settings_.steps : (settings_.control == Control::displacement ? progress_ : state_.factor) >= 1 - 1e-12)
         verdict_ = Verdict::completed;

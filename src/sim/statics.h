@@ -46,7 +46,7 @@ private:
     Sweep sweep_;
     Operator operator_;
     Pose trial_;
-    double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3;
+    double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3, noise_ = 0;
     int converged_in_ = 0;
     std::vector<Vec6> load_, gravity_load_, nodal_, right_, change_, response_, force_, last_move_;
     std::vector<Vec3> moved_;
