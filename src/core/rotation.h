@@ -26,4 +26,11 @@ inline Quat turned(const Vec3& turn, const Quat& q) {
     return r;
 }
 
+/// The rotation vector of a unit quaternion, rad, at most pi long.
+inline Vec3 rotation_vector(Quat q) {
+    if (q.w() < 0) q.coeffs() = -q.coeffs();
+    const double sine = q.vec().norm();
+    return sine > 0 ? Vec3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vec3(Vec3::Zero());
+}
+
 }  // namespace hinge

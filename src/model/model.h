@@ -27,6 +27,7 @@ struct Section {
     std::string kind = "general";
     double area = 0, Ix = 0, Iy = 0, J = 0;            ///< m^2, m^4
     double shear_area_x = 0, shear_area_y = 0;         ///< m^2
+    double mass_Ix = 0, mass_Iy = 0;                   ///< m^4, of the rotary inertia; 0: Ix and Iy
     double plastic_area = 0, Zx = 0, Zy = 0, Zz = 0;   ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
     std::optional<double> N0, Mx0, My0, Mz0;           ///< given directly, N and N m
     double width = 0, depth = 0;                       ///< m, along x and y: contact and pictures

@@ -45,7 +45,7 @@ Structure::Structure(std::shared_ptr<const Model> model) : model_(std::move(mode
         e.chord = span / member.elements;
         e.axes = Quat(axes).normalized();
         e.rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
-                      mat.density * sec.area, mat.density * sec.Ix, mat.density * sec.Iy};
+                      mat.density * sec.area, mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix), mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
         e.yield = m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
         can_yield_ |= !e.yield.elastic();
         e.radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));

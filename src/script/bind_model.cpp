@@ -428,6 +428,8 @@ int dynamic_run(lua_State* L) {
     if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
     s.iterations = o.integer("iterations", 1, 1);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
+    const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
+    s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;
     s.geometric = o.flag("geometric", s.geometric);
     s.turn = o.number("turn", "rad", Range::positive, s.turn);
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";

@@ -45,6 +45,8 @@ int section(lua_State* L) {
     s.J = o.number("J", "m^4", Range::positive);
     s.shear_area_x = o.number("shear_area_x", "m^2", Range::positive, s.area * 5 / 6);
     s.shear_area_y = o.number("shear_area_y", "m^2", Range::positive, s.area * 5 / 6);
+    s.mass_Ix = o.number("mass_Ix", "m^4", Range::positive, 0);
+    s.mass_Iy = o.number("mass_Iy", "m^4", Range::positive, 0);
     s.N0 = o.maybe_number("N0", "N", Range::positive);
     s.Mx0 = o.maybe_number("Mx0", "N m", Range::positive);
     s.My0 = o.maybe_number("My0", "N m", Range::positive);

@@ -62,9 +62,14 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     lumped_mass_.assign(nodes, 0);
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
+    // the axial wave's way in a step against the shortest element
+    double crossing = 0;
+    for (const Element& e : structure_->elements()) crossing = std::max(crossing, settings_.dt * std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    from_rest_ = settings_.beta > 0 && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing > 1));
     sweep_.take_up(state_);
     sweep_.watch_turning(settings_.turn);
     operator_.set_held(state_.held);
+    if (settings_.solver.direct) operator_.allow_indefinite();
     for (std::size_t i = 0; i < elements; ++i) {
         if (!state_.broken[i]) rebuild_.push_back(int(i)), in_rebuild_[i] = 1;
         const Element& e = structure_->elements()[i];
@@ -102,7 +107,15 @@ bool Dynamics::advance() {
             fail(at + failure_);
             return false;
         }
-        if (stage.run == &Dynamics::correct && again_) i = recover_at - 1;  // Newton: once more
+        if (stage.run != &Dynamics::correct) continue;
+        if (again_) {
+            i = recover_at - 1;  // Newton: once more
+        } else if (from_rest_) {  // the stresses so far are those the last solve started from
+            const auto settling = std::chrono::steady_clock::now();
+            recover();
+            if (structure_->can_yield()) yield();
+            stages_[recover_at].seconds += seconds_since(settling);
+        }
     }
     if (steps_done() >= planned_) verdict_ = Verdict::completed;
     return true;
@@ -148,9 +161,20 @@ void Dynamics::restart() {
     if (restart_) find_acceleration();
 }
 
-/// du known at the start of the step: dt v + dt^2/2 a, with the acceleration held.
+/// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the fastest
+/// waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
 void Dynamics::predict() {
-    const double dt = settings_.dt;
+    const double dt = settings_.dt, beta = settings_.beta;
+    if (from_rest_) {
+        for (std::size_t i = 0; i < increment_.size(); ++i) {
+            trial_.displacement[i] = state_.displacement[i];
+            increment_[i].setZero();
+            trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
+            trial_.velocity[i] = state_.velocity[i] + (0.5 * dt) * (state_.acceleration[i] + trial_.acceleration[i]);
+            move_to_increment(i);
+        }
+        return;
+    }
     for (std::size_t i = 0; i < increment_.size(); ++i) {
         const Vec6 step = dt * state_.velocity[i] + (0.5 * dt * dt) * state_.acceleration[i];
         trial_.displacement[i] = state_.displacement[i] + step.head<3>();
@@ -250,11 +274,19 @@ void Dynamics::correct() {
     const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = 0.5 * dt;
     double size = 0;
     for (std::size_t i = 0; i < change_.size(); ++i) {
+        if (from_rest_ && structure_->large()) {
+            // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
+            const Vec3 before = increment_[i];
+            trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
+            increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
+            change_[i].tail<3>() = (increment_[i] - before) / to_u;
+        } else {
+            increment_[i] += to_u * change_[i].tail<3>();
+            move_to_increment(i);
+        }
         trial_.acceleration[i] += change_[i];
         trial_.velocity[i] += to_v * change_[i];
         trial_.displacement[i] += to_u * change_[i].head<3>();
-        increment_[i] += to_u * change_[i].tail<3>();
-        move_to_increment(i);
         size += change_[i].head<3>().squaredNorm();
     }
     ++iteration_;

@@ -7,6 +7,7 @@
 // step begins, dt v + dt^2 a / 2, is applied first and the stresses are recovered there, exactly; what is left to solve for
 // is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure this is eq 15 to
 // the letter; for one that turns and yields, the force out of balance is not carried to the next step but met in this one.
+// Steps longer than an axial wave needs for an element are solved from du = 0 instead, as eq 15 is written.
 #pragma once
 
 #include <functional>
@@ -16,11 +17,16 @@
 
 namespace hinge {
 
+/// What a step is solved from: the acceleration held (short steps), the displacement held (long ones), or whichever suits
+/// dt against the time in which an axial wave crosses the shortest element.
+enum class Predictor : std::uint8_t { by_step, acceleration, displacement };
+
 struct DynamicSettings {
     double dt = 0;                  ///< s
     double duration = 0;            ///< s
     double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact
     int iterations = 1;             ///< 1: the paper's one solve; more: Newton until `tolerance`
+    Predictor predictor = Predictor::by_step;
     double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
     double turn = 0.005;            ///< rad: an element's part of the operator is rebuilt when it has turned by this much
@@ -85,7 +91,7 @@ private:
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_;
     std::vector<contact::Bar> bars_;
-    bool bars_changed_ = true, again_ = false, restart_ = false, take_up_ = false;
+    bool bars_changed_ = true, again_ = false, restart_ = false, take_up_ = false, from_rest_ = false;
     long contact_age_ = 0;
     double first_change_ = 0;
     int iteration_ = 0;

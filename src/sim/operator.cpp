@@ -81,7 +81,7 @@ void Operator::build(const std::vector<int>& elements, const State& state, const
             const Mat12 M = mass_factor_ * beam::consistent_mass(e.rigidity, e.length, axes);
             A += M;
             // conjugate gradients need every part positive: initial stress stays out of one that it would turn over
-            if (geometric_ && A.llt().info() != Eigen::Success) A = stiffness_factor_ * stiffness(false) + M;
+            if (geometric_ && keep_positive_ && A.llt().info() != Eigen::Success) A = stiffness_factor_ * stiffness(false) + M;
         }
         mark(e.node[0]);
         mark(e.node[1]);

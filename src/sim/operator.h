@@ -28,6 +28,8 @@ public:
     void build(const std::vector<int>& elements, const State& state, const Pose& pose, const std::vector<const Mat6*>& tangents);
     /// Keeps the tangent's unsymmetric part too (an applied moment is not conservative); solved directly, by LU.
     void keep_unsymmetric() { unsymmetric_ = true; }
+    /// For a direct solver: initial stress stays in, whatever it does to an element's part.
+    void allow_indefinite() { keep_positive_ = false; }
     void remove(int element);
     /// Replaces everything that joins nodes beside the elements: bonds (12x12, already a stiffness) and hung masses.
     struct Coupling { int a, b; Mat12 K; };
@@ -69,7 +71,7 @@ private:
     std::vector<int> dirty_;
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
-    bool unsymmetric_ = false;
+    bool unsymmetric_ = false, keep_positive_ = true;
     std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu_;
     Eigen::VectorXd diagonal_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;

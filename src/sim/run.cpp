@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/rotation.h"
+
 namespace hinge {
 
 const char* name(Verdict v) {
@@ -30,10 +32,7 @@ Vec6 Run::displacement(int node) const {
     Vec6 d;
     d.head<3>() = state_.displacement[node];
     if (structure_->large()) {
-        Quat q = state_.rotation[node];
-        if (q.w() < 0) q.coeffs() = -q.coeffs();
-        const double sine = q.vec().norm();
-        d.tail<3>() = sine > 0 ? Vec3(2 * std::atan2(sine, q.w()) / sine * q.vec()) : Vec3::Zero();
+        d.tail<3>() = rotation_vector(state_.rotation[node]);
     } else {
         d.tail<3>() = state_.turn[node];
     }
