@@ -22,6 +22,7 @@ function hinge.model(options) end
 ---@class hinge.model_options
 ---@field formulation? "asi-gauss"|"asi"|"conventional" where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi: in the middle while elastic. conventional: always in the middle
 ---@field displacement? "large"|"small" large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
+---@field shift? "plastic"|"whole" what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of elements keeps its exact elastic stiffness and the energy ledger closes. whole: the paper's letter (eqs 6, 10), elastic point and all, and its partner's point to the middle; forces stay continuous but the elastic energy jumps, which the remainder shows
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---@field elements_per_member? integer default 2, the paper's
 
@@ -35,11 +36,6 @@ function hinge.material(options) end
 ---@field G number
 ---@field density number
 ---@field yield_stress number
-
----A run taken up again from a checkpoint. The file must come from the same script and parameters.
----@param path string as given to run:checkpoint
----@return hinge.run
-function hinge.resume(path) end
 
 -- Sections -----------------------------------------------------------------------------------------------------------
 
@@ -86,6 +82,8 @@ function section.general(options) end
 ---@field J number torsion constant, m^4
 ---@field shear_area_x? number m^2, default 5/6 of the area
 ---@field shear_area_y? number m^2, default 5/6 of the area
+---@field mass_Ix? number m^4, of the rotary inertia; default Ix
+---@field mass_Iy? number m^4, default Iy
 ---@field N0? number fully plastic resultants of eq 14, N and N m, whatever the material; one left out is taken from
 ---@field Mx0? number `plastic`, and without that never limits
 ---@field My0? number
@@ -163,7 +161,7 @@ function model:counts() end
 function model:static(options) end
 
 ---A dynamic run by Newmark's beta method (eq 15), without damping.
----@param options { dt: number, duration: number, beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer } dt, duration s; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 is the paper's one solve a step; record: steps between rows of history.csv
+---@param options { dt: number, duration: number, beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, predictor?: "auto"|"acceleration"|"displacement", geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer } dt, duration s; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 (default) is the paper's one solve a step, more is Newton until the correction is below tolerance (default 1e-10) of the step's first; predictor: where a step is solved from, the acceleration held or the displacement held (eq 15 to the letter); auto: the first while dt is shorter than an axial wave needs for the shortest element; geometric: initial stress in the operator, default true; turn: an element's part of the operator is rebuilt when it has turned by this, default 0.005 rad; solver_tolerance: of the residual, default 1e-8; record: steps between rows of history.csv
 ---@return hinge.run
 function model:dynamic(options) end
 
@@ -182,6 +180,7 @@ function model:dynamic(options) end
 ---@field contacts { bound: integer, released: integer } pairs of elements
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
 ---@field wall_seconds number
+---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
 ---@field counts { element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer } work done by the solver
 local run = {}
@@ -256,6 +255,12 @@ function run:forces(member) end
 ---@return "elastic"|"yielded"|"broken" state, number f_y the largest now
 function run:state(member) end
 
+---Bulk reading: one number a member of the group, in the order they were declared.
+---@param quantity "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z" f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded, touched: 1 or 0; plastic_work J; member: its index; x, y, z: its middle now, m
+---@param group? hinge.group_like default: all members
+---@return number[]
+function run:read(quantity, group) end
+
 ---@return { mass: number, linear: vec3, angular: vec3 } kg, kg m/s, kg m^2/s about the origin
 function run:momentum() end
 
@@ -268,10 +273,6 @@ function run:count(options) end
 ---The structure as it is now, for pictures.
 ---@return hinge.still
 function run:still() end
-
----Writes the run's state to a file, for hinge.resume.
----@param path string
-function run:checkpoint(path) end
 
 ---@class hinge.still
 

@@ -8,5 +8,4 @@ return check.strict({
   material = core.material,
   section = require "hinge.section",
   scenario = require "hinge.scenario".new,
-  resume = core.resume,
 }, "hinge")

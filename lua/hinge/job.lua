@@ -18,12 +18,32 @@ local view_rules = {
   box = { "numbers", count = 6, unit = "m", optional = true },
 }
 
+local plot_rules = {
+  title = { "string", optional = true },
+  x_label = { "string", optional = true },
+  y_label = { "string", optional = true },
+  log_x = { "boolean", optional = true },
+  log_y = { "boolean", optional = true },
+  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  series = { "table" },
+}
+
 local function new(out, case)
   return setmetatable({ out = out, case = case, notes = {} }, Job)
 end
 
 local function must_be_run(where, run)
   if run == nil then check.fail("%s: the run is missing; give what model:static or model:dynamic returned", where) end
+end
+
+-- The output folder's file of that name, which must be a plain one.
+local function picture_path(where, job, filename)
+  check.value(where, "filename", filename, { "string" })
+  if not filename:match("^[%w._ -]+%.png$") then
+    check.fail("%s: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)", where, filename)
+  end
+  return job.out == "" and filename or job.out .. "/" .. filename
 end
 
 -- A picture that cannot be drawn (no display, a full disk) is noted; it does not cost the run its results.
@@ -46,12 +66,13 @@ end
 function Job:picture(run, view, filename)
   must_be_run("job:picture", run)
   view = check.options("job:picture", view, view_rules)
-  check.value("job:picture", "filename", filename, { "string" })
-  if not filename:match("^[%w._ -]+%.png$") then
-    check.fail("job:picture: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)", filename)
-  end
-  local path = self.out == "" and filename or self.out .. "/" .. filename
-  try(self, filename, core.write_picture, run:still(), view, path)
+  try(self, filename, core.write_picture, run:still(), view, picture_path("job:picture", self, filename))
+end
+
+--- Draws curves into a PNG picture in the output folder.
+function Job:plot(plot, filename)
+  plot = check.options("job:plot", plot, plot_rules)
+  try(self, filename, core.write_plot, plot, picture_path("job:plot", self, filename))
 end
 
 --- Says something worth keeping: printed now, and kept in summary.json.

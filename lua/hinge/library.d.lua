@@ -30,6 +30,19 @@ function job:picture(run, view, filename) end
 ---@field title? string
 ---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show, so that several pictures share one view
 
+---Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture can
+---be drawn, that is noted and the run goes on.
+---@param plot { series: hinge.series[], title?: string, x_label?: string, y_label?: string, log_x?: boolean, log_y?: boolean, width?: integer, height?: integer } width and height in pixels, default 1200 x 900
+---@param filename string plain name ending in .png
+function job:plot(plot, filename) end
+
+---@class hinge.series one curve; a value that is no number, or not above 0 on a logarithmic axis, leaves a gap
+---@field x number[]
+---@field y number[] as many
+---@field name? string in the legend; left out: not listed
+---@field style? "line"|"points" default line
+---@field dashed? boolean
+
 ---Prints a line and keeps it in summary.json.
 ---@param text string
 function job:note(text) end
@@ -115,6 +128,80 @@ local aircraft = {}
 ---@return hinge.group aircraft "aircraft", all of it
 ---@return aircraft.facts facts
 function aircraft.add(model, options) end
+
+-- require "hinge.models.space_frame" ----------------------------------------------------------------------------------
+
+---@class space_frame.options
+---@field side? number m, default 0.25, *reconstructed*
+---@field thickness? number m, side of the solid square section, default 0.02, *reconstructed*
+---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 245 MPa, *reconstructed*
+---@field exact_elements? integer with "asi" or "conventional" and this many elements a member: shear areas softened so that the midpoint element has the exact stiffness (MacNeal's residual bending flexibility, 1/GA + l^2/12EI); mass and strength stay
+
+---@class space_frame.frame
+---@field feet hinge.node[] four, fixed
+---@field joints hinge.node[] the upper corners above them
+---@field loaded hinge.node the first joint, where the paper's load acts along x
+---@field section hinge.section
+
+---@class space_frame
+local space_frame = {}
+
+---Adds the paper's cube (figure 8): four fixed columns and four beams, in the groups "columns" and "beams".
+---@param model hinge.model
+---@param options? space_frame.options
+---@return space_frame.frame
+function space_frame.add(model, options) end
+
+-- require "hinge.paper" -----------------------------------------------------------------------------------------------
+
+---Measures and figures that the scripts of scripts/paper share.
+---@class paper
+---@field methods string[] "conventional", "asi", "asi-gauss"
+local paper = {}
+
+---Numbers of elements a member that a method takes, out of a list: asi-gauss needs even ones.
+---@param method string
+---@param sizes integer[]
+---@return integer[]
+function paper.sizes(method, sizes) end
+
+---Root of the mean square difference of two histories over the largest value of the second.
+---@param history number[]
+---@param reference number[] as long
+---@return number
+function paper.error(history, reference) end
+
+---Every n-th value of a list, from the first.
+---@param values number[]
+---@param n integer
+---@return number[]
+function paper.every(values, n) end
+
+---@param values number[]
+---@param factor number
+---@return number[]
+function paper.scaled(values, factor) end
+
+---The fewest elements from which on the error stays within a limit, or "> most".
+---@param errors table<integer, number> by number of elements
+---@param limit number
+---@return integer|string
+function paper.needed(errors, limit) end
+
+---Prints a table: rows of numbers and texts under a head; numbers are already text where they need a format.
+---@param title string
+---@param head string[]
+---@param rows any[][]
+function paper.table(title, head, rows) end
+
+---@alias paper.node { x: number, y: number, z: number, mass: number, virtual: boolean, gone: boolean } m, kg; virtual: the free end of a fractured element; gone: a node that has lost all its elements
+---@alias paper.bar { a: integer, b: integer, member: integer, element: integer, rigid: boolean, f_y: number } a, b: indices into nodes; rigid: fractured
+
+---The structure as pictures show it (figures 4 and 5): fractured elements as rigid bars from the node that carries them to
+---a virtual node, and the mass on every node, half of an element's on each of its two, all of a fractured one's on its carrier.
+---@param run hinge.run
+---@return { nodes: paper.node[], bars: paper.bar[] }
+function paper.pieces(run) end
 
 -- require "hinge.report" ----------------------------------------------------------------------------------------------
 
