@@ -157,13 +157,8 @@ function space_frame.add(model, options) end
 ---Measures and figures that the scripts of scripts/paper share.
 ---@class paper
 ---@field methods string[] "conventional", "asi", "asi-gauss"
+---@field drawn integer[] elements a member in the figures' legends: 1, 2, 4, 8, 16
 local paper = {}
-
----Numbers of elements a member that a method takes, out of a list: asi-gauss needs even ones.
----@param method string
----@param sizes integer[]
----@return integer[]
-function paper.sizes(method, sizes) end
 
 ---Root of the mean square difference of two histories over the largest value of the second.
 ---@param history number[]
@@ -171,11 +166,13 @@ function paper.sizes(method, sizes) end
 ---@return number
 function paper.error(history, reference) end
 
----Every n-th value of a list, from the first.
----@param values number[]
----@param n integer
+---The curve y over x at equal parts of the way from 0 to `last`, straight between its points.
+---@param x number[] rising
+---@param y number[]
+---@param last number
+---@param count integer parts; one value more is returned
 ---@return number[]
-function paper.every(values, n) end
+function paper.sampled(x, y, last, count) end
 
 ---@param values number[]
 ---@param factor number
@@ -187,6 +184,20 @@ function paper.scaled(values, factor) end
 ---@param limit number
 ---@return integer|string
 function paper.needed(errors, limit) end
+
+---An error as a table shows it, in per cent; what is rounding is 0.
+---@param error number
+---@return string
+function paper.percent(error) end
+
+---One picture of a figure, fig<number>_<method>.png: a method's curves by number of elements, and the converged one dashed.
+---@param job hinge.job
+---@param number integer of the figure
+---@param method string
+---@param labels { title: string, x: string, y: string }
+---@param curves table<integer, { x: number[], y: number[] }> by elements a member
+---@param converged { x: number[], y: number[] }
+function paper.figure(job, number, method, labels, curves, converged) end
 
 ---Prints a table: rows of numbers and texts under a head; numbers are already text where they need a format.
 ---@param title string

@@ -426,7 +426,7 @@ int dynamic_run(lua_State* L) {
     if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
     s.beta = o.number("beta", "", Range::not_negative, s.beta);
     if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
-    s.iterations = o.integer("iterations", 1, 1);
+    s.iterations = o.integer("iterations", 0, 0);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
     const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
     s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
+#include "output/plot.h"
 #include "script/still.h"
 
 namespace hinge::script {
@@ -133,6 +134,98 @@ int write_picture(lua_State* L) {
     return 0;
 }
 
+/// The list of numbers in field `name` of a curve; anything else in it leaves a gap.
+std::vector<double> read_values(Options& o, const char* name) {
+    lua_State* L = o.L();
+    std::vector<double> values;
+    if (o.push_field(name) != LUA_TTABLE) o.complain(name, show(L, -1), "must be a list of numbers");
+    for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+        values.push_back(lua_rawgeti(L, -1, i) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan(""));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return values;
+}
+
+output::Series read_series(lua_State* L, int index, const std::string& what) {
+    Options o(L, index, what);
+    output::Series s;
+    s.name = o.text("name").value_or("");
+    s.x = read_values(o, "x");
+    s.y = read_values(o, "y");
+    if (s.x.size() != s.y.size()) o.complain("y", std::to_string(s.y.size()) + " numbers", "must hold as many as x, " + std::to_string(s.x.size()));
+    s.style = o.word("style", {"line", "points"}, "line") == "points" ? output::SeriesStyle::points : output::SeriesStyle::line;
+    s.dashed = o.flag("dashed", false);
+    o.finish();
+    return s;
+}
+
+/// core.write_plot(plot, path): curves into a PNG.
+int write_plot(lua_State* L) {
+    if (lua_type(L, 2) != LUA_TSTRING) throw InputError("write_plot: the path is " + show(L, 2) + "; give a string");
+    Options o(L, 1, "plot");
+    output::Plot plot;
+    plot.title = o.text("title").value_or("");
+    plot.x_label = o.text("x_label").value_or("");
+    plot.y_label = o.text("y_label").value_or("");
+    plot.log_x = o.flag("log_x", false);
+    plot.log_y = o.flag("log_y", false);
+    const int width = o.integer("width", 1, 1200), height = o.integer("height", 1, 900);
+    if (o.push_field("series") != LUA_TTABLE) o.complain("series", show(L, -1), "must be a list of { name =, x =, y = }");
+    for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+        lua_rawgeti(L, -1, i);
+        plot.series.push_back(read_series(L, lua_gettop(L), "plot: series " + std::to_string(i)));
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    o.finish();
+    const std::string path = lua_tostring(L, 2);
+    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    char error[512] = "";
+    must_work(picture_function<hinge_plot>(*context(L), "hinge_plot")(path.c_str(), plot, width, height, error, sizeof error), error);
+    return 0;
+}
+
+/// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass lies
+/// half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
+int pieces(lua_State* L) {
+    const auto* box = find<RunBox>(L, 1);
+    if (!box) throw InputError("pieces: takes a run, got " + show(L, 1));
+    const Run& run = *box->value->run;
+    const Structure& structure = run.structure();
+    const output::Still still = make_still(run);
+    std::vector<double> mass(still.points.size(), 0);
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
+        for (int n : e.node)
+            if (!run.state().broken[i]) mass[n] += 0.5 * e.rigidity.rhoA * e.length;
+    }
+    for (std::size_t i = 0; i < run.state().hung.size(); ++i) mass[i] += run.state().hung[i].mass;
+    const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };
+    const auto number = [&](const char* name, double v) { lua_pushnumber(L, v), lua_setfield(L, -2, name); };
+    const auto whole = [&](const char* name, lua_Integer v) { lua_pushinteger(L, v), lua_setfield(L, -2, name); };
+    lua_createtable(L, 0, 2);
+    lua_createtable(L, int(still.points.size()), 0);
+    for (std::size_t i = 0; i < still.points.size(); ++i) {
+        lua_createtable(L, 0, 6);
+        number("x", still.points[i][0]), number("y", still.points[i][1]), number("z", still.points[i][2]);
+        number("mass", mass[i]);
+        flag("virtual", still.is_virtual[i]), flag("gone", i < run.state().gone.size() && run.state().gone[i]);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    lua_setfield(L, -2, "nodes");
+    lua_createtable(L, int(still.bars.size()), 0);
+    for (std::size_t i = 0; i < still.bars.size(); ++i) {
+        const output::Bar& bar = still.bars[i];
+        lua_createtable(L, 0, 6);
+        whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member), whole("element", bar.element);
+        flag("rigid", bar.state == output::BarState::broken), number("f_y", bar.yield);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    lua_setfield(L, -2, "bars");
+    return 1;
+}
+
 /// core.render_file(vtp, png, view): draws a frame written before.
 int render_file(lua_State* L) {
     char error[512] = "";
@@ -244,6 +337,7 @@ int out_dir(lua_State* L) {
 
 void open_output(lua_State* L, int module) {
     static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"render_file", guarded<render_file>},
+                                         {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
                                          {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);

@@ -62,10 +62,19 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     lumped_mass_.assign(nodes, 0);
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
-    // the axial wave's way in a step against the shortest element
+    // the axial wave's way in a step against the shortest element; where hinges may chatter, the shear vibration's phase as well
     double crossing = 0;
-    for (const Element& e : structure_->elements()) crossing = std::max(crossing, settings_.dt * std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    for (const Element& e : structure_->elements()) {
+        const beam::Rigidity& c = e.rigidity;
+        crossing = std::max(crossing, settings_.dt * std::sqrt(c.EA / c.rhoA) / e.length);
+        if (!e.yield.elastic()) crossing = std::max(crossing, settings_.dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
+    }
     from_rest_ = settings_.beta > 0 && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing > 1));
+    if (settings_.iterations == 0) {
+        const bool newton = from_rest_ && structure_->can_yield();
+        settings_.iterations = newton ? 30 : 1;
+        if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
+    }
     sweep_.take_up(state_);
     sweep_.watch_turning(settings_.turn);
     operator_.set_held(state_.held);
@@ -189,6 +198,7 @@ void Dynamics::predict() {
 void Dynamics::recover() {
     for (Vec6& n : nodal_) n.setZero();
     sweep_.run(state_, trial_, nodal_, force_, yielding_);
+    if (from_rest_ && iteration_ == 0) yielding_ = hinges_;  // nothing has moved yet: what flowed is taken to flow on
     if (!state_.hung.empty()) add_hung_inertia();
     if (state_.contact && !state_.contact->idle()) {
         contact_position_.resize(trial_.displacement.size());
@@ -273,6 +283,16 @@ void Dynamics::solve() {
 void Dynamics::correct() {
     const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = 0.5 * dt;
     double size = 0;
+    if (settings_.iterations > 1) {  // Newton that swings between two sets of hinges is held back
+        double whole = 0;
+        for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
+        if (iteration_ == 0) damping_ = 1;
+        else if (whole > 0.25 * last_change_) damping_ = std::max(0.1, 0.6 * damping_);
+        else damping_ = std::min(1.0, 1.5 * damping_);
+        last_change_ = whole;
+        if (damping_ < 1)
+            for (Vec6& c : change_) c *= damping_;
+    }
     for (std::size_t i = 0; i < change_.size(); ++i) {
         if (from_rest_ && structure_->large()) {
             // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
@@ -331,6 +351,11 @@ void Dynamics::commit() {
     state_.velocity.swap(trial_.velocity);
     state_.acceleration.swap(trial_.acceleration);
     state_.force.swap(force_);
+    if (from_rest_) {
+        hinges_ = yielding_;
+        for (Yielding& y : hinges_)
+            for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;  // the next step's D_p is that of a beginning
+    }
     for (const Yielding& y : yielding_)
         if (!state_.yielded[y.element]) ever_yielded_.push_back(y.element);
     for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
@@ -387,6 +412,7 @@ void Dynamics::gather_loads(double t, std::vector<Vec6>& into) const {
 void Dynamics::find_acceleration() {
     for (Vec6& a : state_.acceleration) a.setZero();
     trial_ = pose_of(state_);
+    iteration_ = 0;
     recover();
     gather_loads(state_.time, right_);
     if (!mass_) {
@@ -475,10 +501,12 @@ bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) const {
     const beam::FractureStrains strains = beam::fracture_strains(d, e.length);
     const double f1 = beam::yield_function(p, -1, e.yield), f2 = beam::yield_function(p, 1, e.yield);
     const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
-    end = f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
+    // where it breaks: at the section that flows, else at the one nearer to it
+    if (flow && !structure_->conventional() && flow->lambda[0] != flow->lambda[1]) end = flow->lambda[0] > flow->lambda[1] ? 1 : 2;
+    else end = f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
     if (!rule.hook) return beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only);
     // a script's rule is asked where it can matter: sections that flow, or the ends of an element that cannot
-    for (int side : {1, 2}) {
+    for (int side : {end, 3 - end}) {
         const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
         if (!flows && !e.yield.elastic()) continue;
         SectionView view;

@@ -7,7 +7,7 @@
 // step begins, dt v + dt^2 a / 2, is applied first and the stresses are recovered there, exactly; what is left to solve for
 // is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure this is eq 15 to
 // the letter; for one that turns and yields, the force out of balance is not carried to the next step but met in this one.
-// Steps longer than an axial wave needs for an element are solved from du = 0 instead, as eq 15 is written.
+// Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is written.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,8 @@ struct DynamicSettings {
     double dt = 0;                  ///< s
     double duration = 0;            ///< s
     double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact
-    int iterations = 1;             ///< 1: the paper's one solve; more: Newton until `tolerance`
+    int iterations = 0;             ///< 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to
+                                    ///< 1e-6) where hinges form in steps too long for one, which then would not hold
     Predictor predictor = Predictor::by_step;
     double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
@@ -86,6 +87,7 @@ private:
     std::vector<double> lumped_mass_;            ///< kg, to judge what is rounding
     std::vector<Vec6> constant_load_, external_, external_before_, nodal_, right_, change_, force_;
     std::vector<Yielding> yielding_;
+    std::vector<Yielding> hinges_;               ///< of the last step, when a step is solved from du = 0
     std::vector<int> was_yielding_;
     std::vector<Mat6> tangents_;
     std::vector<int> rebuild_;
@@ -93,7 +95,7 @@ private:
     std::vector<contact::Bar> bars_;
     bool bars_changed_ = true, again_ = false, restart_ = false, take_up_ = false, from_rest_ = false;
     long contact_age_ = 0;
-    double first_change_ = 0;
+    double first_change_ = 0, last_change_ = 0, damping_ = 1;
     int iteration_ = 0;
     std::string failure_;
     std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator

@@ -13,13 +13,26 @@ local rules = {
   side = { "number", unit = "m", above = 0, default = 0.25 },
   thickness = { "number", unit = "m", above = 0, default = 0.02 },
   material = { "material", default = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 245e6 } },
+  exact_elements = { "number", whole = true, at_least = 1, optional = true },
 }
+
+-- The section with shear areas softened so that a midpoint element of length l has the exact stiffness: MacNeal's
+-- residual bending flexibility, 1/GA' = 1/GA + l^2/12EI. Only for elements whose point stands in the middle.
+local function softened(s, material, l)
+  local function shear_area(area, I) return 1 / (1 / area + material.G * l ^ 2 / (12 * material.E * I)) end
+  return hinge.section.general {
+    area = s.area, Ix = s.Ix, Iy = s.Iy, J = s.J,
+    shear_area_x = shear_area(s.shear_area_x, s.Iy), shear_area_y = shear_area(s.shear_area_y, s.Ix),
+    plastic = { A = s.plastic_area, Zx = s.Zx, Zy = s.Zy, Zz = s.Zz }, size = { width = s.width, depth = s.depth },
+  }
+end
 
 --- Adds the frame to a model. Options and what is returned: see library.d.lua.
 function space_frame.add(model, options)
   check.model(where, model)
   local o = check.options(where, options, rules)
   local section = hinge.section.solid { width = o.thickness, depth = o.thickness }
+  if o.exact_elements then section = softened(section, o.material, o.side / o.exact_elements) end
   local corners = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } -- the loaded one first, round the cube
 
   local feet, joints = {}, {}

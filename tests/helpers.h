@@ -1,0 +1,211 @@
+// What the engine's tests share: sections and materials, small models, runs to their end, and figures held against limits.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "sim/dynamics.h"
+#include "sim/statics.h"
+
+/// CHECK(figure <= limit), naming the figure. With HINGE_FIGURES set in the environment every figure is printed beside its limit.
+#define CHECK_FIGURE(what, figure, limit)                      \
+    do {                                                       \
+        const double figure_ = (figure), limit_ = (limit);     \
+        hinge::test::show_figure(what, figure_, limit_);       \
+        INFO(what);                                            \
+        CHECK(figure_ <= limit_);                              \
+    } while (false)
+
+namespace hinge::test {
+
+inline constexpr double pi = 3.14159265358979323846;
+inline const double infinite = std::numeric_limits<double>::infinity();
+
+inline void show_figure(const std::string& what, double figure, double limit) {
+    if (std::getenv("HINGE_FIGURES")) std::printf("%-96s %10.2e of %8.1e%s\n", what.c_str(), figure, limit, figure <= limit ? "" : "  FAILS");
+}
+
+/// How far `value` is from `reference`, as a part of it.
+inline double off(double value, double reference) { return std::abs(value / reference - 1); }
+
+/// Random numbers that are the same on every machine.
+struct Dice {
+    std::mt19937_64 engine;
+    explicit Dice(unsigned seed) : engine(seed) {}
+    double operator()(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
+    int pick(int n) { return std::min(n - 1, static_cast<int>((*this)(0, n))); }
+    Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
+    Vec3 direction() {
+        while (true) {
+            const Vec3 v = vector(1);
+            if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
+        }
+    }
+    Quat turn() { return Quat(Eigen::AngleAxisd((*this)(-pi, pi), direction())); }
+};
+
+/// exp(v) by Eigen, not by the engine.
+inline Quat exponential(const Vec3& v) { return v.norm() > 0 ? Quat(Eigen::AngleAxisd(v.norm(), v.normalized())) : Quat::Identity(); }
+
+// ---- materials and sections ---------------------------------------------------------------------------------------
+
+inline std::shared_ptr<Material> steel(double yield_stress = infinite) {
+    auto m = std::make_shared<Material>();
+    m->E = 206e9;
+    m->G = m->E / 2.6;
+    m->density = 7850;
+    m->yield_stress = yield_stress;
+    return m;
+}
+
+/// Solid square of side b: J = 0.140577 b^4 and the sand heap's plastic torque, as benchmarks.md has them.
+inline std::shared_ptr<Section> square(double b) {
+    auto s = std::make_shared<Section>();
+    s->area = b * b;
+    s->Ix = s->Iy = std::pow(b, 4) / 12;
+    s->J = 0.140577 * std::pow(b, 4);
+    s->shear_area_x = s->shear_area_y = 5.0 / 6 * b * b;
+    s->plastic_area = b * b;
+    s->Zx = s->Zy = std::pow(b, 3) / 4;
+    s->Zz = std::pow(b, 3) / 3;
+    s->width = s->depth = b;
+    return s;
+}
+
+/// A material of E = G = density = 1, so that a section's numbers are the rigidities themselves.
+inline std::shared_ptr<Material> unit_material() {
+    auto m = std::make_shared<Material>();
+    m->E = m->G = m->density = 1;
+    return m;
+}
+
+/// A section by its rigidities, for unit_material: EA, EIx, EIy, GJ and one GA for both directions.
+inline std::shared_ptr<Section> rigidities(double EA, double EIx, double EIy, double GJ, double GA) {
+    auto s = std::make_shared<Section>();
+    s->area = EA;
+    s->Ix = EIx;
+    s->Iy = EIy;
+    s->J = GJ;
+    s->shear_area_x = s->shear_area_y = GA;
+    s->width = s->depth = 1e-3;
+    return s;
+}
+
+// ---- models ---------------------------------------------------------------------------------------------------------
+
+inline ModelOptions small_displacement(Formulation f = Formulation::asi_gauss) {
+    ModelOptions o;
+    o.formulation = f;
+    o.displacement = Displacement::small;
+    return o;
+}
+
+/// A model under construction; members take `elements`, `section` and `material` as they stand when the member is added.
+struct Frame {
+    std::shared_ptr<Model> model;
+    std::shared_ptr<const Section> section = square(0.05);
+    std::shared_ptr<const Material> material = steel();
+    int elements = 2;
+    std::vector<int> groups;
+
+    explicit Frame(ModelOptions options = {}) : model(std::make_shared<Model>(options)) {}
+
+    int node(double x, double y, double z) { return model->add_node({x, y, z}); }
+    int node(const Vec3& x) { return model->add_node(x); }
+    int foot(double x, double y, double z, std::uint8_t fixed = 63) {
+        const int n = node(x, y, z);
+        model->fix(n, fixed);
+        return n;
+    }
+    int member(int a, int b, Vec3 up = Vec3::Zero()) {
+        if (up.isZero()) {
+            const Vec3 along = (model->nodes()[b].position - model->nodes()[a].position).normalized();
+            up = std::abs(along.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
+        }
+        return model->add_member({{a, b}, section, material, up, elements, groups});
+    }
+    void load(int n, const Vec3& force, const Vec3& moment = Vec3::Zero(), History history = {}) { model->add_load({n, force, moment, std::move(history)}); }
+    std::shared_ptr<const Structure> build() const { return std::make_shared<Structure>(model); }
+};
+
+/// n members in a row along `points`, the ends first and last.
+inline std::vector<int> chain(Frame& frame, const std::vector<Vec3>& points, const Vec3& up) {
+    std::vector<int> nodes;
+    for (const Vec3& p : points) nodes.push_back(frame.node(p));
+    for (std::size_t i = 1; i < nodes.size(); ++i) frame.member(nodes[i - 1], nodes[i], up);
+    return nodes;
+}
+inline std::vector<int> straight(Frame& frame, const Vec3& from, const Vec3& to, int members, const Vec3& up = Vec3::UnitZ()) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= members; ++i) points.push_back(from + (to - from) * i / members);
+    return chain(frame, points, up);
+}
+
+/// The space frame of fig 8 as reconstructed in benchmarks.md ("SF-1"): a cube of side 0.25 m, load +x at a top corner.
+struct SpaceFrame : Frame {
+    int foot[4], top[4], loaded;
+    SpaceFrame(ModelOptions options, double load_x, double yield_stress, int elements_per_member = 2, History history = {}) : Frame(options) {
+        section = square(0.02);
+        material = steel(yield_stress);
+        elements = elements_per_member;
+        const double side = 0.25, xy[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        for (int i = 0; i < 4; ++i) {
+            foot[i] = Frame::foot(side * xy[i][0], side * xy[i][1], 0);
+            top[i] = node(side * xy[i][0], side * xy[i][1], side);
+        }
+        for (int i = 0; i < 4; ++i) {
+            member(foot[i], top[i]);
+            member(top[i], top[(i + 1) % 4]);
+        }
+        loaded = top[0];
+        load(loaded, {load_x, 0, 0}, Vec3::Zero(), std::move(history));
+    }
+};
+
+// ---- runs -----------------------------------------------------------------------------------------------------------
+
+inline std::unique_ptr<Statics> statics(const std::shared_ptr<const Structure>& structure, StaticSettings settings = {}) {
+    auto run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
+    while (run->advance()) {}
+    return run;
+}
+
+/// Displacement control: the load factor where `component` of `node` has reached `value`, in that many steps.
+inline StaticSettings driven(int node, int component, double value, int steps) {
+    StaticSettings s;
+    s.control = Control::displacement;
+    s.node = node;
+    s.component = component;
+    s.target = value;
+    s.steps = steps;
+    return s;
+}
+
+/// Stiffness or mass of the free freedoms as a dense matrix, put together from the engine's element matrices.
+inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, double stiffness_factor, std::vector<int>* freedoms = nullptr) {
+    const State state = initial_state(structure);
+    Operator op(structure, mass_factor, stiffness_factor, false);
+    std::vector<int> all;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) all.push_back(int(i));
+    op.build(all, state, pose_of(state), {});
+    const int n = 6 * int(structure.position().size());
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
+    for (int i : all) {
+        const Element& e = structure.elements()[i];
+        for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b) whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += op.element_part(i).block<6, 6>(6 * a, 6 * b);
+    }
+    std::vector<int> free;
+    for (int i = 0; i < n; ++i)
+        if (!(state.held[i / 6] >> (i % 6) & 1)) free.push_back(i);
+    if (freedoms) *freedoms = free;
+    return whole(free, free);
+}
+
+}  // namespace hinge::test
