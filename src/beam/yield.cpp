@@ -64,47 +64,51 @@ Mat6 compliance(const Stiffness& k) {
     return F;
 }
 
-/// Both ends at once: Newton on the concave dual in the two multipliers, one at a time where it would leave the quadrant.
+/// Both ends at once: the multipliers maximise the concave dual
+///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p) - 1),  l >= 0,  dg/dl_i = f_i - 1,
+/// by Newton's method on those that are free to move, each step shortened until g rises.
 void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, double* lambda) {
     const Mat6 F = compliance(k);
     const Vec6 d_trial = F * trial;
     const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
-    const auto excess = [&](const double* l) {
-        const Vec6 p = relaxed(d_trial, F, A, l, 2);
-        return Eigen::Vector2d(p.dot(A[0] * p) - 1, p.dot(A[1] * p) - 1);
+    struct At { Vec6 p; double f[2], g; };
+    const auto at = [&](const double* l) {
+        At x;
+        x.p = relaxed(d_trial, F, A, l, 2);
+        const Vec6 away = x.p - trial;
+        x.g = 0.5 * away.dot(F * away);
+        for (int i = 0; i < 2; ++i) x.f[i] = x.p.dot(A[i] * x.p) - 1, x.g += l[i] * x.f[i];
+        return x;
     };
-    const auto merit = [&](const double* l, const Eigen::Vector2d& f) {  // distance from the optimality conditions
-        double m = 0;
-        for (int i = 0; i < 2; ++i) m = std::max(m, l[i] > 0 ? std::abs(f[i]) : std::max(0.0, f[i]));
-        return m;
-    };
-    Eigen::Vector2d f = excess(lambda);
-    for (int iteration = 0; iteration < 200 && merit(lambda, f) > 1e-13; ++iteration) {
+    At now = at(lambda);
+    for (int iteration = 0; iteration < 200; ++iteration) {
+        const bool free[2] = {lambda[0] > 0 || now.f[0] > 0, lambda[1] > 0 || now.f[1] > 0};
+        if ((!free[0] || std::abs(now.f[0]) < 1e-13) && (!free[1] || std::abs(now.f[1]) < 1e-13)) return;
         Mat6 S = F;
         for (int i = 0; i < 2; ++i) S += 2 * lambda[i] * A[i];
-        const Vec6 p = relaxed(d_trial, F, A, lambda, 2);
-        Eigen::Matrix<double, 6, 2> a;
-        a << 2 * A[0] * p, 2 * A[1] * p;
-        const Eigen::Matrix2d H = a.transpose() * S.inverse() * a;
-        const bool on[2] = {lambda[0] > 0 || f[0] > 0, lambda[1] > 0 || f[1] > 0};
+        Vec6 a[2], Sa[2];
+        for (int i = 0; i < 2; ++i) {
+            a[i] = 2 * A[i] * now.p;
+            Sa[i] << S.block<2, 2>(0, 0).inverse() * a[i].segment<2>(0), S.block<2, 2>(2, 2).inverse() * a[i].segment<2>(2), a[i][4] / S(4, 4), a[i][5] / S(5, 5);
+        }
+        const double h00 = a[0].dot(Sa[0]), h11 = a[1].dot(Sa[1]), h01 = a[0].dot(Sa[1]), det = h00 * h11 - h01 * h01;
         double step[2] = {0, 0};
-        const double det = H(0, 0) * H(1, 1) - H(0, 1) * H(1, 0);
-        if (on[0] && on[1] && det > 1e-12 * H(0, 0) * H(1, 1)) {
-            step[0] = (H(1, 1) * f[0] - H(0, 1) * f[1]) / det;
-            step[1] = (H(0, 0) * f[1] - H(1, 0) * f[0]) / det;
+        if (free[0] && free[1] && det > 1e-13 * h00 * h11) {
+            step[0] = (h11 * now.f[0] - h01 * now.f[1]) / det;
+            step[1] = (h00 * now.f[1] - h01 * now.f[0]) / det;
         } else {
-            const int worst = on[0] && (!on[1] || std::abs(f[0]) >= std::abs(f[1])) ? 0 : 1;
-            step[worst] = f[worst] / H(worst, worst);
+            const int i = free[0] && (!free[1] || std::abs(now.f[0]) * h11 >= std::abs(now.f[1]) * h00) ? 0 : 1;
+            step[i] = now.f[i] / (i == 0 ? h00 : h11);
         }
-        double scale = 1, before = merit(lambda, f), next[2];
-        for (int halving = 0; halving < 30; ++halving, scale /= 2) {
-            for (int i = 0; i < 2; ++i) next[i] = std::max(0.0, lambda[i] + scale * step[i]);
-            f = excess(next);
-            if (merit(next, f) < before || next[0] == 0 || next[1] == 0) break;
+        bool rises = false;
+        for (double share = 1; share > 1e-12 && !rises; share /= 2) {
+            double next[2], slope = 0;
+            for (int i = 0; i < 2; ++i) next[i] = std::max(0.0, lambda[i] + share * step[i]), slope += now.f[i] * (next[i] - lambda[i]);
+            const At there = at(next);
+            rises = there.g >= now.g + 1e-4 * slope && slope >= 0 && (next[0] != lambda[0] || next[1] != lambda[1]);
+            if (rises) lambda[0] = next[0], lambda[1] = next[1], now = there;
         }
-        if (next[0] == lambda[0] && next[1] == lambda[1]) break;
-        lambda[0] = next[0];
-        lambda[1] = next[1];
+        if (!rises) return;  // rounding
     }
 }
 

@@ -12,7 +12,7 @@ namespace hinge {
 namespace {
 
 /// Keeps the tangent of a perfect hinge from being singular by itself; far below anything that shows in a result.
-constexpr double hinge_regularisation = 1e-9;
+constexpr double hinge_regularisation = 1e-4;
 
 double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit
     double sum = 0;
@@ -90,7 +90,7 @@ bool Statics::renew_and_factorise() {
         const Element& e = structure_->elements()[y.element];
         const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
         const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        tangents[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) + hinge_regularisation * k.matrix();
+        tangents[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) + hinge_regularisation * (Vec6() << e.rigidity.EIx, e.rigidity.EIx, e.rigidity.EIy, e.rigidity.EIy, e.rigidity.EA, e.rigidity.GJ).finished().asDiagonal().toDenseMatrix() / e.length;
         given[std::lower_bound(list.begin(), list.end(), y.element) - list.begin()] = &tangents[i];
         was_yielding_.push_back(y.element);
     }
@@ -143,15 +143,16 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
 
 /// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the arc (in
 /// units of the first step's).
-Statics::Outcome Statics::equilibrate(double increment) {
+Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     trial_ = pose_of(state_);
     trial_factor_ = state_.factor;
     for (Vec3& m : moved_) m.setZero();
     std::vector<Vec6> total(nodal_.size(), Vec6::Zero()), step(nodal_.size());
     double arc = 0;
     recover();
-    yielding_.clear();  // the first guess is elastic: a hinge may be about to unload
-    double first = 0;
+    // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
+    yielding_ = flowing_on ? hinges_ : std::vector<Yielding>{};
+    double first = 0, last_balance = 0;
     for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
         if (!renew_and_factorise()) return Outcome::diverged;
         for (std::size_t i = 0; i < nodal_.size(); ++i) {
@@ -192,15 +193,29 @@ Statics::Outcome Statics::equilibrate(double increment) {
         double size = 0, turn = 0;
         for (std::size_t i = 0; i < step.size(); ++i) {
             step[i] = change_[i] + d_factor * response_[i];
-            total[i] += step[i];
             size = std::max(size, step[i].head<3>().cwiseAbs().maxCoeff());
             turn = std::max(turn, step[i].tail<3>().cwiseAbs().maxCoeff());
         }
         if (!std::isfinite(size + turn) || size > 10 * reach_ || (structure_->large() && turn > 1.5)) return Outcome::diverged;
-        move(trial_factor_ + d_factor, step);
-        recover();
-        double scale = 0;
-        const double r = out_of_balance(scale);
+        // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that makes the
+        // balance worse is taken by half, and by half again.
+        const Pose before = trial_;
+        const std::vector<Vec3> moved_before = moved_;
+        const double factor_before = trial_factor_;
+        double scale = 0, r = 0, share = 1;
+        for (int halving = 0;; ++halving, share /= 2) {
+            if (halving > 0) {
+                trial_ = before;
+                moved_ = moved_before;
+                for (Vec6& v : step) v *= 0.5;
+            }
+            move(factor_before + share * d_factor, step);
+            recover();
+            r = out_of_balance(scale);
+            if (iteration == 1 || halving == 12 || !std::isfinite(r) || r <= (1 - 1e-3 * share) * last_balance) break;
+        }
+        last_balance = r;
+        for (std::size_t i = 0; i < step.size(); ++i) total[i] += step[i];
         if (!std::isfinite(r)) return Outcome::diverged;
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && turn <= 1e-11 && r <= 1e-6 * scale;
@@ -227,6 +242,9 @@ void Statics::commit(double before) {
     state_.turn = trial_.turn;
     state_.force = force_;
     state_.factor = trial_factor_;
+    hinges_ = yielding_;
+    for (Yielding& y : hinges_)
+        for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;
     const std::vector<int> moved = commit_flow(*structure_, state_, yielding_, flowing_);
     if (!moved.empty()) {
         sweep_.take_up(state_);
@@ -247,7 +265,7 @@ bool Statics::advance() {
     double increment = arc ? arc_scale_ : std::min(step_size_, 1 - done);
     if (!arc && 1 - done - increment < 1e-9) increment = 1 - done;
     const double before = state_.factor;
-    while (equilibrate(increment) != Outcome::converged) {
+    while (equilibrate(increment, true) != Outcome::converged && (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
         increment /= 2;
         if (increment < settings_.smallest_step) {
             char text[200];

@@ -33,7 +33,7 @@ public:
 
 private:
     enum class Outcome { converged, diverged };
-    Outcome equilibrate(double increment);
+    Outcome equilibrate(double increment, bool flowing_on);
     void recover();
     bool renew_and_factorise();
     double out_of_balance(double& scale) const;
@@ -50,7 +50,7 @@ private:
     int converged_in_ = 0;
     std::vector<Vec6> load_, gravity_load_, nodal_, right_, change_, response_, force_, last_move_;
     std::vector<Vec3> moved_;
-    std::vector<Yielding> yielding_;
+    std::vector<Yielding> yielding_, hinges_;  ///< of this iteration; of the last equilibrium
     std::vector<int> was_yielding_, flowing_;
     bool built_ = false;
     std::vector<StageTime> times_ = {{"recover stresses"}, {"operator"}, {"solve"}};

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# The main job: installs what is missing, builds, and flies a small aircraft into a ten-storey frame.
+#
+# Run     scripts/demo.sh                     (Case I; about a minute for the first build)
+#         scripts/demo.sh --case II           whatever follows goes to: hinge run scripts/ten_storey_impact.lua
+# Expect  out/ten_storey_impact with summary.json, history.csv, frames.pvd and two pictures
+# shellcheck source=scripts/setup.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
+
+install_missing
+build_targets hinge_program hinge_output
+exec "$build/hinge" run "$root/scripts/ten_storey_impact.lua" "$@"

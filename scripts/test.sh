@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# All tests: installs what is missing, builds, runs ctest and returns its exit status.
+#
+# Run     scripts/test.sh
+#         scripts/test.sh -R contact          whatever follows goes to ctest
+# shellcheck source=scripts/setup.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
+
+install_missing
+build_targets all
+exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2 "$@"

@@ -1,0 +1,318 @@
+-- Wrong calls, message by message: each raises at the script's own line, says what is wrong and what is allowed, and leaves
+-- the model as it was.
+--
+-- Run: lua5.4 tests/script/errors_test.lua, with the module on LUA_CPATH; or hinge run tests/script/errors_test.lua
+local here = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
+package.path = here .. "?.lua;" .. package.path
+local hinge = require "hinge"
+local support = require "support"
+local checks = support.checks "errors"
+
+local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local nan = 0 / 0
+
+-- A cantilever with a load at its tip; `twin` is a node where the tip is, `far` one beside them.
+local function cantilever()
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall, "all")
+  local member = model:member { wall, tip, section = bar, material = steel, up = { 0, 0, 1 }, group = "arms" }
+  model:load { node = tip, force = { 0, 0, -1000 } }
+  return { model = model, wall = wall, tip = tip, member = member, twin = model:node { 1, 0, 0 }, far = model:node { 2, 0, 0 } }
+end
+local function solved(s) return s.model:static { steps = 1 }:finish().hash end
+local reference = solved(cantilever())
+
+local function same(a, b)
+  for k, v in pairs(a) do if b[k] ~= v then return false end end
+  return true
+end
+
+-- One wrong call. `message`: what stands after "file:line: ", with "..." for anything. `prepare(s)` changes the scene before;
+-- it returns what makes the model solvable if it is not.
+local names = 0
+local function wrong(message, call, prepare)
+  names = names + 1
+  local s = cantilever()
+  local ready, mend = pcall(prepare or function() end, s)
+  if not checks.expect(ready, "%s for: %s", tostring(mend), message) then return end
+  local before = s.model:counts()
+  local ok, failure = pcall(call, s)
+  if not checks.expect(not ok, "no complaint; wanted: %s", message) then return end
+  local line, text = tostring(failure):match "errors_test%.lua:(%d+): (.*)$"
+  local f = debug.getinfo(call, "S")
+  line = math.tointeger(line)
+  checks.expect(line and line >= f.linedefined and line <= f.lastlinedefined, "not at the script's line: %s", tostring(failure))
+  checks.expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(failure), message)
+  checks.expect(same(before, s.model:counts()), "the model has changed after: %s", message)
+  if mend then mend() end
+  local solved_again, hash = pcall(solved, s)
+  checks.expect(solved_again and (prepare or hash == reference), "the model cannot be used after: %s (%s)", message, tostring(hash))
+end
+
+-- hinge.model ---------------------------------------------------------------------------------------------------------
+
+wrong("hinge.model: field 'formulation' is 'asi_gaus'; must be one of 'conventional', 'asi', 'asi-gauss' (did you mean 'asi-gauss'?)",
+  function() hinge.model { formulation = "asi_gaus" } end)
+wrong("hinge.model: field 'formulation' is 3; must be a string", function() hinge.model { formulation = 3 } end)
+wrong("hinge.model: field 'displacement' is 'lagre'; must be one of 'small', 'large' (did you mean 'large'?)",
+  function() hinge.model { displacement = "lagre" } end)
+wrong("hinge.model: field 'elements_per_member' is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...); 'asi' and 'conventional' take any",
+  function() hinge.model { elements_per_member = 3 } end)
+wrong("hinge.model: field 'elements_per_member' is 2.5; must be a whole number, 1 or above", function() hinge.model { elements_per_member = 2.5 } end)
+wrong("hinge.model: field 'elements_per_member' is 0; must be a whole number, 1 or above",
+  function() hinge.model { elements_per_member = 0, formulation = "asi" } end)
+wrong("hinge.model: field 'elements_per_member' is not a number (nan); must be a finite number", function() hinge.model { elements_per_member = nan } end)
+wrong("hinge.model: field 'plasticity' is 'yes'; must be true or false", function() hinge.model { plasticity = "yes" } end)
+wrong("hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes formulation, ...", function() hinge.model { formulaton = "asi" } end)
+wrong("hinge.model: takes a table of options, got 'asi'", function() hinge.model "asi" end)
+wrong("hinge: unknown field 'modle' (did you mean 'model'?); there are ...", function() hinge.modle {} end)
+wrong("model has no method 'nod' (did you mean 'node'?); it has ...", function(s) s.model:nod { 0, 0, 0 } end)
+wrong("model:node: called on a table; write object:method(...) on a hinge.model", function(s) s.model.node { 0, 0, 0 } end)
+
+-- Nodes and supports --------------------------------------------------------------------------------------------------
+
+wrong("model:node: position: component y is not a number (nan); must be finite", function(s) s.model:node { 0, nan, 0 } end)
+wrong("model:node: position: component x is inf; must be finite", function(s) s.model:node { 1 / 0, 0, 0 } end)
+wrong("model:node: position: component x is '0'; must be a number in m", function(s) s.model:node { "0", 0, 0 } end)
+wrong("model:node: position: component z is nil; must be a number in m", function(s) s.model:node { 0, 0 } end)
+wrong("model:node: position has 4 items; must be {x, y, z} in m", function(s) s.model:node { 0, 0, 0, 0 } end)
+wrong("model:node: position is 0; must be a table {x, y, z} in m", function(s) s.model:node(0, 0, 0) end)
+wrong("node has no field 'posx'...; it has x, y, z (m) and index", function(s) return s.tip.posx end)
+wrong("model:fix: node is 'wall'; must be a node made by model:node{x, y, z}", function(s) s.model:fix "wall" end)
+wrong("model:fix: node is node 2 of another model; use a node of this one", function(s) s.model:fix(cantilever().tip) end)
+wrong("model:fix: item 2 is 5; must be a node made by model:node{x, y, z}", function(s) s.model:fix { s.tip, 5 } end)
+wrong("model:fix: what to fix is 'xw'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations",
+  function(s) s.model:fix(s.tip, "xw") end)
+wrong("model:fix: what to fix is 3; give a string such as \"all\" or \"xyz\"", function(s) s.model:fix(s.tip, 3) end)
+wrong("model:fix: what to fix is empty; give \"all\", \"xyz\" or the like", function(s) s.model:fix(s.tip, "") end)
+
+-- Materials and sections ----------------------------------------------------------------------------------------------
+
+wrong("hinge.material: field 'E' is missing; give a number in Pa", function() hinge.material { density = 7850 } end)
+wrong("hinge.material: field 'E' is -2.06e+11 Pa; must be above 0 Pa", function() hinge.material { E = -206e9 } end)
+wrong("hinge.material: field 'E' is not a number (nan); must be a finite number in Pa", function() hinge.material { E = nan } end)
+wrong("hinge.material: field 'E' is '206e9'; must be a number in Pa", function() hinge.material { E = "206e9" } end)
+wrong("hinge.material: field 'nu' is 0.7; Poisson's ratio must be above -1 and at most 0.5", function() hinge.material { E = 1, nu = 0.7 } end)
+wrong("hinge.material: field 'density' is -1 kg/m^3; must be 0 kg/m^3 or above", function() hinge.material { E = 1, density = -1 } end)
+wrong("hinge.material: field 'yield_stress' is 0 Pa; must be above 0 Pa", function() hinge.material { E = 1, yield_stress = 0 } end)
+wrong("hinge.material: unknown field 'yeild_stress' (did you mean 'yield_stress'?); it takes E, nu, G, density, yield_stress",
+  function() hinge.material { E = 1, yeild_stress = 1 } end)
+wrong("material has no field 'yield'...", function() return steel.yield end)
+wrong("hinge.section.general: field 'Ix' is -1 m^4; must be above 0 m^4", function() hinge.section.general { area = 1, Ix = -1 } end)
+wrong("hinge.section.general: field 'Iy' is missing; give a number in m^4", function() hinge.section.general { area = 1, Ix = 1, J = 1 } end)
+wrong("hinge.section.general: unknown field 'area_' (did you mean 'area'?); it takes area, Ix, ...",
+  function() hinge.section.general { area_ = 1, Ix = 1, Iy = 1, J = 1 } end)
+wrong("hinge.section.box: field 'width' is -1 m; must be a number above 0 m", function() hinge.section.box { width = -1, depth = 1, thickness = 0.1 } end)
+wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?); there are box, general, h, pipe, round, solid", function() hinge.section.bxo {} end)
+
+-- Members -------------------------------------------------------------------------------------------------------------
+
+wrong("model:member: member has length 0 m: nodes 2 and 3 are both at {1, 0, 0} m; a member needs a length above 0 m",
+  function(s) s.model:member { s.tip, s.twin, section = bar, material = steel } end)
+wrong("model:member: member joins node 2 to itself; its two nodes must differ",
+  function(s) s.model:member { s.tip, s.tip, section = bar, material = steel } end)
+wrong("model:member: node [2] is nil; must be a node made by model:node{x, y, z}", function(s) s.model:member { s.tip, section = bar, material = steel } end)
+wrong("model:member: node [2] is a table; must be a node made by model:node{x, y, z}",
+  function(s) s.model:member { s.tip, { 1, 1, 1 }, section = bar, material = steel } end)
+wrong("model:member: node [1] is node 2 of another model; use a node of this one",
+  function(s) s.model:member { cantilever().tip, s.tip, section = bar, material = steel } end)
+wrong("model:member: field 'section' is missing; give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}",
+  function(s) s.model:member { s.tip, s.far, material = steel } end)
+wrong("model:member: unknown field 'sectoin' (did you mean 'section'?); it takes section, material, ...",
+  function(s) s.model:member { s.tip, s.far, sectoin = bar, material = steel, group = "new" } end)
+wrong("model:member: field 'section' is a hinge.material; give one made by hinge.section...",
+  function(s) s.model:member { s.tip, s.far, section = steel, material = bar } end)
+wrong("model:member: field 'material' is missing; give one made by hinge.material{ E =, density =, ... }",
+  function(s) s.model:member { s.tip, s.far, section = bar } end)
+wrong("model:member: up is {2, 0, 0}, parallel to the member ({1, 0, 0} m); ... must point across the member",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, up = { 2, 0, 0 } } end)
+wrong("model:member: field 'up': component z is not a number (nan); must be finite",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, up = { 0, 0, nan } } end)
+wrong("model:member: elements per member is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...)",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = 3, group = "new" } end)
+wrong("model:member: field 'elements' is -1; must be a whole number, 1 or above",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = -1 } end)
+wrong("model:member: field 'group' is 5; must be a name, or a table of names",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
+wrong("model:member: item [3] is not expected", function(s) s.model:member { s.tip, s.far, s.wall, section = bar, material = steel } end)
+wrong("model:group: name: no group 'new'; the model has 'arms'", function(s) s.model:group "new" end)  -- none of the above made it
+wrong("member has no field 'lenght' (did you mean 'length'?); it has ...", function(s) return s.member.lenght end)
+
+-- Loads, velocities and rules -----------------------------------------------------------------------------------------
+
+wrong("model:load: field 'node' is node 2 of another model; use a node of this one",
+  function(s) s.model:load { node = cantilever().tip, force = { 1, 0, 0 } } end)
+wrong("model:load: field 'node' is 'tip'; must be a node made by model:node{x, y, z}", function(s) s.model:load { node = "tip", force = { 1, 0, 0 } } end)
+wrong("model:load: field 'force': component x is not a number (nan); must be finite", function(s) s.model:load { node = s.tip, force = { nan, 0, 0 } } end)
+wrong("model:load: field 'moment' is 5; must be a table {x, y, z} in N m", function(s) s.model:load { node = s.tip, moment = 5 } end)
+wrong("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}", function(s) s.model:load { node = s.tip } end)
+wrong("model:load: unknown field 'forces' (did you mean 'force'?); it takes ...", function(s) s.model:load { node = s.tip, forces = { 1, 0, 0 } } end)
+wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of {time, factor} pairs",
+  function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = 5 } end)
+wrong("model:load: field 'history' is out of order at point 2 (time 0.5 s); times must rise",
+  function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 1, 0 }, { 0.5, 1 } } } end)
+wrong("model:load: field 'history' is wrong at point 1; each point must be {time in s, factor}",
+  function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 2 } } } end)
+wrong("model:gravity: acceleration is -9.81; must be a table {x, y, z} in m/s^2", function(s) s.model:gravity(-9.81) end)
+wrong("model:velocity: target: no group 'amrs' (did you mean 'arms'?); the model has 'arms'", function(s) s.model:velocity("amrs", { 1, 0, 0 }) end)
+wrong("model:velocity: target is a member of another model", function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
+wrong("model:velocity: velocity is nil; must be a table {x, y, z} in m/s", function(s) s.model:velocity(s.tip) end)
+wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function", function(s) s.model:fracture {} end)
+wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m", function(s) s.model:fracture { curvature_x = -0.4 } end)
+wrong("model:fracture: unknown field 'curvature' (did you mean 'curvature_x'?); it takes ...", function(s) s.model:fracture { curvature = 0.4 } end)
+wrong("model:fracture: field 'group': no group 'legs'; the model has 'arms'", function(s) s.model:fracture { axial_strain = 0.3, group = "legs" } end)
+wrong("model:fracture: takes a table of limits or a function, got 0.4", function(s) s.model:fracture(0.4) end)
+wrong("model:contact: field 'rule' is 'gaps'; must be one of 'gap'... (did you mean 'gap'?)", function(s) s.model:contact { rule = "gaps" } end)
+wrong("model:contact: field 'binding_time' is -1 s; must be above 0 s", function(s) s.model:contact { binding_time = -1 } end)
+wrong("model:contact: unknown field 'bindingtime' (did you mean 'binding_time'?); it takes ...", function(s) s.model:contact { bindingtime = 1 } end)
+wrong("model:contact: field 'groups', item 1: no group 'legs'; the model has 'arms'", function(s) s.model:contact { groups = { "legs" } } end)
+
+-- Statics -------------------------------------------------------------------------------------------------------------
+
+local function without_supports(s)
+  s.model = hinge.model()
+  local a, b = s.model:node { 0, 0, 0 }, s.model:node { 1, 0, 0 }
+  s.model:member { a, b, section = bar, material = steel }
+  return function() s.model:fix(a) end
+end
+local function loose_part(s)
+  local a, b = s.model:node { 0, 5, 0 }, s.model:node { 1, 5, 0 }
+  s.model:member { a, b, section = bar, material = steel }
+  return function() s.model:fix(b) end
+end
+local function free_to_roll(s)
+  s.model = hinge.model()
+  local a, b = s.model:node { 0, 0, 0 }, s.model:node { 1, 0, 0 }
+  s.model:fix(a, "xyz")
+  s.model:fix(b, "yz")
+  s.model:member { a, b, section = bar, material = steel }
+  return function() s.model:fix(b, "rx") end
+end
+wrong("model:static: ... can ... without resistance: the model has no supports, so it can move as a rigid body; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)",
+  function(s) s.model:static {} end, without_supports)
+wrong("model:static: ... member 2 ... m can ... without resistance: the structure, or a part of it, is a mechanism or not supported against it; ...",
+  function(s) s.model:static {} end, loose_part)
+wrong("model:static: ... can turn about x without resistance: ...", function(s) s.model:static {} end, free_to_roll)
+wrong("model:static: the model has no members; add at least one with model:member", function() hinge.model():static {} end)
+wrong("model:static: a load acts on node 4 at {2, 0, 0} m, which has no element left", function(s) s.model:static {} end, function(s)
+  s.model:load { node = s.far, force = { 1, 0, 0 } }
+  return function() s.model:member { s.tip, s.far, section = bar, material = steel } end
+end)
+wrong("model:static: field 'steps' is 0; must be a whole number, 1 or above", function(s) s.model:static { steps = 0 } end)
+wrong("model:static: unknown field 'stpes' (did you mean 'steps'?); it takes ...", function(s) s.model:static { stpes = 1 } end)
+wrong("model:static: field 'control' is 'ark'; must be 'load', 'arc', or { node =, \"ux\", to = } (did you mean 'arc'?)",
+  function(s) s.model:static { control = "ark" } end)
+wrong("model:static, control: component is 'up'; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'...",
+  function(s) s.model:static { control = { node = s.tip, "up", to = 1 } } end)
+wrong("model:static, control: field 'to' is missing; give a number in m", function(s) s.model:static { control = { node = s.tip, "uz" } } end)
+wrong("model:static, control: 'uz' of node 1 is fixed by a support and cannot be driven",
+  function(s) s.model:static { control = { node = s.wall, "uz", to = 1 } } end)
+wrong("model:static: field 'hold': no group 'amrs' (did you mean 'arms'?); the model has 'arms'", function(s) s.model:static { hold = "amrs" } end)
+wrong("model:static: field 'from' is a hinge.model; must be a run, whose state this one goes on from", function(s) s.model:static { from = s.model } end)
+
+-- Dynamics ------------------------------------------------------------------------------------------------------------
+
+wrong("model:dynamic: field 'dt' is missing; give a number in s", function(s) s.model:dynamic { duration = 1 } end)
+wrong("model:dynamic: field 'dt' is -1e-05 s; must be above 0 s", function(s) s.model:dynamic { dt = -1e-5, duration = 1 } end)
+wrong("model:dynamic: field 'dt' is not a number (nan); must be a finite number in s", function(s) s.model:dynamic { dt = nan, duration = 1 } end)
+wrong("model:dynamic: field 'duration' is 1e-05 s; must be at least one step, dt = 0.001 s", function(s) s.model:dynamic { dt = 1e-3, duration = 1e-5 } end)
+wrong("model:dynamic: unknown field 'durration' (did you mean 'duration'?); it takes dt, duration, ...",
+  function(s) s.model:dynamic { dt = 1e-3, durration = 1 } end)
+wrong("model:dynamic: field 'beta' is 2; Newmark's beta must be between 0 and 1 ...", function(s) s.model:dynamic { dt = 1e-3, duration = 1, beta = 2 } end)
+wrong("model:dynamic: field 'solver' is 'lu'; must be one of 'cg', 'direct'...", function(s) s.model:dynamic { dt = 1e-3, duration = 1, solver = "lu" } end)
+wrong("model:dynamic: element 1 of member 2, nodes 2-4 has density 0 kg/m^3; dynamics needs a density above 0",
+  function(s) s.model:dynamic { dt = 1e-3, duration = 1 } end,
+  function(s) s.model:member { s.tip, s.far, section = bar, material = hinge.material { E = 206e9 } } end)
+wrong("model:dynamic: field 'from' is a run of a structure with 5 nodes and 2 elements; this model has 6 and 4; add nothing between the runs",
+  function(s) s.model:dynamic { dt = 1e-3, duration = 1, from = s.run } end,
+  function(s) s.run = s.model:static {} s.model:member { s.tip, s.far, section = bar, material = steel } end)
+wrong("model:dynamic: field 'from' is a run of another model; must be a run of this one",
+  function(s) s.model:dynamic { dt = 1e-3, duration = 1, from = cantilever().model:static {} } end)
+wrong("model:dynamic: a load acts on node 2 at {1, 0, 0} m, which has no element left",  -- the tip breaks off under its load
+  function(s) s.model:dynamic { dt = 1e-5, duration = 1e-3, from = s.run } end,
+  function(s)
+    s.model:fracture(function(section) return section.element == 2 and section["end"] == 2 end)
+    s.run = s.model:dynamic { dt = 1e-5, duration = 5e-5 }:finish()
+    checks.equal(s.run:count { state = "broken" }, 1, "members broken by a script's rule")
+  end)
+
+-- Runs ----------------------------------------------------------------------------------------------------------------
+
+local function with_run(s) s.run = s.model:static { steps = 1 } end
+wrong("run:displacement: node is node 2 of another model; use a node of this one", function(s) s.run:displacement(cantilever().tip) end, with_run)
+wrong("run:velocity: node is node 5, declared after this run was made", function(s) s.run:velocity(s.late) end,
+  function(s) with_run(s) s.late = s.model:node { 5, 5, 5 } end)
+wrong("run:probe: quantity is 'uq'; must be one of ux uy uz rx ry rz (displacement), ...", function(s) s.run:probe { node = s.tip, "uq" } end, with_run)
+wrong("run:probe: field 'name' is 'a,b'; it heads a column of history.csv and may not hold a comma, quote or line break",
+  function(s) s.run:probe { node = s.tip, "ux", name = "a,b" } end, with_run)
+wrong("run:probe: the run has begun (step 1); ask for probes before its first step", function(s) s.run:probe { node = s.tip, "ux" } end,
+  function(s) with_run(s) s.run:finish() end)
+wrong("probe has no field 'lsat' (did you mean 'last'?)", function(s) return s.probe.lsat end,
+  function(s) with_run(s) s.probe = s.run:probe { node = s.tip, "ux" } end)
+wrong("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'", function(s) s.run:count {} end, with_run)
+wrong("run:count: field 'state' is 'borken'; must be one of ... (did you mean 'broken'?)", function(s) s.run:count { state = "borken" } end, with_run)
+wrong("run:count: field 'group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  function(s) s.run:count { state = "broken", group = "amrs" } end, with_run)
+wrong("run:forces: member is 5; must be one made by model:member", function(s) s.run:forces(5) end, with_run)
+wrong("run:forces: the member belongs to another model", function(s) s.run:forces(cantilever().member) end, with_run)
+wrong("run:forces: member 2 was declared after this run was made", function(s) s.run:forces(s.late) end,
+  function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
+wrong("run has no field or method 'vrdict' (did you mean 'verdict'?)", function(s) return s.run.vrdict end, with_run)
+wrong("run:finish: called on nil; write object:method(...) on a hinge.run", function(s) s.run.finish() end, with_run)
+
+-- Scenarios and models ------------------------------------------------------------------------------------------------
+
+wrong("hinge.scenario: field 'run' is missing; give a function", function() hinge.scenario {} end)
+wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?); there are accuracy, cases, parameters, run",
+  function() hinge.scenario { case = {}, run = print } end)
+wrong("ten_storey.add: field 'storey' is 0 m; must be a number above 0 m", function(s) require "hinge.models.ten_storey".add(s.model, { storey = 0 }) end)
+wrong("aircraft.add: unknown field 'sizes' (did you mean 'size'?); there are ...", function(s) require "hinge.models.aircraft".add(s.model, { sizes = 9 }) end)
+
+-- A script's own function fails in a step: its message arrives with its line, the step is undone, and the run can go on.
+local function shaken(fail_at)
+  local s, calls = cantilever(), 0
+  s.model:load { node = s.tip, force = { 0, 1e5, 0 }, history = function(t) return math.sin(3e4 * t) end }
+  s.model:fracture(function(section)
+    calls = calls + 1
+    if calls == fail_at then return section.nothing.at_all end -- the line that fails
+    return math.abs(section.curvature_y) > 0.005
+  end)
+  s.run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }
+  return s
+end
+local function line_of(text)
+  local n = 0
+  for line in io.lines(debug.getinfo(1, "S").source:sub(2)) do
+    n = n + 1
+    if line:find(text .. "$") then return n end
+  end
+end
+local steady, shaky = shaken(), shaken(50)
+local ok, failure = pcall(shaky.run.finish, shaky.run)
+checks.expect(not ok and failure:find(("errors_test.lua:%d: attempt to index a nil value (field 'nothing')"):format(line_of "%-%- the line that fails"), 1, true),
+  "a hook's error: %s", failure)
+local step = shaky.run.index
+for _ = 1, step do steady.run:step() end
+checks.expect(step > 0 and step < 100 and shaky.run.verdict == "running", "the run stands at its last good step, %d", step)
+checks.equal(shaky.run.hash, steady.run.hash, "the state of the last good step")
+shaky.run:finish()
+steady.run:finish()
+checks.equal(shaky.run.hash, steady.run.hash, "the state at the end, after the failed step was repeated")
+checks.equal(shaky.run.energy.work, steady.run.energy.work, "the work, after the failed step was repeated")
+checks.expect(steady.run:count { state = "broken" } == 1, "the rule itself works")
+
+for what, row in pairs {
+  ["a history function returned nil at t = 0 s; it must return a number"] = { function() end, "model:load: the history function returned nil at t = 0 s; it must return a number" },
+  ["raises a table"] = { function() error {} end, "the function raised a value that is not a string" },
+} do
+  local s = cantilever()
+  s.model:load { node = s.tip, force = { 1, 0, 0 }, history = row[1] }
+  local fine, message = pcall(s.model.dynamic, s.model, { dt = 1e-5, duration = 1e-4 })
+  local place = "errors_test.lua:" .. debug.getinfo(row[1], "S").linedefined
+  checks.expect(not fine and message:find(place .. ": " .. row[2], 1, true), "%s: %s", what, message)
+end
+
+checks.expect(names >= 60, "%d wrong calls", names)
+checks.done()

@@ -1,0 +1,147 @@
+-- What the script tests share: counting checks, comparing messages, running commands, reading JSON.
+local support = {}
+
+--- The folder of the tests, with a slash at its end; scripts may be started from anywhere.
+support.folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
+support.root = support.folder .. "../../"
+
+--- A list of checks: expect(ok, what), equal(value, wanted, what), done() at the end.
+function support.checks(title)
+  local count, failures = 0, {}
+  local checks = {}
+  function checks.expect(ok, what, ...)
+    count = count + 1
+    if not ok then failures[#failures + 1] = select("#", ...) > 0 and what:format(...) or what end
+    return ok
+  end
+  function checks.equal(value, wanted, what)
+    return checks.expect(value == wanted, "%s: is %s, wanted %s", what, tostring(value), tostring(wanted))
+  end
+  function checks.done()
+    if #failures > 0 then
+      io.stderr:write(("%s: %d of %d checks failed:\n  %s\n"):format(title, #failures, count, table.concat(failures, "\n  ")))
+      os.exit(1)
+    end
+    print(("%s: %d checks passed"):format(title, count))
+  end
+  return checks
+end
+
+--- Whether a message is the template, in which "..." stands for anything.
+function support.says(message, template)
+  local pattern = template:gsub("%p", "%%%0"):gsub("%%%.%%%.%%%.", ".-")
+  return message:find("^" .. pattern .. "$") ~= nil
+end
+
+function support.quote(text) return "'" .. tostring(text):gsub("'", "'\\''") .. "'" end
+
+function support.read(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local text = file:read "a"
+  file:close()
+  return text
+end
+
+function support.write(path, text)
+  local file = assert(io.open(path, "wb"))
+  assert(file:write(text))
+  assert(file:close())
+end
+
+--- What a shell command prints.
+function support.output(command)
+  local pipe = assert(io.popen(command))
+  local text = pipe:read "a"
+  pipe:close()
+  return text
+end
+
+function support.is_there(path) return support.read(path) ~= nil or os.execute("test -e " .. support.quote(path)) == true end
+
+--- A new empty folder, gone when the test ends.
+function support.temporary_folder()
+  local folder = support.output("mktemp -d"):gsub("%s+$", "")
+  support.cleaner = support.cleaner or setmetatable({}, { __gc = function(t)
+    for _, f in ipairs(t) do os.execute("rm -rf " .. support.quote(f)) end
+  end })
+  table.insert(support.cleaner, folder)
+  return folder
+end
+
+--- Runs a shell command; returns its exit status, what it printed, and what it printed to stderr.
+function support.run(command)
+  local out, err = os.tmpname(), os.tmpname()
+  local _, kind, status = os.execute(("{ %s ; } >%s 2>%s </dev/null"):format(command, out, err))
+  local printed, complaint = support.read(out), support.read(err)
+  os.remove(out)
+  os.remove(err)
+  return kind == "exit" and status or kind .. " " .. status, printed, complaint
+end
+
+--- The least of `n` times that a command takes, in milliseconds.
+function support.milliseconds(command, n)
+  local script = ('for i in $(seq %d); do a=${EPOCHREALTIME/[.,]/}; %s >/dev/null 2>&1; b=${EPOCHREALTIME/[.,]/}; echo $((b - a)); done')
+    :format(n, command)
+  local least = math.huge
+  for microseconds in support.output("bash -c " .. support.quote(script)):gmatch "%d+" do
+    least = math.min(least, microseconds / 1000)
+  end
+  return least
+end
+
+--- A JSON text as Lua values; null is nil. Enough for what hinge writes.
+function support.json(text)
+  local at, value = 1, nil
+  local function skip() at = text:find("%S", at) or #text + 1 end
+  local function fail() error(("no JSON at byte %d: %s"):format(at, text:sub(at, at + 20))) end
+  local function take(c)
+    skip()
+    if text:sub(at, at) ~= c then return false end
+    at = at + 1
+    return true
+  end
+  local function quoted()
+    local from = at
+    repeat
+      at = text:find('["\\]', at) or fail()
+      local stop = text:sub(at, at) == '"'
+      at = at + (stop and 1 or 2)
+    until stop
+    return (text:sub(from, at - 2):gsub("\\(.)", { n = "\n", t = "\t", ['"'] = '"', ["\\"] = "\\", ["/"] = "/" }))
+  end
+  local function object()
+    local result = {}
+    if take "}" then return result end
+    repeat
+      if not take '"' then fail() end
+      local key = quoted()
+      if not take ":" then fail() end
+      result[key] = value()
+    until not take ","
+    return take "}" and result or fail()
+  end
+  local function array()
+    local result = {}
+    if take "]" then return result end
+    repeat result[#result + 1] = value() until not take ","
+    return take "]" and result or fail()
+  end
+  function value()
+    if take "{" then return object() end
+    if take "[" then return array() end
+    if take '"' then return quoted() end
+    for word, meaning in pairs { ["true"] = true, ["false"] = false } do
+      if text:sub(at, at + #word - 1) == word then at = at + #word return meaning end
+    end
+    if text:sub(at, at + 3) == "null" then at = at + 4 return nil end
+    local number = text:match("^-?%d+%.?%d*[eE]?[+-]?%d*", at) or fail()
+    at = at + #number
+    return tonumber(number)
+  end
+  local result = value()
+  skip()
+  return at > #text and result or fail()
+end
+
+return support
