@@ -3,6 +3,7 @@
 #
 # Run     scripts/test.sh
 #         scripts/test.sh -R contact          whatever follows goes to ctest
+
 # shellcheck source=scripts/setup.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 

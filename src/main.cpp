@@ -58,10 +58,13 @@ int with_lua(const Request& request, const char* module, const char* function, b
     return call_library(L, module, function, request);
 }
 
-int run(Request request) {
+int run(Request request, bool named) {
+    if (named || fs::exists(request.script))
     for (const std::string& pair : request.overrides)
         if (pair.find('=') == std::string::npos || pair[0] == '=')
             return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", 2;
+    if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "render"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
     const int status = with_lua(request, "hinge.runner", "main", true);
@@ -77,7 +80,7 @@ int main(int argc, char** argv) {
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
     if (!words.empty() && !named) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
 
-    CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4"};
+    CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
     app.set_version_flag("--version", HINGE_VERSION);
     app.require_subcommand(1);
     Request request;
@@ -99,5 +102,5 @@ int main(int argc, char** argv) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
     }
-    return run(std::move(request));
+    return run(std::move(request), named);
 }

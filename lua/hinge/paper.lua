@@ -78,7 +78,9 @@ function paper.table(title, head, rows)
   local lines = { "", title }
   for _, row in ipairs { head, table.unpack(rows) } do
     local cells = {}
-    for i, cell in ipairs(row) do cells[i] = ("%" .. (i == 1 and "-" or "") .. widths[i] .. "s"):format(tostring(cell)) end
+    for i, cell in ipairs(row) do
+      cells[i] = ("%%%s%ds"):format(i == 1 and "-" or "", widths[i]):format(tostring(cell))
+    end
     lines[#lines + 1] = "  " .. table.concat(cells, "  ")
   end
   print(table.concat(lines, "\n"))

@@ -105,7 +105,9 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
             double next[2], slope = 0;
             for (int i = 0; i < 2; ++i) next[i] = std::max(0.0, lambda[i] + share * step[i]), slope += now.f[i] * (next[i] - lambda[i]);
             const At there = at(next);
-            rises = there.g >= now.g + 1e-4 * slope && slope >= 0 && (next[0] != lambda[0] || next[1] != lambda[1]);
+            const auto off = [&](const At& x) { return std::max(free[0] ? std::abs(x.f[0]) : 0.0, free[1] ? std::abs(x.f[1]) : 0.0); };
+            rises = (next[0] != lambda[0] || next[1] != lambda[1]) && slope >= 0 &&
+                    (there.g >= now.g + 1e-4 * slope || (off(now) < 1e-3 && off(there) < 0.5 * off(now)));  // near the top g no longer tells
             if (rises) lambda[0] = next[0], lambda[1] = next[1], now = there;
         }
         if (!rises) return;  // rounding

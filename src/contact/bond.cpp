@@ -84,7 +84,7 @@ Pose pose(const Bond& bond, const std::vector<Vec3>& position, const std::vector
         const Quat by(std::cos(0.5 * angle), sine * step.x(), sine * step.y(), sine * step.z());
         out.q = (by * out.q).normalized();
         turn_rest();
-        if (angle < 1e-7) break;  // the next step would be the square of this one
+        if (angle < 1e-12) break;
     }
     return out;
 }

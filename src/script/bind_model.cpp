@@ -60,12 +60,12 @@ History read_history(Options& o) {
             lua_State* L = f.running();
             f.push(L);
             lua_pushnumber(L, t);
-            call_hook(L, 1, 1);
+            call_hook(L, f, 1, 1);
             const bool good = lua_isnumber(L, -1);
             const double v = lua_tonumber(L, -1);
             const std::string shown = show(L, -1);
             lua_pop(L, 1);
-            if (!good) throw HookError(who + ": the history function returned " + shown + " at t = " + show(t) + " s; it must return a number");
+            if (!good) throw HookError(f.place() + ": " + who + ": the history function returned " + shown + " at t = " + show(t) + " s; it must return a number");
             return v;
         };
     }
@@ -164,9 +164,18 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
     lua_pop(L, 1);
 }
 
+int accept(Model& m, MemberData data) {
+    try {
+        return m.add_member(std::move(data));
+    } catch (const InputError& e) {
+        throw InputError(std::string("model:member: ") + e.what());
+    }
+}
+
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
+    o.expect({"section", "material", "up", "group", "elements"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -188,14 +197,14 @@ int add_member(lua_State* L) {
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);
     if (fresh.empty()) {
-        const int index = m->add_member(std::move(data));
+        const int index = accept(*m, std::move(data));
         push<MemberBox>(L, m, index);
         return 1;
     }
     // new groups come into being only with a member that is accepted
     std::vector<int> names = data.groups;
     data.groups.clear();
-    const int index = m->add_member(data);
+    const int index = accept(*m, data);
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);
     push<MemberBox>(L, m, index);
@@ -205,6 +214,7 @@ int add_member(lua_State* L) {
 int add_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
+    o.expect({"node", "force", "moment", "history"});
     NodalLoad load;
     o.push_field("node");
     load.node = node_argument(L, -1, "model:load: field 'node'", m.get()).index;
@@ -264,7 +274,7 @@ FractureHook read_fracture_hook(lua_State* L, int index, const std::shared_ptr<M
             lua_pushstring(L, own->groups()[own->members()[s.member].groups[0]].c_str());
             lua_setfield(L, -2, "group");
         }
-        call_hook(L, 1, 1);
+        call_hook(L, f, 1, 1);
         const bool breaks = lua_toboolean(L, -1);
         lua_pop(L, 1);
         return breaks;
@@ -345,12 +355,13 @@ int counts(lua_State* L) {
     return 1;
 }
 
-State start_state(Options& o, const std::shared_ptr<const Structure>& structure) {
+State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const std::shared_ptr<Model>& model) {
     lua_State* L = o.L();
     State state = initial_state(*structure);
     if (o.push_field("from") != LUA_TNIL) {
         auto* box = find<RunBox>(L, -1);
         if (!box) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
+        if (box->value->model != model) o.complain("from", "a run of another model", "must be a run of this one");
         const State& from = box->value->run->state();
         if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
             o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
@@ -360,6 +371,11 @@ State start_state(Options& o, const std::shared_ptr<const Structure>& structure)
     }
     lua_pop(L, 1);
     return state;
+}
+
+void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
+    for (const NodalLoad& l : m.loads())
+        if (start.gone[l.node]) throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) + ", which has no element left");
 }
 
 int static_run(lua_State* L) {
@@ -404,9 +420,10 @@ int static_run(lua_State* L) {
     }
     lua_pop(L, 1);
     const int every = o.integer("record", 1, 1);
-    State start = start_state(o, structure);
+    State start = start_state(o, structure, m);
     o.finish();
     if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
+    refuse_lost_loads(*m, *structure, start, "model:static");
     context(L)->running = L;
     try {
         return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
@@ -418,6 +435,7 @@ int static_run(lua_State* L) {
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record"});
     const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
     DynamicSettings s;
     s.dt = o.number("dt", "s", Range::positive);
@@ -437,11 +455,10 @@ int dynamic_run(lua_State* L) {
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
     const long planned = std::llround(s.duration / s.dt);
     const int every = o.integer("record", 1, int(std::max(1L, planned / 500)));
-    State start = start_state(o, structure);
+    State start = start_state(o, structure, m);
     o.finish();
     if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
-    for (const NodalLoad& l : m->loads())
-        if (start.gone[l.node]) throw InputError("model:dynamic: a load acts on " + structure->node_name(l.node) + ", which has no element left");
+    refuse_lost_loads(*m, *structure, start, "model:dynamic");
     for (const Element& e : structure->elements())
         if (!(e.rigidity.rhoA > 0))
             throw InputError("model:dynamic: " + structure->element_name(int(&e - structure->elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");

@@ -32,14 +32,27 @@ void sample(RunRecord& r) {
     }
 }
 
-void begin_history(const std::shared_ptr<Context>& c, RunRecord& r) {
+void write_rows(RunRecord& r) {
+    if (r.rows.empty() || r.history_path.empty()) return;
+    append(r.history_path, r.rows);
+    r.rows.clear();
+}
+
+void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+    RunRecord& r = *record;
     r.started = true;
     r.start = r.last_progress = r.last_write = Clock::now();
     if (!c->out_dir.empty()) {
         make_folder(c->out_dir);
         // the last run's history is history.csv; those before it keep theirs by number
         r.history_path = c->out_dir + "/history.csv";
-        if (c->runs > 1) std::rename(r.history_path.c_str(), (c->out_dir + "/history-" + std::to_string(c->runs - 1) + ".csv").c_str());
+        if (c->writer) {
+            write_rows(*c->writer);
+            c->writer->history_path = c->out_dir + "/history-" + std::to_string(++c->histories) + ".csv";
+            std::rename(r.history_path.c_str(), c->writer->history_path.c_str());
+        }
+        else std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
+        c->writer = record;
         std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,work,remainder";
         for (const auto& p : r.probes) header += "," + p->name;
         write_whole(r.history_path, header + "\n");
@@ -62,12 +75,6 @@ void add_row(RunRecord& r) {
     r.rows += '\n';
 }
 
-void write_rows(RunRecord& r) {
-    if (r.rows.empty() || r.history_path.empty()) return;
-    append(r.history_path, r.rows);
-    r.rows.clear();
-}
-
 void show_progress(const Context& c, RunRecord& r, bool last) {
     if (!c.progress) return;
     const double wall = seconds(Clock::now() - r.start);
@@ -87,11 +94,13 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
 
 }  // namespace
 
-bool advance(lua_State* L, RunRecord& r) {
+bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
+    RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
+    if (r.closed) return false;
     if (!r.started) {
-        begin_history(c, r);
+        begin_history(c, record);
         add_row(r);
     }
     const auto before = Clock::now();
@@ -109,6 +118,7 @@ bool advance(lua_State* L, RunRecord& r) {
         if (r.run->steps_done() % r.every == 0) add_row(r);
     }
     const bool over = !more || r.run->verdict() != Verdict::running;
+    r.closed = over;
     if (over && r.run->steps_done() % r.every != 0) add_row(r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);
@@ -130,7 +140,6 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> mode
     record->every = every;
     const auto c = context(L);
     c->record = record;
-    ++c->runs;
     push<RunBox>(L, record);
     return 1;
 }
@@ -140,8 +149,9 @@ namespace {
 // ---- methods ------------------------------------------------------------------------------------------------------
 
 int next_step(lua_State* L) {
-    auto& r = *find<RunBox>(L, lua_upvalueindex(1))->value;
-    if (!advance(L, r)) return lua_pushnil(L), 1;
+    const auto record = find<RunBox>(L, lua_upvalueindex(1))->value;
+    const auto& r = *record;
+    if (!advance(L, record)) return lua_pushnil(L), 1;
     lua_pushvalue(L, lua_upvalueindex(2));
     lua_pushinteger(L, r.run->steps_done());
     lua_setfield(L, -2, "index");
@@ -162,12 +172,12 @@ int steps(lua_State* L) {
 
 int step(lua_State* L) {
     const auto r = self<RunBox>(L, "run:step").value;
-    return lua_pushboolean(L, advance(L, *r)), 1;
+    return lua_pushboolean(L, advance(L, r)), 1;
 }
 
 int finish(lua_State* L) {
     const auto r = self<RunBox>(L, "run:finish").value;
-    while (advance(L, *r)) {}
+    while (advance(L, r)) {}
     lua_settop(L, 1);
     return 1;
 }
@@ -252,6 +262,8 @@ std::pair<int, int> elements_of(lua_State* L, int index, const RunRecord& r, con
     auto* m = find<MemberBox>(L, index);
     if (!m) throw InputError(std::string(what) + ": member is " + show(L, index) + "; must be one made by model:member");
     if (m->model != r.model) throw InputError(std::string(what) + ": the member belongs to another model");
+    if (m->index >= int(r.run->structure().model().members().size()))
+        throw InputError(std::string(what) + ": member " + std::to_string(m->index + 1) + " was declared after this run was made");
     const auto& elements = r.run->structure().elements();
     int first = 0;
     while (first < int(elements.size()) && elements[first].member != m->index) ++first;

@@ -38,6 +38,7 @@ int material_text(lua_State* L) {
 
 int section(lua_State* L) {
     Options o(L, 1, "hinge.section.general");
+    o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0", "plastic", "size", "kind"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);

@@ -42,15 +42,19 @@ LuaFunction::LuaFunction(lua_State* L, int index) : context_(context(L)) {
     lua_State* main = lua_tothread(L, -1);
     lua_pop(L, 1);
     lua_pushvalue(L, index);
-    slot_ = std::make_shared<Slot>(Slot{main, luaL_ref(L, LUA_REGISTRYINDEX)});
+    lua_Debug about;
+    lua_pushvalue(L, -1);
+    lua_getinfo(L, ">S", &about);
+    place_ = std::string(about.short_src) + ":" + std::to_string(about.linedefined);
+    slot_.reset(new Slot{main, luaL_ref(L, LUA_REGISTRYINDEX)});  // in place: a copy's destructor would give the reference back
 }
 
 void LuaFunction::push(lua_State* L) const { lua_rawgeti(L, LUA_REGISTRYINDEX, slot_->reference); }
 
-void call_hook(lua_State* L, int arguments, int results) {
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results) {
     if (lua_pcall(L, arguments, results, 0) == LUA_OK) return;
     const char* text = lua_tostring(L, -1);
-    std::string message = text ? text : "a script function raised a value that is not a string";
+    std::string message = text ? text : function.place() + ": the function raised a value that is not a string";
     lua_pop(L, 1);
     throw HookError(message);
 }

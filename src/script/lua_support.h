@@ -98,7 +98,8 @@ public:
     /// Pushes the field's raw value (nil if absent) and counts it as known.
     int push_field(const char* field);
     int push_item(int i);
-    void know(const char* field) { known_.push_back(field); }
+    /// Complains about a field that is none of these, before anything is said to be missing.
+    void expect(std::vector<std::string> fields, int items_allowed = 0) { known_ = std::move(fields), finish(items_allowed); }
     /// Complains about a field nobody asked for.
     void finish(int items_allowed = 0);
 

@@ -26,7 +26,8 @@ struct Context {
     const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
     std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
     std::shared_ptr<struct RunRecord> record;  ///< of the last run
-    int runs = 0;
+    std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
+    int histories = 0;                    ///< kept by number so far
 };
 std::shared_ptr<Context> context(lua_State* L);
 void set_context(lua_State* L, std::shared_ptr<Context> c);
@@ -37,15 +38,17 @@ public:
     LuaFunction(lua_State* L, int index);  ///< takes the function at index
     void push(lua_State* L) const;
     lua_State* running() const { return context_->running; }
+    const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
 
 private:
     struct Slot;
     std::shared_ptr<Slot> slot_;
     std::shared_ptr<Context> context_;
+    std::string place_;
 };
 
 /// Calls the function on top of its `n` arguments; a Lua error becomes HookError with the message it had.
-void call_hook(lua_State* L, int arguments, int results);
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results);
 
 struct MaterialBox { static constexpr const char* lua_name = "hinge.material"; std::shared_ptr<const Material> value; };
 struct SectionBox { static constexpr const char* lua_name = "hinge.section"; std::shared_ptr<const Section> value; };
@@ -72,7 +75,7 @@ struct RunRecord {
     long every = 1;                       ///< steps between rows of history.csv
     std::string rows;                     ///< not yet written
     std::string history_path;
-    bool header_written = false, started = false;
+    bool started = false, closed = false;
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps
     double worst_remainder = 0, last_remainder = 0, initial = 0;
@@ -80,7 +83,7 @@ struct RunRecord {
 struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
 
 /// One step, recorded. False at the end.
-bool advance(lua_State* L, RunRecord& record);
+bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
 void open_values(lua_State* L, int module);   ///< hinge.material, hinge.section
 void open_model(lua_State* L, int module);    ///< hinge.model and what it holds

@@ -91,7 +91,11 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     }
     if (!state_.hung.empty())
         for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
-    gather_loads(state_.time, external_);
+    for (std::size_t i = 0; i < elements; ++i) {
+        if (state_.hinge[i]) flowing_.push_back(int(i));
+        if (state_.yielded[i]) ever_yielded_.push_back(int(i));
+    }
+    gather_loads(state_.time, external_before_);
     find_acceleration();
     if (!state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
 }
@@ -134,7 +138,6 @@ bool Dynamics::advance() {
 
 /// F at the end of the step: gravity and the script's loads.
 void Dynamics::loads() {
-    external_before_.swap(external_);
     gather_loads(state_.time + settings_.dt, external_);
 }
 
@@ -385,6 +388,7 @@ void Dynamics::commit() {
         to_break_.clear();
         restart_ = true;
     }
+    external_before_.swap(external_);
     ++state_.step;
     state_.time += settings_.dt;
 }

@@ -52,6 +52,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     state_.factor = 0;
     trial_ = pose_of(state_);
     force_ = state_.force;
+    for (std::size_t i = 0; i < state_.hinge.size(); ++i)
+        if (state_.hinge[i]) flowing_.push_back(int(i));
     sweep_.take_up(state_);
     operator_.set_held(held_);
     step_size_ = 1.0 / settings_.steps;

@@ -58,6 +58,7 @@ wrong("hinge.model: field 'formulation' is 'asi_gaus'; must be one of 'conventio
 wrong("hinge.model: field 'formulation' is 3; must be a string", function() hinge.model { formulation = 3 } end)
 wrong("hinge.model: field 'displacement' is 'lagre'; must be one of 'small', 'large' (did you mean 'large'?)",
   function() hinge.model { displacement = "lagre" } end)
+wrong("hinge.model: field 'shift' is 'hole'; must be one of 'plastic', 'whole' (did you mean 'whole'?)", function() hinge.model { shift = "hole" } end)
 wrong("hinge.model: field 'elements_per_member' is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...); 'asi' and 'conventional' take any",
   function() hinge.model { elements_per_member = 3 } end)
 wrong("hinge.model: field 'elements_per_member' is 2.5; must be a whole number, 1 or above", function() hinge.model { elements_per_member = 2.5 } end)
@@ -222,6 +223,8 @@ wrong("model:dynamic: unknown field 'durration' (did you mean 'duration'?); it t
   function(s) s.model:dynamic { dt = 1e-3, durration = 1 } end)
 wrong("model:dynamic: field 'beta' is 2; Newmark's beta must be between 0 and 1 ...", function(s) s.model:dynamic { dt = 1e-3, duration = 1, beta = 2 } end)
 wrong("model:dynamic: field 'solver' is 'lu'; must be one of 'cg', 'direct'...", function(s) s.model:dynamic { dt = 1e-3, duration = 1, solver = "lu" } end)
+wrong("model:dynamic: field 'predictor' is 'acceleraton'; must be one of ... (did you mean 'acceleration'?)",
+  function(s) s.model:dynamic { dt = 1e-3, duration = 1, predictor = "acceleraton" } end)
 wrong("model:dynamic: element 1 of member 2, nodes 2-4 has density 0 kg/m^3; dynamics needs a density above 0",
   function(s) s.model:dynamic { dt = 1e-3, duration = 1 } end,
   function(s) s.model:member { s.tip, s.far, section = bar, material = hinge.material { E = 206e9 } } end)
@@ -259,6 +262,7 @@ wrong("run:forces: member is 5; must be one made by model:member", function(s) s
 wrong("run:forces: the member belongs to another model", function(s) s.run:forces(cantilever().member) end, with_run)
 wrong("run:forces: member 2 was declared after this run was made", function(s) s.run:forces(s.late) end,
   function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
+wrong("run:read: quantity is 'fy'; must be one of 'f_y', ... (did you mean 'f_y'?)", function(s) s.run:read "fy" end, with_run)
 wrong("run has no field or method 'vrdict' (did you mean 'verdict'?)", function(s) return s.run.vrdict end, with_run)
 wrong("run:finish: called on nil; write object:method(...) on a hinge.run", function(s) s.run.finish() end, with_run)
 

@@ -141,6 +141,7 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
     out.bond.at[0] = 0.3;
     out.bond.at[1] = 0.6;
     const Quat all = dice.turn(turn_all);
+    out.bond.turn = all;  // as a bond has that followed the whole so far
     const Vec3 shift = dice.vector(3);
     for (int i = 0; i < 4; ++i) {
         out.x[i] = all * out.x[i] + shift + dice.vector(stretch);

@@ -1,0 +1,229 @@
+-- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what is
+-- measured of a run, and runs side by side in two processes. Described for editors in library.d.lua.
+--
+-- Reconstructed, because the paper's figure 16 is lost: where the aircraft hits, and all that ten_storey.lua and aircraft.lua
+-- name so. From the paper: table 1, the limits of fracture, contact with a binding time of 0.5 ms, no inclination, no damping.
+local hinge    = require "hinge"
+local check    = require "hinge.check"
+local building = require "hinge.models.ten_storey"
+local aircraft = require "hinge.models.aircraft"
+
+local impact = {
+  order = { "I", "II", "III", "IV" },
+  cases = { I = {}, II = { speed = 320 / 3.6 }, III = { mass = 12000 }, IV = { size = 12 } }, -- table 1
+}
+
+local rules = {
+  speed = { "number", unit = "m/s", above = 0, default = 440 / 3.6 }, -- table 1, Case I
+  size = { "number", unit = "m", above = 0, default = 15 },
+  mass = { "number", unit = "kg", above = 0, default = 15000 },
+  height = { "number", unit = "m", default = 30 }, -- of the fuselage's axis; the middle of the eighth storey
+  offset = { "number", unit = "m", default = 0 }, -- to the left of the building's middle
+  gap = { "number", unit = "m", default = 0.5 }, -- nose before the facade
+  contact = { "string", default = "gap" },
+  yield_stress = { "number", unit = "Pa", above = 0, default = 325e6 }, -- of the building
+  building = { "table", default = {} }, -- further options of the two models
+  aircraft = { "table", default = {} },
+  fracture = { "function", optional = true }, -- declares other limits: function(model, frame)
+}
+
+--- The scenario parameters of the load case, with those of a script added.
+function impact.parameters(own)
+  local result = {}
+  for name, rule in pairs(rules) do
+    if rule[1] == "number" or rule[1] == "string" then result[name] = rule.default end
+  end
+  for name, value in pairs(own or {}) do result[name] = value end
+  return result
+end
+
+--- A copy of `base` with changes.
+function impact.with(base, changes)
+  local result = {}
+  for name, value in pairs(base) do result[name] = value end
+  for name, value in pairs(changes) do result[name] = value end
+  return result
+end
+
+--- Adds building, aircraft, gravity, fracture and contact. Returns frame, plane (its group) and parts.
+-- Of `options`, fields that are not the load case's own are left alone: a script hands its parameters in as they are.
+function impact.add(model, options)
+  local own = {}
+  for name in pairs(rules) do own[name] = rawget(options, name) end
+  local o = check.options("ten_storey_impact.add", own, rules)
+  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = o.yield_stress }
+  local frame = building.add(model, impact.with({ material = steel }, o.building))
+  local plane, parts = aircraft.add(model, impact.with(o.aircraft, {
+    size = o.size, mass = o.mass, speed = o.speed, heading = { 1, 0, 0 },
+    position = { -o.gap, frame.size[2] / 2 + o.offset, o.height },
+  }))
+  model:gravity { 0, 0, -9.80665 }
+  if o.fracture then
+    o.fracture(model, frame)
+  else
+    model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- the paper's 0.0004 is per millimetre
+  end
+  model:contact { rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }
+  frame.wave = math.sqrt(steel.E / steel.density) -- m/s, of an elastic wave along a column
+  return frame, plane, parts
+end
+
+-- What is measured ---------------------------------------------------------------------------------------------------
+
+local function sum(values)
+  local total = 0
+  for _, v in ipairs(values) do total = total + v end
+  return total
+end
+
+--- What became of the building, J and counts. A hinge is a section that has ever been fully plastic.
+function impact.damage(run, frame)
+  local d = { lowest = 0 }
+  for name, group in pairs { inner = "inner columns", outer = "outer columns", beams = "beams" } do
+    d["broken_" .. name] = run:count { group = group, state = "broken" }
+    d["hinged_" .. name] = run:count { group = group, state = "yielded" }
+    d["touched_" .. name] = run:count { group = group, state = "touched" }
+    d["work_" .. name] = sum(run:read("plastic_work", group))
+  end
+  d.broken_columns, d.hinged_columns = d.broken_inner + d.broken_outer, d.hinged_inner + d.hinged_outer
+  d.work_columns = d.work_inner + d.work_outer
+  d.work = d.work_columns + d.work_beams
+  d.work_aircraft = sum(run:read("plastic_work", "aircraft"))
+  d.broken_aircraft = run:count { group = "aircraft", state = "broken" }
+  for level = #frame.storey_groups, 1, -1 do
+    if run:count { group = frame.storey_groups[level], state = "broken" } > 0 then d.lowest = level end
+  end
+  return d
+end
+
+-- Watches the columns: when a storey feels the impact (figure 17), and who is pulled that was pressed (figure 19).
+-- A column counts as pulled from a hundredth of the largest compression at rest.
+local function watch_columns(run, frame)
+  local f_at_rest, n_at_rest = run:read("f_y", "columns"), run:read("N", "columns")
+  local x, y, at = run:read("x", "columns"), run:read("y", "columns"), {}
+  for i, z in ipairs(run:read("z", "columns")) do
+    at[i] = math.ceil((z - frame.origin[3]) / frame.size[3] * #frame.storey_groups)
+  end
+  local least = 0.01 * -math.min(table.unpack(n_at_rest))
+  local w = { felt = {}, pulled = {}, times = {}, counts = {}, touched = nil }
+
+  function w.look()
+    if not w.touched then
+      if run.contacts.bound == 0 then return end
+      w.touched = run.time
+    end
+    local after, count = run.time - w.touched, 0
+    for i, f in ipairs(run:read("f_y", "columns")) do
+      if not w.felt[at[i]] and math.abs(f - f_at_rest[i]) > 0.05 then w.felt[at[i]] = after end
+    end
+    for i, n in ipairs(run:read("N", "columns")) do
+      if n_at_rest[i] < 0 and n > least then
+        count = count + 1
+        local column = w.pulled[i] or { storey = at[i], x = x[i], y = y[i], first = after, before = n_at_rest[i], most = 0 }
+        column.most, w.pulled[i] = math.max(column.most, n), column
+      end
+    end
+    w.times[#w.times + 1], w.counts[#w.counts + 1] = after, count
+  end
+  return w
+end
+
+-- Momentum along x of the building, from how far its members moved since `before`; kg m/s.
+local function momentum_of(model, run, before, since)
+  local total = 0
+  for group, places in pairs(before) do
+    local all = model:group(group)
+    local mass = all.mass / all.size
+    for i, x in ipairs(run:read("x", group)) do total = total + mass * (x - places[i]) / (run.time - since) end
+  end
+  return total
+end
+
+--- One run of the load case: gravity at rest, then the impact. p: the load case's parameters and dt, duration, beta.
+-- see(run): called when the run has been made and returns a function called after each step. Returns damage and measures.
+function impact.simulate(p, see)
+  local model = hinge.model {}
+  local frame, plane = impact.add(model, p)
+  local loaded = model:static { hold = plane }
+  loaded:finish()
+  local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4, record = 1000 }
+  local watch = watch_columns(run, frame)
+  local each = see and see(run, frame, watch) or function() end
+  local every, before, since = math.max(1, math.floor(p.watch / p.dt + 0.5)), {}, nil
+  for step in run:steps() do
+    if step.index % every == 0 then watch.look() end
+    if not since and run.time > p.duration - 1e-3 then
+      since = run.time
+      for _, group in ipairs { "columns", "beams" } do before[group] = run:read("x", group) end
+    end
+    each(step)
+  end
+
+  local r, energy, brought = impact.damage(run, frame), run.energy, p.mass * p.speed
+  r.verdict, r.reason, r.time, r.seconds, r.touched = run.verdict, run.reason, run.time, run.wall_seconds, watch.touched
+  r.speed, r.mass, r.size = p.speed, p.mass, p.size
+  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do r[name] = energy[name] end
+  r.brought, r.own_kinetic = brought, 0.5 * p.mass * p.speed ^ 2
+  r.given = since and momentum_of(model, run, before, since) / brought
+  r.felt, r.times, r.counts, r.pulled = {}, watch.times, watch.counts, {}
+  for level = 1, #frame.storey_groups do r.felt[level] = watch.felt[level] or -1 end -- -1: not within the run
+  for _, column in pairs(watch.pulled) do r.pulled[#r.pulled + 1] = column end
+  table.sort(r.pulled, function(a, b) return a.first < b.first end)
+  r.wave, r.storey, r.height = frame.wave, frame.size[3] / #frame.storey_groups, p.height
+  return r
+end
+
+-- Runs side by side ----------------------------------------------------------------------------------------------------
+
+-- A value as Lua source: numbers to the last bit, strings, booleans and tables of them.
+local function source(value)
+  if type(value) ~= "table" then return type(value) == "string" and ("%q"):format(value):gsub("\n", "n") or ("%q"):format(value) end
+  local items = {}
+  for key, item in pairs(value) do items[#items + 1] = ("[%q]=%s"):format(key, source(item)) end
+  return "{" .. table.concat(items, ",") .. "}"
+end
+
+local function quoted(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
+
+-- Starts this program again on the same script for the second half of the tasks; nil where that cannot be.
+local function start_second(job, p, script)
+  local find = io.popen("readlink /proc/$PPID/exe 2>/dev/null")
+  local program = find and find:read("l")
+  if find then find:close() end
+  if not program or not program:match("hinge$") then return nil end
+  local words = { quoted(program), "run", quoted(script), "--out", quoted(job.out .. "/second") }
+  for name, value in pairs(p) do
+    local text = type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+    if name ~= "half" and type(value) ~= "table" then words[#words + 1] = quoted(name .. "=" .. text) end
+  end
+  words[#words + 1] = "half=2"
+  return io.popen(table.concat(words, " "), "r")
+end
+
+--- Calls one(task, job) for each task of a list, half of them in a second process, and returns what it returned, in
+-- order; nil in that second process, whose script then has nothing left to do. `p` holds half = 0, or 1 for one process.
+-- What `one` returns must be made of numbers, strings, booleans and tables. Pictures all go to the first one's folder.
+function impact.side_by_side(job, p, script, tasks, one)
+  local results, mark = {}, "\1result "
+  if p.half == 2 then
+    job.out = job.out:gsub("/second$", "")
+    for i = 2, #tasks, 2 do
+      io.write("\n", mark, i, " return ", source(one(tasks[i], job)), "\n")
+      io.flush()
+    end
+    return nil
+  end
+  local second = p.half == 0 and #tasks > 1 and start_second(job, p, script) or nil
+  for i = 1, #tasks, second and 2 or 1 do results[i] = one(tasks[i], job) end
+  if second then
+    for line in second:lines() do
+      local index, text = line:match("^" .. mark .. "(%d+) (.*)$")
+      if index then results[tonumber(index)] = load(text, "result", "t", {})() elseif line:match("^note:") then print(line) end
+    end
+    second:close()
+    for i = 2, #tasks, 2 do results[i] = results[i] or one(tasks[i], job) end -- what the other one failed to do
+  end
+  return results
+end
+
+return impact

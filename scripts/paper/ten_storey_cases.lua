@@ -1,0 +1,206 @@
+-- Does a heavier, faster or larger aircraft do more damage, and how does the building feel it? The paper's section 4:
+-- table 1, figures 17 to 19.
+local hinge  = require "hinge"
+local impact = require "hinge.models.ten_storey_impact"
+local paper  = require "hinge.paper"
+
+local script = debug.getinfo(1, "S").source:sub(2)
+local view   = { -14, 34, 0, 32, 0, 40 } -- m, the same for all pictures
+
+local function mega(joules) return ("%.2f"):format(joules / 1e6) end
+local function ms(seconds) return seconds < 0 and "-" or ("%.2f"):format(1e3 * seconds) end
+
+-- Pictures of one run: what is left of the upper five storeys (figure 18) and, of Case I, a strip of stills (figure 17).
+local function pictures(p, job, case)
+  return function(run, frame, watch)
+    local shown, due = 0, { 0, 2e-3, 5e-3, 10e-3, 25e-3, 50e-3, 100e-3, 150e-3, 240e-3 }
+    return function(step)
+      local after = watch.touched and run.time - watch.touched
+      if case == "I" and not p.quick and after and due[shown + 1] and after >= due[shown + 1] - p.dt / 2 then
+        shown = shown + 1
+        job:picture(run, { title = ("Fig. 17, Case I, %.0f ms after first contact"):format(1e3 * after), box = view },
+          ("fig17_%d.png"):format(shown))
+      end
+      if step.index == run.planned_steps then
+        local upper = frame.size[3] / 2 - 0.5 -- half a metre below the sixth floor, so that its beams are in
+        job:picture(run, { title = "Fig. 18, Case " .. case, above = upper, leave_out_broken = true, groups = { "building" } },
+          ("fig18_%s.png"):format(case))
+      end
+    end
+  end
+end
+
+-- The least and the most of a measure over a case's runs.
+local function range(runs, name)
+  local least, most = math.huge, -math.huge
+  for _, r in ipairs(runs) do least, most = math.min(least, r[name]), math.max(most, r[name]) end
+  return least, most
+end
+
+local function spread(runs, name, scale, form)
+  local least, most = range(runs, name)
+  return least == most and form:format(least / scale) or (form .. " to " .. form):format(least / scale, most / scale)
+end
+
+-- More in all runs of one case than in any of the other's, less in all of them, or neither.
+local function compare(a, b, name)
+  local a_least, a_most = range(a, name)
+  local b_least, b_most = range(b, name)
+  return a_least > b_most and 1 or a_most < b_least and -1 or 0
+end
+
+local signs = { [1] = ">", [0] = "~", [-1] = "<" }
+
+local function tables(first, runs)
+  local rows = {}
+  local function row(name, show)
+    local cells = { name }
+    for i, case in ipairs(impact.order) do cells[i + 1] = show(first[case], runs[case]) end
+    rows[#rows + 1] = cells
+  end
+  local function count(name) return function(r) return ("%d"):format(r[name]) end end
+  local function energy(name) return function(r) return mega(r[name]) end end
+
+  row("speed, km/h; size, m; mass, t", function(r) return ("%.0f; %.0f; %.0f"):format(3.6 * r.speed, r.size, r.mass / 1e3) end)
+  row("kinetic energy brought, MJ", energy "own_kinetic")
+  row("momentum brought, kN s", function(r) return ("%.0f"):format(r.brought / 1e3) end)
+  row("columns fractured, inner", count "broken_inner")
+  row("columns fractured, outer", count "broken_outer")
+  row("beams fractured", count "broken_beams")
+  row("lowest storey with fracture", function(r) return r.lowest > 0 and r.lowest or "none" end)
+  row("columns with a hinge, inner", count "hinged_inner")
+  row("columns with a hinge, outer", count "hinged_outer")
+  row("beams with a hinge, of 400", count "hinged_beams")
+  row("columns hit, inner + outer", function(r) return ("%d + %d"):format(r.touched_inner, r.touched_outer) end)
+  row("aircraft members fractured, of 199", count "broken_aircraft")
+  paper.table("Table 1 and fig. 18: damage", { "Case", table.unpack(impact.order) }, rows)
+
+  rows = {}
+  row("hinges of inner columns", energy "work_inner")
+  row("hinges of outer columns", energy "work_outer")
+  row("hinges of beams", energy "work_beams")
+  row("building in all", energy "work")
+  row("  over all runs of the case", function(_, all) return spread(all, "work", 1e6, "%.1f") end)
+  row("  of the kinetic energy brought", function(r) return ("%.1f %%"):format(100 * r.work / r.own_kinetic) end)
+  row("hinges of the aircraft", energy "work_aircraft")
+  row("let go by fracture", energy "fracture")
+  row("let go with contact bonds", energy "contact")
+  row("elastic", energy "elastic")
+  row("still moving (nearly all aircraft)", energy "kinetic")
+  row("remainder: numerical error", energy "remainder")
+  row("momentum given to the building", function(r) return ("%.0f %%"):format(100 * r.given) end)
+  paper.table("Where the energy went, MJ", { "Case", table.unpack(impact.order) }, rows)
+end
+
+local function figure_17(r, job)
+  local rows, hit = {}, math.ceil(r.height / r.storey)
+  local felt = { name = "felt: a column's f_y has changed by 0.05", x = {}, y = {}, style = "points" }
+  local wave = { name = ("elastic wave along the columns, %.0f m/s"):format(r.wave), x = {}, y = {}, dashed = true }
+  for level = #r.felt, 1, -1 do
+    local away = math.max(0, level > hit and (level - 1) * r.storey - r.height or r.height - level * r.storey)
+    rows[#rows + 1] = { level, ms(r.felt[level]), ms(away / r.wave) }
+    if r.felt[level] >= 0 then felt.x[#felt.x + 1], felt.y[#felt.y + 1] = 1e3 * r.felt[level], level end
+    wave.x[#wave.x + 1], wave.y[#wave.y + 1] = 1e3 * away / r.wave, level
+  end
+  paper.table("Fig. 17, Case I: when the columns of a storey first feel the impact, ms after first contact",
+    { "storey", "f_y changed by 0.05", "elastic wave" }, rows)
+  job:plot({ title = "Fig. 17, Case I: the impact travels", x_label = "time after first contact, ms", y_label = "storey",
+    series = { felt, wave } }, "fig17.png")
+end
+
+local function figure_19(r, job)
+  local rows, by_storey = {}, {}
+  for _, c in ipairs(r.pulled) do
+    local s = by_storey[c.storey] or { count = 0, first = c.first, most = 0, before = 0 }
+    s.count, s.first = s.count + 1, math.min(s.first, c.first)
+    if c.most > s.most then s.most, s.before = c.most, c.before end
+    by_storey[c.storey] = s
+  end
+  for level = #r.felt, 1, -1 do
+    local s = by_storey[level]
+    rows[#rows + 1] = s and { level, s.count, ms(s.first), ("%.2f"):format(s.most / 1e6), ("%.2f"):format(s.before / 1e6) }
+      or { level, 0, "-", "-", "-" }
+  end
+  paper.table("Fig. 19, Case I: columns that were compressed and carry tension",
+    { "storey", "columns of 25", "first, ms", "most tension, MN", "before, MN" }, rows)
+  local time = {}
+  for i, t in ipairs(r.times) do time[i] = 1e3 * t end
+  job:plot({ title = "Fig. 19, Case I: columns in tension that were compressed before", x_label = "time after first contact, ms",
+    y_label = "columns", series = { { name = "in tension", x = time, y = r.counts } } }, "fig19.png")
+  return by_storey
+end
+
+-- The paper's findings against the numbers. Each: what, holds or not, and the numbers.
+local function findings(first, runs)
+  local list = {}
+  local function find(what, holds, numbers)
+    list[#list + 1] = { finding = what, holds = holds, numbers = numbers }
+    print(("\n%d. %s: %s\n   %s"):format(#list, what, holds and "holds" or "does not hold", numbers))
+  end
+  local function order(a, b) return compare(runs[a], runs[b], "work") end
+  local function work(case) return spread(runs[case], "work", 1e6, "%.1f") end
+
+  find("Damage in I is larger than in II and in III", order("I", "II") == 1 and order("I", "III") == 1,
+    ("plastic work in the building: I %s, II %s, III %s MJ"):format(work "I", work "II", work "III"))
+  find("Damage in II is larger than in III, although II brings less kinetic energy", order("II", "III") == 1,
+    ("plastic work: II %s %s III %s MJ; II brings %.1f MJ and %.2f MN s, III %.1f MJ and %.2f MN s: less of both in II"):format(
+      work "II", signs[order("II", "III")], work "III", first.II.own_kinetic / 1e6, first.II.brought / 1e6,
+      first.III.own_kinetic / 1e6, first.III.brought / 1e6))
+  local most = 0
+  for _, case in ipairs(impact.order) do most = math.max(most, first[case].broken_columns) end
+  find("Columns are cut: in I most of the inner ones, down to the sixth floor", first.I.broken_inner > 0,
+    ("fractured columns, inner and outer: I %d and %d; the most in any case is %d"):format(first.I.broken_inner,
+      first.I.broken_outer, most))
+  find("At equal energy a smaller aircraft cuts fewer inner columns: IV fewer than I",
+    compare(runs.IV, runs.I, "broken_inner") == -1,
+    ("fractured inner columns: I %d, IV %d"):format(first.I.broken_inner, first.IV.broken_inner))
+  find("Size changes the damage at equal energy", order("I", "IV") ~= 0,
+    ("plastic work in the building: I %s %s IV %s MJ; in its inner columns: I %s %s IV %s MJ"):format(work "I",
+      signs[order("I", "IV")], work "IV", spread(runs.I, "work_inner", 1e6, "%.1f"),
+      signs[compare(runs.I, runs.IV, "work_inner")], spread(runs.IV, "work_inner", 1e6, "%.1f")))
+  local pulled = first.I.pulled
+  find("Tension appears soon after the impact in columns that were compressed", #pulled > 0 and pulled[1].first < 10e-3,
+    #pulled > 0 and ("%d columns; the first %s ms after first contact, in storey %d"):format(#pulled, ms(pulled[1].first),
+      pulled[1].storey) or "none")
+  local last, all = 0, true
+  for _, t in ipairs(first.I.felt) do last, all = math.max(last, t), all and t >= 0 end
+  find("The whole building feels the impact, down to the lowest storey, within 50 ms", all and last < 50e-3,
+    ("storey 1 after %s ms, the last storey after %s ms"):format(ms(first.I.felt[1]), ms(last)))
+  return list
+end
+
+return hinge.scenario {
+  parameters = impact.parameters {
+    dt = 1e-5, duration = 0.25, watch = 5e-5,   -- s: the paper's; and how often the columns are looked at
+    twin_dt = 2e-5, twins = 2,                  -- further runs of each case, the aircraft a millimetre aside
+    quick = false, half = 0,
+  },
+
+  run = function(p, job)
+    if p.quick then p = impact.with(p, { dt = 4e-5, twin_dt = 4e-5, duration = 0.02, twins = 1 }) end
+    local tasks = {}
+    for twin = 0, p.twins do
+      for _, case in ipairs(impact.order) do
+        local aside = twin == 0 and {} or { dt = p.twin_dt, offset = p.offset + 1e-3 * (twin % 2 * 2 - 1) * ((twin + 1) // 2) }
+        tasks[#tasks + 1] = { case = case, twin = twin, p = impact.with(impact.with(p, impact.cases[case]), aside) }
+      end
+    end
+    local results = impact.side_by_side(job, p, script, tasks, function(task, at)
+      return impact.simulate(task.p, task.twin == 0 and pictures(task.p, at, task.case))
+    end)
+    if not results then return {} end
+
+    local first, runs = {}, {}
+    for i, task in ipairs(tasks) do
+      runs[task.case] = runs[task.case] or {}
+      table.insert(runs[task.case], results[i])
+      if task.twin == 0 then first[task.case] = results[i] end
+    end
+    tables(first, runs)
+    figure_17(first.I, job)
+    local tension = figure_19(first.I, job)
+    local found = findings(first, runs)
+    for _, r in pairs(first) do r.times, r.counts = nil, nil end
+    return { cases = first, tension = tension, findings = found }
+  end,
+}
