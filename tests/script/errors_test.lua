@@ -193,7 +193,7 @@ local function free_to_roll(s)
 end
 wrong("model:static: ... can ... without resistance: the model has no supports, so it can move as a rigid body; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)",
   function(s) s.model:static {} end, without_supports)
-wrong("model:static: ... member 2 ... m can ... without resistance: the structure, or a part of it, is a mechanism or not supported against it; ...",
+wrong("model:static: ... m can ... without resistance: the structure, or a part of it, is a mechanism or not supported against it; ...",
   function(s) s.model:static {} end, loose_part)
 wrong("model:static: ... can turn about x without resistance: ...", function(s) s.model:static {} end, free_to_roll)
 wrong("model:static: the model has no members; add at least one with model:member", function() hinge.model():static {} end)
