@@ -17,6 +17,7 @@ return hinge.scenario {
   parameters = {
     speed = 440 / 3.6, size = 15, mass = 15000,        -- m/s, m, kg: the paper's table 1, Case I
     height = 30, offset = 0, gap = 0.5,                -- m: axis above ground, left of the middle, nose before the facade
+    contact = "gap",                                   -- the paper's rule, or "surface"
     duration = 0.25, frame_every = 250,                -- s, steps
   },
   cases    = { I = {}, II = { speed = 320 / 3.6 }, III = { mass = 12000 }, IV = { size = 12 } },
@@ -31,7 +32,7 @@ return hinge.scenario {
     })
     model:gravity { 0, 0, -9.80665 }
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- the paper's 0.0004 is per millimetre
-    model:contact { rule = "gap", binding_time = 0.5e-3 }
+    model:contact { rule = p.contact, binding_time = p.contact == "gap" and 0.5e-3 or nil }
 
     local loaded = model:static { hold = plane }
     loaded:finish()

@@ -143,9 +143,23 @@ function model:velocity(target, linear, angular) end
 ---@param rule { curvature_x?: number, curvature_y?: number, axial_strain?: number, tension_only?: boolean, rule?: function, group?: hinge.group_like }|fun(section: table): boolean limits 1/m and -; either sign breaks, unless tension_only
 function model:fracture(rule) end
 
----Lets members touch (section 2.4, eqs 17-19): four gap elements bind two elements for a while.
----@param rule? { rule?: "gap", reach?: number, flatness?: number, binding_time?: number, letter?: boolean, release?: "parting"|"time", groups?: hinge.group_like[] } reach: C_l of eq 18, default 1.8; flatness: alpha of eq 19, default 3e-4 m^3; binding_time default 0.5e-3 s; letter: eqs 17-19 as printed, which let fast members pass through each other; groups: only these, default all
+---Lets members touch. surface (the default): bars, round with half the smaller side of their section as radius, press on
+---each other where their axes come closest, k g^2 / 2 for an overlap g; nothing is lost but by friction. gap (section 2.4,
+---eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part springs back.
+---Members that share a joint, or overlap when first seen, do not touch until they have parted.
+---@param rule? hinge.contact_rule
 function model:contact(rule) end
+
+---@class hinge.contact_rule
+---@field rule? "surface"|"gap" default surface
+---@field groups? hinge.group_like[] only these, default all
+---@field stiffness? number surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
+---@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the ledger's contact_released
+---@field binding_time? number gap: default 0.5e-3 s
+---@field release? "parting"|"time" gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is let go
+---@field reach? number gap: C_l of eq 18, default 1.8
+---@field flatness? number gap: alpha of eq 19, default 3e-4 m^3
+---@field letter? boolean gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other; release is then "time"
 
 ---A group that members were put into by name.
 ---@param name string
@@ -177,7 +191,7 @@ function model:dynamic(options) end
 ---@field reason string why it failed, with the culprit's name
 ---@field energy hinge.energy
 ---@field worst_remainder number J, the largest so far, of either sign
----@field contacts { bound: integer, released: integer } pairs of elements
+---@field contacts { bound: integer, released: integer } pairs of elements: bonds made, or touches begun; let go
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
@@ -193,7 +207,7 @@ local run = {}
 ---@field elastic number
 ---@field plastic number dissipated in hinges
 ---@field fracture number let go by fracture: fracture_elastic + fracture_kinetic
----@field contact number contact_stored + contact_released
+---@field contact number contact_stored + contact_released: in bonds and touches now; let go with bonds, or heat of friction
 ---@field work number done by loads
 ---@field remainder number
 

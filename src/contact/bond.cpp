@@ -44,7 +44,7 @@ Pose pose(const Bond& bond, const std::vector<Vec3>& position, const std::vector
     Pose out;
     Vec3 point[4];
     for (int i = 0; i < 4; ++i) {
-        const BondEnd& end = bond.end[i];
+        const End& end = bond.end[i];
         out.arm[i] = rotation[end.node] * end.arm;
         point[i] = position[end.node] + out.arm[i];
     }
@@ -112,6 +112,7 @@ void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::v
         bond.opening += share * strain.dot(bond.side_now);
     }
     for (int i = 0; i < 4; ++i) {
+        bond.force[i] = at_end[i];
         Vec6& out = force[bond.end[i].node];
         out.head<3>() += at_end[i];
         out.tail<3>() += now.arm[i].cross(at_end[i]);

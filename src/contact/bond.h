@@ -1,21 +1,11 @@
 // The bond that ties two elements together: four gap elements, node to node (fig 7), turning as one.
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "core/types.h"
+#include "contact/end.h"
 
 namespace hinge::contact {
-
-/// Adds a 12x12 stiffness between two different nodes (rows and columns: translation and rotation of node a, then of node b).
-using AddStiffness = std::function<void(int node_a, int node_b, const Mat12&)>;
-
-/// An end of a bound element: a point that belongs rigidly to a node.
-struct BondEnd {
-    int node = -1;
-    Vec3 arm = Vec3::Zero();           ///< m, in the node's own frame
-};
 
 /// A gap element: a spring on the vector that joins its two ends.
 struct Gap {
@@ -39,7 +29,7 @@ struct Gap {
 struct Bond {
     int element[2] = {-1, -1};
     double since = 0;            ///< s
-    BondEnd end[4];              ///< A1, A2, B1, B2
+    End end[4];              ///< A1, A2, B1, B2
     Gap gap[4];                  ///< A1B1, A1B2, A2B1, A2B2
     Vec3 side = Vec3::Zero();    ///< direction from a to b when they met
     double at[2] = {0, 0};       ///< where they met, along a and along b
@@ -48,6 +38,7 @@ struct Bond {
     double energy = 0;                ///< J, as of the last forces
     double opening = 0;               ///< m, as of the last forces: how much further apart along the side than at binding
     Vec3 side_now = Vec3::Zero();     ///< Q side, as of the last forces
+    Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};   ///< N, at each end, as of the last forces
     double energy_before = 0, opening_before = 0, energy_peak = 0;   ///< as of the last release()
     bool falling = false;             ///< the energy fell before the last release()
 };

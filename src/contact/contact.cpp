@@ -40,11 +40,22 @@ bool share_node(const Bar& a, const Bar& b) {
 
 double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
 
+LetGo held_by(const Bond& bond) {
+    LetGo held{bond.energy, {}, {}, {}};
+    for (int i = 0; i < 4; ++i) {
+        const double at = bond.at[i / 2], share = i % 2 == 0 ? 1 - at : at;
+        held.end[i] = bond.end[i];
+        held.force[i] = bond.force[i];
+        held.opening[i] = (i < 2 ? -share : share) * bond.side_now;
+    }
+    return held;
+}
+
 }  // namespace
 
-GapContact::GapContact(GapSettings settings) : settings_(settings) {}
+Contact::Contact(ContactSettings settings) : settings_(settings) {}
 
-int GapContact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time) {
+int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time) {
     const bool first_sight = changed || !seen_;
     if (first_sight) list_ends(bars, motion);
     seen_ = true;
@@ -58,6 +69,7 @@ int GapContact::detect(const std::vector<Bar>& bars, bool changed, const Motion&
     }
     if (first_sight || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
 
+    end_touches();
     int bound = 0;
     const double horizon = travelled_ + foreseen;
     for (std::size_t i = 0; i < look_at_.size(); ++i)
@@ -65,7 +77,7 @@ int GapContact::detect(const std::vector<Bar>& bars, bool changed, const Motion&
     return bound;
 }
 
-void GapContact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
+void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
     nodes_.clear();
     arms_.clear();
     for (const Bar& bar : bars)
@@ -82,7 +94,7 @@ void GapContact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
 }
 
 // Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
-double GapContact::advance(const Motion& motion, double dt) {
+double Contact::advance(const Motion& motion, double dt) {
     double gone = 0, fast = 0;
     bool wild = false;
     const auto heed = [&](double gone_squared, double fast_squared) {
@@ -107,7 +119,7 @@ double GapContact::advance(const Motion& motion, double dt) {
 
 // All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the fastest
 // end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays short.
-void GapContact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight) {
+void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight) {
     ++counts_.list_builds;
     const int n = static_cast<int>(bars.size());
     std::vector<int> order(n);
@@ -157,7 +169,9 @@ void GapContact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, 
         if (known) {
             candidate.state = old->state;
             candidate.side = old->side;
-        } else if (first_sight && far <= 0 && (closest.distance <= candidate.touch || flat(two, settings_.flatness))) {
+        } else if (first_sight && far <= 0 && (settings_.rule == ContactRuleKind::surface
+                                                   ? closest.distance < (1 - 1e-6) * candidate.touch  // resting on each other is apart
+                                                   : closest.distance <= candidate.touch || flat(two, settings_.flatness))) {
             candidate.state = PairState::joined;
         }
         observe(candidate, two, closest);
@@ -165,18 +179,20 @@ void GapContact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, 
         look_at_.push_back(candidate.state == PairState::bound ? never : travelled_ + 0.5 * std::abs(far));
         if (candidate.state == PairState::free && far <= 0) look_at_.back() = travelled_;
     }
-    for (const Bond& bond : bonds_) {
+    const auto mark = [&](const int element[2]) {
         std::size_t i = 0;
-        if (Candidate* pair = find(bond.element, &i)) {
+        if (Candidate* pair = find(element, &i)) {
             pair->state = PairState::bound;
             look_at_[i] = never;
         }
-    }
+    };
+    for (const Bond& bond : bonds_) mark(bond.element);
+    for (const Touch& touch : touches_) mark(touch.element);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go. Negative
 // when it applies already.
-double GapContact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
+double Contact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
     if (!settings_.letter) return closest.distance - pair.touch;
     if (std::isinf(settings_.reach)) return -1;
     const double lengths = length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]);
@@ -187,7 +203,7 @@ double GapContact::farness(const Candidate& pair, const Two& two, const Closest&
 
 // What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they are within
 // touch of each other the side may only turn, not flip: a bar that has passed through is on the wrong side.
-void GapContact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
+void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
     const double far = farness(pair, two, closest);
     if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
     const double cutting = 1e-6 * pair.touch + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
@@ -196,7 +212,7 @@ void GapContact::observe(Candidate& pair, const Two& two, const Closest& closest
     if (closest.distance > pair.touch || direction.dot(pair.side) > 0) pair.side = direction;
 }
 
-bool GapContact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
+bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
     ++counts_.pair_tests;
     Candidate& pair = candidates_[i];
     const Bar &a = bars[pair.bar[0]], &b = bars[pair.bar[1]];
@@ -213,6 +229,13 @@ bool GapContact::look(std::size_t i, const std::vector<Bar>& bars, const Motion&
 
     const Moving moving{two, {{dt * velocity(a.end[0], motion), dt * velocity(a.end[1], motion)},
                               {dt * velocity(b.end[0], motion), dt * velocity(b.end[1], motion)}}};
+    if (settings_.rule == ContactRuleKind::surface) {
+        if (closest.distance - moving.closing_bound() > pair.touch) return false;
+        if (far > 0 && !first_meeting(moving, closest, pair.side, {never, never, pair.touch}).found) return false;
+        watch(pair, a, b, motion, two);
+        look_at_[i] = never;
+        return true;
+    }
     const RuleNumbers numbers{settings_.reach, settings_.flatness, pair.touch};
     const Meeting meeting = settings_.letter ? letter_meeting(moving, closest, pair.side, numbers)
                                              : first_meeting(moving, closest, pair.side, numbers);
@@ -223,7 +246,7 @@ bool GapContact::look(std::size_t i, const std::vector<Bar>& bars, const Motion&
     return true;
 }
 
-void GapContact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time) {
+void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time) {
     pair.state = PairState::bound;
     Bond bond;
     bond.element[0] = a.element;
@@ -247,7 +270,7 @@ void GapContact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion&
     ++counts_.bound;
 }
 
-GapContact::Candidate* GapContact::find(const int element[2], std::size_t* place) {
+Contact::Candidate* Contact::find(const int element[2], std::size_t* place) {
     const std::array<int, 2> wanted{element[0], element[1]};
     const auto it = std::lower_bound(candidates_.begin(), candidates_.end(), wanted, [](const Candidate& c, const std::array<int, 2>& w) {
         return c.element[0] < w[0] || (c.element[0] == w[0] && c.element[1] < w[1]);
@@ -258,18 +281,60 @@ GapContact::Candidate* GapContact::find(const int element[2], std::size_t* place
 }
 
 // The pair is free again, and remembers from which side it came.
-void GapContact::let_go(const Bond& bond) {
-    counts_.energy_let_go += bond.energy;
-    events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
+void Contact::set_free(const int element[2], const Vec3& side) {
     std::size_t i = 0;
-    if (Candidate* pair = find(bond.element, &i)) {
+    if (Candidate* pair = find(element, &i)) {
         pair->state = PairState::free;
-        pair->side = bond.side_now;
+        pair->side = side;
         look_at_[i] = travelled_;
     }
 }
 
-double GapContact::drop(int element) {
+void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two) {
+    pair.state = PairState::bound;
+    Touch touch;
+    const Bar* bars[2] = {&a, &b};
+    for (int i = 0; i < 2; ++i) {
+        touch.element[i] = bars[i]->element;
+        touch.radius[i] = bars[i]->radius;
+        for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end[e];
+    }
+    touch.stiffness = settings_.stiffness > 0 ? settings_.stiffness : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
+    touch.friction = settings_.friction;
+    touch.side_before = pair.side;
+    contact::look(touch, motion.position, motion.rotation);
+    contact::settle(touch, motion.position, motion.rotation);
+    touches_.push_back(touch);
+}
+
+// Pairs that have parted are free again.
+void Contact::end_touches() {
+    std::erase_if(touches_, [&](const Touch& touch) {
+        if (touch.overlap_before > 0) return false;
+        set_free(touch.element, touch.side_before);
+        return true;
+    });
+}
+
+Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                                 std::vector<Vec6>& impulse) {
+    now_ = time;
+    Settled out;
+    for (Touch& touch : touches_) {
+        const bool before = touch.overlap_before > 0, now = touch.overlap > 0;
+        if (before != now) {
+            out.missed = true;
+            out.work += missed_impulse(touch, dt, rotation, impulse);
+            ++(now ? counts_.bound : counts_.released);
+            events_.push_back({time, {touch.element[0], touch.element[1]}, now});
+        }
+        out.heat += touch.heat;
+        contact::settle(touch, position, rotation);
+    }
+    return out;
+}
+
+double Contact::drop(int element) {
     double energy = 0;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < bonds_.size(); ++i) {
@@ -277,16 +342,33 @@ double GapContact::drop(int element) {
         if (bond.element[0] == element || bond.element[1] == element) {
             energy += bond.energy;
             ++counts_.dropped;
-            let_go(bond);
+            counts_.energy_let_go += bond.energy;
+            events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
+            set_free(bond.element, bond.side_now);
         } else {
             bonds_[kept++] = bonds_[i];
         }
     }
     bonds_.resize(kept);
+    stored_ -= energy;
     return energy;
 }
 
-double GapContact::release(double time) {
+// Element by element, as a bar's ends change places when it breaks at its first one.
+void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+    for (Touch& touch : touches_) {
+        for (const Bar& bar : bars)
+            for (int i = 0; i < 2; ++i)
+                if (bar.element == touch.element[i]) std::copy(bar.end, bar.end + 2, touch.end + 2 * i);
+        touch.slip = touch.slip_before;
+        const Vec3 slip = touch.slip_before;
+        contact::look(touch, position, rotation);
+        touch.slip = slip;
+        contact::settle(touch, position, rotation);
+    }
+}
+
+double Contact::release(double time, std::vector<LetGo>* let_go) {
     now_ = time;
     double energy = 0;
     std::size_t kept = 0;
@@ -309,28 +391,45 @@ double GapContact::release(double time) {
         if (due) {
             energy += bond.energy;
             ++counts_.released;
-            let_go(bond);
+            counts_.energy_let_go += bond.energy;
+            events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
+            set_free(bond.element, bond.side_now);
+            if (let_go) let_go->push_back(held_by(bond));
         } else {
             if (kept != i) bonds_[kept] = bond;
             ++kept;
         }
     }
     bonds_.resize(kept);
+    stored_ -= energy;
     return energy;
 }
 
-void GapContact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
-    for (Bond& bond : bonds_) add_bond_forces(bond, position, rotation, force);
+void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+    stored_ = 0;
+    for (Bond& bond : bonds_) {
+        add_bond_forces(bond, position, rotation, force);
+        stored_ += bond.energy;
+    }
+    for (Touch& touch : touches_) {
+        contact::look(touch, position, rotation);
+        add_touch_forces(touch, rotation, force);
+        stored_ += touch.energy;
+    }
 }
 
-void GapContact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const {
+bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
+    return std::any_of(touches_.begin(), touches_.end(), [&](Touch touch) {
+        const bool before = touch.overlap > 0;
+        const Vec3 slip = touch.slip;
+        contact::look(touch, position, rotation);
+        return before != (touch.overlap > 0) || (touch.slip - slip).norm() > 0.01 * std::max(0.0, touch.overlap);
+    });
+}
+
+void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const {
     for (const Bond& bond : bonds_) add_bond_stiffness(bond, position, rotation, add);
-}
-
-double GapContact::stored_energy() const {
-    double energy = 0;
-    for (const Bond& bond : bonds_) energy += bond.energy;
-    return energy;
+    for (const Touch& touch : touches_) add_touch_stiffness(touch, rotation, add);
 }
 
 // Saving and restoring run through one list of fields. Vectors and quaternions go number by number, so that no padding and no
@@ -392,11 +491,11 @@ void vector(Io& io, Vec3& v) {
 }  // namespace
 
 template <class Io>
-void GapContact::fields(Io& io) {
+void Contact::fields(Io& io) {
     plain(io, counts_.bound, counts_.released, counts_.dropped, counts_.pair_tests, counts_.list_builds, counts_.energy_let_go);
     io.list(bonds_, [&](Bond& bond) {
         plain(io, bond.element[0], bond.element[1], bond.since);
-        for (BondEnd& end : bond.end) {
+        for (End& end : bond.end) {
             plain(io, end.node);
             vector(io, end.arm);
         }
@@ -409,7 +508,20 @@ void GapContact::fields(Io& io) {
         plain(io, bond.at[0], bond.at[1], bond.energy, bond.opening);
         plain(io, bond.turn.coeffs()[0], bond.turn.coeffs()[1], bond.turn.coeffs()[2], bond.turn.coeffs()[3]);
         plain(io, bond.energy_before, bond.opening_before, bond.energy_peak, bond.falling);
+        for (Vec3& f : bond.force) vector(io, f);
     });
+    io.list(touches_, [&](Touch& touch) {
+        plain(io, touch.element[0], touch.element[1], touch.radius[0], touch.radius[1], touch.stiffness, touch.friction);
+        for (End& end : touch.end) {
+            plain(io, end.node);
+            vector(io, end.arm);
+        }
+        plain(io, touch.overlap, touch.energy, touch.at[0], touch.at[1], touch.heat, touch.slides);
+        plain(io, touch.overlap_before, touch.at_before[0], touch.at_before[1]);
+        for (Vec3* v : {&touch.side, &touch.slip, &touch.between, &touch.side_before, &touch.slip_before, &touch.between_before}) vector(io, *v);
+        for (Quat& q : touch.turn_before) plain(io, q.coeffs()[0], q.coeffs()[1], q.coeffs()[2], q.coeffs()[3]);
+    });
+    plain(io, stored_);
     io.list(events_, [&](ContactEvent& event) { plain(io, event.time, event.element[0], event.element[1], event.bound); });
     plain(io, seen_, now_, travelled_, listed_at_, margin_);
     io.list(nodes_, [&](int& node) { plain(io, node); });
@@ -426,13 +538,13 @@ void GapContact::fields(Io& io) {
     io.list(look_at_, [&](double& at) { plain(io, at); });
 }
 
-void GapContact::save(std::vector<char>& out) const {
+void Contact::save(std::vector<char>& out) const {
     Writer writer{out};
-    const_cast<GapContact*>(this)->fields(writer);  // a writer changes nothing
+    const_cast<Contact*>(this)->fields(writer);  // a writer changes nothing
 }
 
-std::size_t GapContact::restore(const char* data, std::size_t size) {
-    GapContact read(settings_);
+std::size_t Contact::restore(const char* data, std::size_t size) {
+    Contact read(settings_);
     Reader reader{data, size};
     read.fields(reader);
     if (!reader.whole || read.last_.size() != read.nodes_.size() || read.look_at_.size() != read.candidates_.size()) return 0;

@@ -1,7 +1,8 @@
-// The rule `gap` at work (eqs 17-19, figs 6-7): bars that move, and bonds that bind two of them for a while.
+// Contact at work: bars that move, which pairs of them meet, and what then acts between two.
 //
-// Two elements whose axes come to lie in one plane, close enough together and approaching, are bound by four gap elements,
-// node to node, for a binding time. gap_rule.h says when, bond.h how, broad_phase.h which pairs are worth a look.
+// Rule `surface`: bars that are closer than the sum of their half depths press on each other (touch.h). Rule `gap` (eqs 17-19,
+// figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are bound by four gap
+// elements, node to node, for a binding time (gap_rule.h says when, bond.h how). broad_phase.h: which pairs are worth a look.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +10,13 @@
 
 #include "contact/bond.h"
 #include "contact/segments.h"
+#include "contact/touch.h"
 #include "core/types.h"
 
 namespace hinge::contact {
 
 struct Two;
 struct Meeting;
-
-/// One end of a bar: a point that belongs rigidly to a node. `arm` is zero for a real node; a broken element's stub ends
-/// in a virtual node, whose arm turns with the node it hangs on.
-struct End {
-    int node = -1;
-    Vec3 arm = Vec3::Zero();  ///< m, in the node's own frame: the point is position + rotation * arm
-};
 
 /// An element (or the stub of a broken one) as contact sees it. At most one bar per element.
 struct Bar {
@@ -38,16 +33,27 @@ struct Motion {
     const std::vector<Vec6>& velocity;   ///< m/s and rad/s, in space: the mean velocity foreseen over the step
 };
 
-struct GapSettings {
+enum class ContactRuleKind : int { gap, surface };
+
+struct ContactSettings {
+    ContactRuleKind rule = ContactRuleKind::gap;
+
+    // surface
+    double stiffness = 0;            ///< N/m; 0: of the two members, see touch_stiffness
+    double friction = 0;             ///< Coulomb's coefficient
+
+    // gap
     double reach = 1.8;              ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other never meets it at mid
                                      ///< length, than 1/4 near an end, nor do bars end on. Infinite: eq 18 always holds, touch decides
     double flatness = 3e-4;          ///< alpha of eq 19, m^3 (the paper's value)
     double binding_time = 0.5e-3;    ///< s (the paper's value)
     bool letter = false;             ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
                                      ///< step, and the axes must also come within the sum of the half depths
-    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy is at a low minimum
+    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy is at a low
+                                     ///< minimum, and what is left springs back as an impulse; false: cut at the binding time, what it
+                                     ///< stores is gone
     double parting_energy = 0.1;     ///< how low: part of the most it has stored. Two elastic beams (fig 13; 26 variants of speed, angle,
-                                     ///< offset and support) lost on average 40 % of their energy with bonds cut at 0.5 ms, 28 % at the
+                                     ///< offset and support) had on average 40 % of their energy in bonds cut at 0.5 ms, 28 % at the
                                      ///< first minimum whatever its height, 13 / 5.5 % at 0.2 / 0.1 of the peak; below that they stick
     double longest_hold = 20;        ///< binding times after which a bond is let go whatever it carries: 10 ms is longer than such an
                                      ///< impact lasts; 40 changed nothing, with 10 some bonds were cut while full
@@ -56,7 +62,7 @@ struct GapSettings {
 };
 
 struct ContactCounts {
-    long bound = 0, released = 0, dropped = 0;   ///< bonds made; let go by time; lost with a broken element
+    long bound = 0, released = 0, dropped = 0;   ///< bonds made, or touches begun; let go; lost with a broken element
     long pair_tests = 0, list_builds = 0;
     double energy_let_go = 0;                    ///< J, stored in bonds when they were released or dropped
 };
@@ -68,14 +74,23 @@ struct ContactEvent {
     bool bound;       ///< else let go
 };
 
-/// The rule `gap` at work: finds pairs, binds them, carries their forces, lets them go. Copying it copies all its state.
+/// What a bond that was let go still held.
+struct LetGo {
+    double energy = 0;       ///< J
+    End end[4];
+    Vec3 force[4];           ///< N, that it resisted with at each end
+    Vec3 opening[4];         ///< how its two bars' distance grows with a motion of each end
+};
+
+/// Finds pairs, binds them or lets them press, carries the forces, lets go. Copying it copies all its state.
 ///
-/// A step calls: release (and drop, for what broke), detect, then add_internal_forces and add_stiffness as often as it likes.
+/// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step has
+/// ended, release and settle; drop for what broke.
 /// A step that is undone restores a copy made before. A bond starts without force, but ends with one: an integrator that carries
 /// accelerations from step to step must find them anew after a release or a drop, or it goes on pulling for half a step.
-class GapContact {
+class Contact {
 public:
-    explicit GapContact(GapSettings settings);
+    explicit Contact(ContactSettings settings);
 
     /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their element
     /// numbers. `bars` is the current list of bars; `changed` says that it differs from the last call (something broke).
@@ -86,21 +101,34 @@ public:
     /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go, J.
     double drop(int element);
 
-    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it compares the
-    /// energies with those of the call before. Returns the energy let go, J.
-    double release(double time);
+    /// Elements broke: touches go on with the stubs, which lie where the elements lay. Nothing is let go.
+    void hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-    /// Adds the forces that the gap elements exert to `force` (what resists: + dU/du), and stores the energies.
+    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it compares the
+    /// energies with those of the call before. Returns the energy let go, J; `let_go` gets what each bond held.
+    double release(double time, std::vector<LetGo>* let_go = nullptr);
+
+    /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step missed
+    /// (touch.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
+    struct Settled { bool missed = false; double work = 0, heat = 0; };
+    Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& impulse);
+
+    /// Adds the forces of bonds and touches to `force` (what resists: + dU/du), and stores the energies.
     void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
 
-    /// The stiffness of every gap element.
+    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a touch that pressed does
+    /// not, or the other way round; or friction has become another by more than 1 % of the pressure.
+    bool unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const;
+
+    /// The stiffness of every bond where the nodes are, and of every touch as it was at the last add_internal_forces.
     void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const;
 
-    double stored_energy() const;   ///< J, as of the last add_internal_forces
-    bool idle() const { return bonds_.empty(); }
-    const GapSettings& settings() const { return settings_; }
+    double stored_energy() const { return stored_; }   ///< J, as of the last add_internal_forces
+    bool idle() const { return bonds_.empty() && touches_.empty(); }
+    const ContactSettings& settings() const { return settings_; }
     const ContactCounts& counts() const { return counts_; }
     const std::vector<Bond>& bonds() const { return bonds_; }   ///< in the order in which they were made
+    const std::vector<Touch>& touches() const { return touches_; }   ///< pairs that touch, or might in this step
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
     /// What happened since the log was last cleared.
@@ -115,7 +143,7 @@ public:
 private:
     enum class PairState : int {
         free,     ///< may bind
-        bound,
+        bound,    ///< by a bond, or with a touch to watch
         joined    ///< touched when first seen: a joint, or members that cross in one; free once they have parted
     };
     struct Candidate {
@@ -137,14 +165,18 @@ private:
     void observe(Candidate& pair, const Two& two, const Closest& closest) const;
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
     void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
-    void let_go(const Bond& bond);
+    void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two);
+    void end_touches();
+    void set_free(const int element[2], const Vec3& side);
     Candidate* find(const int element[2], std::size_t* place);
     template <class Io>
     void fields(Io& io);
 
-    GapSettings settings_;
+    ContactSettings settings_;
     ContactCounts counts_;
     std::vector<Bond> bonds_;
+    std::vector<Touch> touches_;
+    double stored_ = 0;                   ///< J, as of the last add_internal_forces
     std::vector<ContactEvent> events_;
 
     // Distances travelled stand for time: between two looks nothing can come closer than twice what the fastest point has

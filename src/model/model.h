@@ -86,7 +86,7 @@ struct FractureRule {
 };
 
 struct ContactRule {
-    contact::GapSettings gap;
+    contact::ContactSettings settings;
     std::vector<int> groups;  ///< empty: all members
     std::string asked_at;
 };

@@ -316,12 +316,20 @@ int contact_rule(lua_State* L) {
     Options o(L, 2, "model:contact", true);
     ContactRule rule;
     rule.asked_at = where(L);
-    o.word("rule", {"gap"}, "gap");
-    rule.gap.reach = o.number("reach", "", Range::positive, rule.gap.reach);
-    rule.gap.flatness = o.number("flatness", "m^3", Range::positive, rule.gap.flatness);
-    rule.gap.binding_time = o.number("binding_time", "s", Range::positive, rule.gap.binding_time);
-    rule.gap.letter = o.flag("letter", rule.gap.letter);
-    rule.gap.hold_until_parting = o.word("release", {"parting", "time"}, rule.gap.letter ? "time" : "parting") == "parting";
+    contact::ContactSettings& c = rule.settings;
+    const bool gap = o.word("rule", {"surface", "gap"}, "surface") == "gap";
+    c.rule = gap ? contact::ContactRuleKind::gap : contact::ContactRuleKind::surface;
+    c.stiffness = o.number("stiffness", "N/m", Range::positive, c.stiffness);
+    c.friction = o.number("friction", "", Range::not_negative, c.friction);
+    c.reach = o.number("reach", "", Range::positive, c.reach);
+    c.flatness = o.number("flatness", "m^3", Range::positive, c.flatness);
+    c.binding_time = o.number("binding_time", "s", Range::positive, c.binding_time);
+    c.letter = o.flag("letter", c.letter);
+    c.hold_until_parting = o.word("release", {"parting", "time"}, c.letter ? "time" : "parting") == "parting";
+    for (const char* field : {"stiffness", "friction"})
+        if (gap && o.has(field)) o.complain(field, "given", "belongs to rule 'surface'; rule is 'gap'");
+    for (const char* field : {"reach", "flatness", "binding_time", "letter", "release"})
+        if (!gap && o.has(field)) o.complain(field, "given", "belongs to rule 'gap'; rule is 'surface', the default");
     const int type = o.push_field("groups");
     if (type == LUA_TTABLE)
         for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {

@@ -32,7 +32,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       operator_(*structure_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large()) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
-    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->gap);
+    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
     if (!model.contact()) state_.contact.reset();
 
     stages_.push_back({"loads", "loads", &Dynamics::loads});
@@ -44,6 +44,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
     stages_.push_back({"solve", "inertia", &Dynamics::solve});
     stages_.push_back({"correct", "inertia", &Dynamics::correct});
+    if (state_.contact) stages_.push_back({"part", "contact", &Dynamics::part});
     if (!model.fracture().empty()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
     stages_.push_back({"commit", "inertia", &Dynamics::commit});
 
@@ -176,9 +177,9 @@ void Dynamics::recover() {
     if (from_rest_ && iteration_ == 0) yielding_ = hinges_;  // nothing has moved yet: what flowed is taken to flow on
     if (!state_.hung.empty()) add_hung_inertia();
     if (state_.contact && !state_.contact->idle()) {
-        contact_position_.resize(trial_.displacement.size());
-        for (std::size_t i = 0; i < contact_position_.size(); ++i) contact_position_[i] = structure_->position()[i] + trial_.displacement[i];
+        place_contact(trial_.displacement);
         state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
+        if (!state_.contact->touches().empty()) renew_couplings(trial_.rotation);
     }
     for (int e : sweep_.turned())
         if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
@@ -287,6 +288,10 @@ void Dynamics::correct() {
     ++iteration_;
     if (iteration_ == 1) first_change_ = size;
     again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
+    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && state_.contact && !state_.contact->touches().empty()) {
+        place_contact(trial_.displacement);
+        again_ = state_.contact->unsettled(contact_position_, trial_.rotation);
+    }
     if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ && first_change_ > 1e-12)
         failure_ = "Newton did not converge in " + std::to_string(iteration_) + " iterations (last correction " +
                    std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
@@ -338,7 +343,12 @@ void Dynamics::commit() {
     if (take_up_ || !to_break_.empty()) sweep_.take_up(state_);
     take_up_ = false;
     if (!to_break_.empty()) {
-        if (state_.contact) renew_couplings();
+        if (state_.contact) {
+            list_bars();
+            place_contact(state_.displacement);
+            state_.contact->hang_on(bars_, contact_position_, state_.rotation);
+            renew_couplings(state_.rotation);
+        }
         to_break_.clear();
         restart_ = true;
     }
@@ -373,20 +383,7 @@ void Dynamics::find_acceleration() {
     iteration_ = 0;
     recover();
     gather_loads(state_.time, right_);
-    if (!mass_) {
-        mass_ = std::make_unique<Operator>(*structure_, 1.0, 0.0, false);
-        for (std::size_t i = 0; i < state_.broken.size(); ++i)
-            if (!state_.broken[i]) mass_stale_.push_back(int(i));
-    }
-    std::sort(mass_stale_.begin(), mass_stale_.end());
-    mass_stale_.erase(std::unique(mass_stale_.begin(), mass_stale_.end()), mass_stale_.end());
-    std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
-    mass_->set_held(state_.held);
-    mass_->build(mass_stale_, state_, trial_, {});
-    mass_stale_.clear();
-    for (std::size_t i = 0; i < state_.hung.size(); ++i)
-        if (state_.hung[i].mass > 0) mass_->set_hung(int(i), hung_in_space(state_, int(i)));
-    mass_->assemble();
+    renew_mass(trial_);
     for (std::size_t i = 0; i < right_.size(); ++i) {
         right_[i] -= nodal_[i];
         for (int c = 0; c < 6; ++c)
@@ -397,6 +394,24 @@ void Dynamics::find_acceleration() {
     mass_->solve(right_, state_.acceleration, sharp);
     yielding_.clear();
     restart_ = false;
+}
+
+/// M alone, of what turned or broke since it was last needed.
+void Dynamics::renew_mass(const Pose& pose) {
+    if (!mass_) {
+        mass_ = std::make_unique<Operator>(*structure_, 1.0, 0.0, false);
+        for (std::size_t i = 0; i < state_.broken.size(); ++i)
+            if (!state_.broken[i]) mass_stale_.push_back(int(i));
+    }
+    std::sort(mass_stale_.begin(), mass_stale_.end());
+    mass_stale_.erase(std::unique(mass_stale_.begin(), mass_stale_.end()), mass_stale_.end());
+    std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
+    mass_->set_held(state_.held);
+    mass_->build(mass_stale_, state_, pose, {});
+    mass_stale_.clear();
+    for (std::size_t i = 0; i < state_.hung.size(); ++i)
+        if (state_.hung[i].mass > 0) mass_->set_hung(int(i), hung_in_space(state_, int(i)));
+    mass_->assemble();
 }
 
 void Dynamics::renew_hung_operator(std::size_t node) {

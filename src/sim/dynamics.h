@@ -1,6 +1,6 @@
 // Dynamics: Newmark's beta method, one linear solve a step (paper, eq 15).
 //
-// A step, in the paper's words: loads, [contact], predict, recover stresses, [yield], solve, correct, [fracture], commit.
+// A step, in the paper's words: loads, [contact], predict, recover stresses, [yield], solve, correct, [part], [fracture], commit.
 // Stages in brackets are in the list only if the scene calls for them.
 //
 // Eq 15 has M a' + K du = F - R_t with du = dt v + dt^2 ((1/2 - beta) a + beta a'). Here the part of du that is known when the
@@ -61,13 +61,21 @@ private:
     void renew_operator();
     void solve();
     void correct();
+    void part();
     void fracture();
     void commit();
 
     void gather_loads(double t, std::vector<Vec6>& into) const;
     void find_acceleration();
     void add_hung_inertia();
-    void renew_couplings();
+    void renew_mass(const Pose& pose);
+    void renew_couplings(const std::vector<Quat>& rotation);
+    void place_contact(const std::vector<Vec3>& displacement);
+    void note_contacts();
+    struct Kick { double square = 0, linear = 0; };
+    Kick kick(const std::vector<Vec6>& impulse);
+    void add_missed(const std::vector<Vec6>& impulse, double work);
+    double give_back(const contact::LetGo& bond);
     void list_bars();
     void move_to_increment(std::size_t node);
     bool breaks(int element, const beam::Flow* flow, int& end) const;

@@ -8,37 +8,119 @@
 
 namespace hinge {
 
-/// Eqs 17-19: who comes into contact over this step, and who is let go.
+/// Eqs 17-19: who comes into contact over this step.
 void Dynamics::contact() {
     if (bars_changed_) list_bars();
-    std::vector<Vec3>& x = contact_position_;
-    std::vector<Vec6>& v = contact_velocity_;
-    x.resize(trial_.displacement.size());
-    v.resize(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        x[i] = structure_->position()[i] + state_.displacement[i];
-        v[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
-    }
-    const long released = state_.contact->counts().released;
-    if (!state_.contact->idle()) {  // what a bond holds is weighed where the nodes are, not where they were foreseen
-        for (Vec6& n : nodal_) n.setZero();
-        state_.contact->add_internal_forces(x, state_.rotation, nodal_);
-    }
-    state_.booked.contact_released += state_.contact->release(state_.time);
-    const int bound = state_.contact->detect(bars_, bars_changed_, {x, state_.rotation, v}, settings_.dt, state_.time);
+    contact_velocity_.resize(state_.velocity.size());
+    place_contact(state_.displacement);
+    for (std::size_t i = 0; i < contact_velocity_.size(); ++i)
+        contact_velocity_[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, contact_velocity_}, settings_.dt, state_.time);
     bars_changed_ = false;
+    note_contacts();
+    if (bound > 0 || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings(state_.rotation);
+}
+
+/// Where the step has ended: who is let go, and what the step got wrong about touches that began or ended in it.
+void Dynamics::part() {
+    contact::Contact& contact = *state_.contact;
+    if (contact.idle()) return;
+    const double time = state_.time + settings_.dt;
+    place_contact(trial_.displacement);
+    std::vector<Vec6>& impulse = nodal_;
+    for (Vec6& n : impulse) n.setZero();
+    contact.add_internal_forces(contact_position_, trial_.rotation, impulse);
+
+    std::vector<contact::LetGo> parted;
+    const double let_go = contact.release(time, &parted);
+    for (Vec6& n : impulse) n.setZero();
+    const contact::Contact::Settled settled = contact.settle(time, settings_.dt, contact_position_, trial_.rotation, impulse);
+    state_.booked.contact_released += let_go + settled.heat;
+    if (settled.missed) add_missed(impulse, settled.work);
+    if (contact.settings().hold_until_parting)
+        for (const contact::LetGo& bond : parted) state_.booked.contact_released -= give_back(bond);
+    note_contacts();
+    if (!parted.empty()) {
+        restart_ = true;
+        renew_couplings(trial_.rotation);
+    }
+}
+
+/// change_ = M^-1 impulse, and what x times it does to the kinetic energy: square x^2 + linear x.
+Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
+    right_ = impulse;
+    for (std::size_t i = 0; i < right_.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[i] >> c & 1) right_[i][c] = 0;
+    renew_mass(trial_);
+    SolverSettings sharp;
+    sharp.tolerance = 1e-10;
+    mass_->solve(right_, change_, sharp);
+    Kick out;
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        out.square += 0.5 * right_[i].dot(change_[i]);
+        out.linear += right_[i].dot(trial_.velocity[i]);
+    }
+    return out;
+}
+
+/// The impulses that the step missed (touch.h), scaled so that they do the work that was missed: near 1.
+void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
+    const Kick k = kick(impulse);
+    const double root = k.linear * k.linear + 4 * k.square * work;
+    double x = 1;
+    if (root >= 0 && k.square > 0) {
+        const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square, near = far != 0 ? -work / k.square / far : 1;
+        const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
+        if (std::abs(exact - 1) < 0.5) x = exact;
+    }
+    for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
+}
+
+/// What a bond still held when it was let go springs back at once, along its own forces and so that the two bars part. They
+/// are in balance, so momentum is kept; so is the energy.
+double Dynamics::give_back(const contact::LetGo& bond) {
+    std::vector<Vec6>& impulse = nodal_;
+    for (Vec6& n : impulse) n.setZero();
+    const auto arm = [&](int i) { return Vec3(trial_.rotation[bond.end[i].node] * bond.end[i].arm); };
+    for (int i = 0; i < 4; ++i) {
+        impulse[bond.end[i].node].head<3>() -= bond.force[i];
+        impulse[bond.end[i].node].tail<3>() -= arm(i).cross(bond.force[i]);
+    }
+    const Kick k = kick(impulse);
+    if (!(k.square > 0) || !(bond.energy > 0)) return 0;
+    double opening = 0;
+    for (int i = 0; i < 4; ++i) {
+        const Vec6& v = change_[bond.end[i].node];
+        opening += bond.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
+    }
+    // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself. The force goes,
+    // and so does its part of that: M a+ = M a- + f.
+    double power = 2 * k.square;
+    for (std::size_t i = 0; i < impulse.size(); ++i) power -= 2 * impulse[i].dot(trial_.acceleration[i]);
+    const double held_back = -0.5 * (settings_.beta - 0.25) * settings_.dt * settings_.dt * power;
+    const double energy = std::max(0.0, bond.energy + held_back);
+    const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
+    const double x = (-k.linear + std::copysign(root, opening)) / (2 * k.square);
+    for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
+    return bond.energy;
+}
+
+void Dynamics::place_contact(const std::vector<Vec3>& displacement) {
+    contact_position_.resize(displacement.size());
+    for (std::size_t i = 0; i < displacement.size(); ++i) contact_position_[i] = structure_->position()[i] + displacement[i];
+}
+
+void Dynamics::note_contacts() {
     for (const contact::ContactEvent& event : state_.contact->events())
         for (int e : event.element) state_.touched[e] = 1;
     state_.contact->clear_events();
-    const bool let_go = state_.contact->counts().released != released, changed = bound > 0 || let_go;
-    restart_ |= let_go;
-    if (changed || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings();
 }
 
-void Dynamics::renew_couplings() {
+/// Tangents of what is bound or touches where contact_position_ and `rotation` have the nodes.
+void Dynamics::renew_couplings(const std::vector<Quat>& rotation) {
     std::vector<Operator::Coupling> couplings;
-    for (std::size_t i = 0; i < contact_position_.size(); ++i) contact_position_[i] = structure_->position()[i] + state_.displacement[i];
-    state_.contact->add_stiffness(contact_position_, state_.rotation, [&](int a, int b, const Mat12& K) { couplings.push_back({a, b, K}); });
+    state_.contact->add_stiffness(contact_position_, rotation, [&](int a, int b, const Mat12& K) { couplings.push_back({a, b, K}); });
     operator_.set_couplings(std::move(couplings));
 }
 

@@ -53,7 +53,7 @@ Energy Ledger::balance(const State& state) const {
     if (state.contact) {
         std::vector<Vec3> x(structure_.position());
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += state.displacement[i];
-        contact::GapContact bonds = *state.contact;
+        contact::Contact bonds = *state.contact;
         std::vector<Vec6> unused(x.size(), Vec6::Zero());
         bonds.add_internal_forces(x, state.rotation, unused);
         e.contact_stored = bonds.stored_energy();

@@ -13,7 +13,7 @@ struct Energy {
     double elastic = 0;
     double plastic = 0;   ///< dissipated in hinges since the start of the run
     double fracture = 0;  ///< let go by fracture: strain energy, and kinetic energy of stubs
-    double contact = 0;   ///< stored in bonds now, and let go with them
+    double contact = 0;   ///< stored in bonds and touches now; let go with bonds, heat of friction
     double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
     double work = 0;      ///< done by loads (not gravity)
     double remainder = 0;

@@ -25,7 +25,7 @@ struct Booked {
     double plastic = 0;           ///< dissipated in hinges
     double fracture_elastic = 0;  ///< strain energy let go by broken elements
     double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
-    double contact_released = 0;  ///< let go with bonds
+    double contact_released = 0;  ///< let go with bonds, heat of friction
     double damping = 0;
 };
 
@@ -45,7 +45,7 @@ struct State {
     std::vector<double> plastic_work;   ///< J
     std::vector<std::uint8_t> hinge;    ///< HingeBits: flowing in the last step
     std::vector<std::uint8_t> yielded;  ///< HingeBits: has ever flowed
-    std::vector<std::uint8_t> touched;  ///< 1: has been bound in contact
+    std::vector<std::uint8_t> touched;  ///< 1: has been in contact
     std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
     std::vector<Vec3> stub;             ///< of broken elements: from the node that carries it to its free end, in that node's frame, m; empty until something breaks
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
@@ -54,7 +54,7 @@ struct State {
     long step = 0;
     double factor = 1;                  ///< load factor reached in statics
     Booked booked;
-    std::optional<contact::GapContact> contact;
+    std::optional<contact::Contact> contact;
 
     /// Calls f(name, array) for each array, in a fixed order.
     template <class Self, class F>

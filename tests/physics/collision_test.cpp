@@ -1,4 +1,5 @@
-// Two beams that collide (paper 3.3, figs 13-15), bound by the paper's gap elements: momenta, and the ledger over time.
+// Two beams that collide (paper 3.3, figs 13-15), by the paper's gap elements and by their surfaces: momenta, and the ledger
+// over time.
 #include "helpers.h"
 #include "sim/breaking.h"
 
@@ -11,9 +12,8 @@ namespace {
 /// crossing is `along_a` m from a's middle and `along_b` m from b's.
 struct Pair {
     std::shared_ptr<const Structure> structure;
-    Pair(bool clamped, double angle, double along_a, double along_b, double speed) {
+    Pair(ContactRule rule, bool clamped, double angle, double along_a, double along_b, double speed) {
         Frame frame;
-        ContactRule rule;
         frame.model->set_contact(rule);
         const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0), middle = Vec3(along_a, 0, 0.25) - along_b * d;
         const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d), b2 = frame.node(middle + 0.5 * d);
@@ -34,38 +34,150 @@ DynamicSettings settings(double dt, double duration, double beta, double toleran
     return s;
 }
 
+ContactRule gap() { return {}; }
+ContactRule letting_go() {
+    ContactRule rule;
+    rule.settings.hold_until_parting = false;
+    return rule;
+}
+ContactRule surface(double friction = 0) {
+    ContactRule rule;
+    rule.settings.rule = contact::ContactRuleKind::surface;
+    rule.settings.friction = friction;
+    return rule;
+}
+
+/// Angle, and how far off the middles of a and b they cross.
+constexpr double crossings[][3] = {{90, 0, 0}, {70, 0, 0}, {45, 0, 0}, {20, 0, 0}, {90, 0.13, 0.07}, {70, 0.2, 0.2}, {45, 0.3, -0.1}, {20, -0.2, 0.1}, {90, 0.25, 0.25}};
+
+struct Outcome { double worst = 0, let_go = 0, end = 0; long bound = 0; };   // parts of the initial energy
+Outcome collide(ContactRule rule, const double (&c)[3], double speed, double dt, double beta) {
+    const Pair pair(rule, true, c[0], c[1], c[2], speed);
+    Dynamics run(pair.structure, initial_state(*pair.structure), settings(dt, 0.03, beta));
+    Outcome out;
+    while (run.advance()) {
+        if (run.steps_done() % 10) continue;
+        const Energy e = run.energy();
+        out.worst = std::max(out.worst, std::abs(e.remainder) / e.initial);
+    }
+    CHECK(run.verdict() == Verdict::completed);
+    const Energy e = run.energy();
+    out.let_go = e.contact_released / e.initial;
+    out.end = (e.kinetic + e.elastic + e.contact_stored) / e.initial;
+    out.bound = run.state().contact->counts().bound;
+    return out;
+}
+
+std::string label(const char* what, const double (&c)[3]) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%s, %g degrees, %g and %g m off", what, c[0], c[1], c[2]);
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("collision: two free beams keep linear momentum to 1e-9 and angular momentum to 1e-6", "[collision]") {
-    const Pair pair(false, 70, 0.13, 0.07, 50);
-    Dynamics run(pair.structure, initial_state(*pair.structure), settings(1e-6, 0.012, 0.25, 1e-10));
-    const Momentum before = momentum(*pair.structure, run.state());
-    while (run.advance()) {}
-    const Momentum after = momentum(*pair.structure, run.state());
-    CHECK(run.state().contact->counts().bound > 0);
-    CHECK_FIGURE("linear momentum", (after.linear - before.linear).norm() / before.linear.norm(), 1e-9);
-    CHECK_FIGURE("angular momentum", (after.angular - before.angular).norm() / before.angular.norm(), 1e-6);
+    const std::pair<const char*, ContactRule> rules[] = {{"gap", gap()}, {"surface", surface()}, {"surface with friction", surface(0.3)}};
+    for (const auto& [what, rule] : rules) {
+        const Pair pair(rule, false, 70, 0.13, 0.07, 50);
+        Dynamics run(pair.structure, initial_state(*pair.structure), settings(1e-6, 0.012, 0.25, 1e-10));
+        const Momentum before = momentum(*pair.structure, run.state());
+        while (run.advance()) {}
+        const Momentum after = momentum(*pair.structure, run.state());
+        CHECK(run.state().contact->counts().bound > 0);
+        CHECK_FIGURE(std::string("linear momentum, ") + what, (after.linear - before.linear).norm() / before.linear.norm(), 1e-9);
+        CHECK_FIGURE(std::string("angular momentum, ") + what, (after.angular - before.angular).norm() / before.angular.norm(), 1e-6);
+    }
 }
 
-TEST_CASE("collision: contact is found at every angle and offset, and the ledger closes within 1 % of the initial energy", "[collision]") {
-    const double cases[][3] = {{90, 0, 0}, {70, 0, 0}, {45, 0, 0}, {20, 0, 0}, {90, 0.13, 0.07}, {70, 0.2, 0.2}, {45, 0.3, -0.1}, {20, -0.2, 0.1}, {90, 0.25, 0.25}};
-    for (const auto& c : cases) {
-        const Pair pair(true, c[0], c[1], c[2], 50);
-        Dynamics run(pair.structure, initial_state(*pair.structure), settings(1e-5, 0.03, 0.4));
-        double worst = 0, let_go = 0;
-        bool never_less = true;
-        while (run.advance()) {
-            if (run.steps_done() % 10) continue;
-            const Energy e = run.energy();
-            worst = std::max(worst, std::abs(e.remainder) / e.initial);
-            never_less &= e.contact_released >= let_go;
-            let_go = e.contact_released;
-        }
-        char what[96];
-        std::snprintf(what, sizeof what, "remainder, %g degrees, %g and %g m off (let go: %.1f %%)", c[0], c[1], c[2], 100 * let_go / run.energy().initial);
-        CHECK(run.verdict() == Verdict::completed);
-        CHECK(run.state().contact->counts().bound > 0);
-        CHECK(never_less);
-        CHECK_FIGURE(what, worst, 1e-2);
+TEST_CASE("collision, gap: found at every angle and offset, 1 % of the energy unaccounted for at most, 2 % let go", "[collision]") {
+    for (const auto& c : crossings) {
+        const Outcome o = collide(gap(), c, 50, 1e-5, 0.4);
+        CHECK(o.bound > 0);
+        CHECK_FIGURE(label("gap: remainder", c), o.worst, 1e-2);
+        CHECK_FIGURE(label("gap: let go", c), std::abs(o.let_go), 2e-2);
     }
+}
+
+TEST_CASE("collision, gap: cut at the binding time as the paper has it, much of the energy is gone", "[collision]") {
+    const Outcome o = collide(letting_go(), crossings[0], 50, 1e-5, 0.4);
+    CHECK(o.let_go > 0.1);
+    CHECK(o.worst < 1e-2);
+}
+
+TEST_CASE("collision, surface: found at every angle, offset and speed, 0.5 % unaccounted for at most, nothing let go", "[collision]") {
+    for (const auto& c : crossings)
+        for (double speed : {10.0, 50.0, 100.0}) {
+            const Outcome o = collide(surface(), c, speed, 1e-5, 0.4);
+            CHECK(o.bound > 0);
+            CHECK(o.let_go == 0);
+            CHECK_FIGURE(label("surface: remainder", c) + ", " + std::to_string(int(speed)) + " m/s", o.worst, 5e-3);
+        }
+}
+
+TEST_CASE("collision, surface: the remainder falls with the square of the step", "[collision]") {
+    const Outcome coarse = collide(surface(), crossings[0], 50, 1e-5, 0.4), fine = collide(surface(), crossings[0], 50, 2.5e-6, 0.4);
+    CHECK_FIGURE("surface: remainder of a quarter of the step, of the remainder", fine.worst / coarse.worst, 1.0 / 8);
+    CHECK_FIGURE("surface: remainder with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 1e-4);
+}
+
+TEST_CASE("collision, surface: friction turns motion into heat that the ledger has", "[collision]") {
+    for (const auto& c : crossings) {
+        const Outcome o = collide(surface(0.3), c, 50, 1e-5, 0.4);
+        CHECK(o.let_go > -1e-4);
+        CHECK_FIGURE(label("friction: remainder", c), o.worst, 5e-3);
+    }
+    CHECK(collide(surface(0.3), crossings[6], 50, 1e-5, 0.4).let_go > 0.05);
+}
+
+TEST_CASE("collision, surface: a bar that slides over two rails rolls in the end, at 3/5 of its speed", "[collision]") {
+    // a square of side b has the inertia m b^2/6 about its axis; friction acts at b/2: v = v0 / (1 + (b^2/6) / (b/2)^2)
+    Frame frame;
+    frame.model->set_contact(surface(0.3));
+    frame.model->set_gravity({0, 0, -9.80665});
+    for (double y : {-0.3, 0.3}) {
+        const int a = frame.foot(-0.1, y, 0), b = frame.foot(0.6, y, 0);
+        frame.member(a, b);
+    }
+    const int left = frame.node(0, -0.5, 0.0501), right = frame.node(0, 0.5, 0.0501);
+    frame.member(left, right);
+    for (int n : {left, right}) frame.model->set_velocity(n, {1, 0, 0}, Vec3::Zero());
+    const auto structure = frame.build();
+    Dynamics run(structure, initial_state(*structure), settings(2e-5, 0.25, 0.25));
+    const double start = run.energy().kinetic;
+    while (run.advance()) {}
+    REQUIRE(run.verdict() == Verdict::completed);
+    const double speed = momentum(*structure, run.state()).linear.x() / (0.0025 * 7850);
+    CHECK_FIGURE("speed of rolling", off(speed, 0.6), 1e-2);
+    CHECK_FIGURE("heat of sliding", off(run.energy().contact_released, 0.4 * start), 2e-2);
+    CHECK_FIGURE("remainder", std::abs(run.energy().remainder) / start, 5e-3);
+}
+
+TEST_CASE("collision, surface: a touch goes on with the stub when its element breaks", "[collision]") {
+    Frame frame;
+    frame.model->set_contact(surface());
+    FractureRule rule;
+    rule.curvature_x = rule.curvature_y = 0.03;
+    frame.model->add_fracture(rule);
+    const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.1), b2 = frame.node(0.1, 0.5, 0.1);
+    frame.member(a1, a2);
+    frame.member(b1, b2);
+    for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -50}, Vec3::Zero());
+    const auto structure = frame.build();
+    Dynamics run(structure, initial_state(*structure), settings(1e-5, 0.01, 0.25));
+    bool touching_at_break = false;
+    double worst = 0;
+    long broken = 0;
+    while (run.advance()) {
+        const long now = run.count_members(-1).broken;
+        const Energy e = run.energy();
+        if (now > broken && e.contact_stored > 1e-3 * e.initial) touching_at_break = true;
+        broken = now;
+        worst = std::max(worst, std::abs(e.remainder) / e.initial);
+    }
+    CHECK(broken > 0);
+    CHECK(touching_at_break);
+    CHECK(run.verdict() == Verdict::completed);
+    CHECK(run.energy().contact_released == 0);
+    CHECK_FIGURE("remainder through breaks under contact", worst, 5e-3);
 }

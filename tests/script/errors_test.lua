@@ -165,8 +165,11 @@ wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m", fu
 wrong("model:fracture: unknown field 'curvature' (did you mean 'curvature_x'?); it takes ...", function(s) s.model:fracture { curvature = 0.4 } end)
 wrong("model:fracture: field 'group': no group 'legs'; the model has 'arms'", function(s) s.model:fracture { axial_strain = 0.3, group = "legs" } end)
 wrong("model:fracture: takes a table of limits or a function, got 0.4", function(s) s.model:fracture(0.4) end)
-wrong("model:contact: field 'rule' is 'gaps'; must be one of 'gap'... (did you mean 'gap'?)", function(s) s.model:contact { rule = "gaps" } end)
-wrong("model:contact: field 'binding_time' is -1 s; must be above 0 s", function(s) s.model:contact { binding_time = -1 } end)
+wrong("model:contact: field 'rule' is 'gaps'; must be one of 'surface', 'gap'... (did you mean 'gap'?)", function(s) s.model:contact { rule = "gaps" } end)
+wrong("model:contact: field 'binding_time' is -1 s; must be above 0 s", function(s) s.model:contact { rule = "gap", binding_time = -1 } end)
+wrong("model:contact: field 'friction' is -0.1; must be 0 or above", function(s) s.model:contact { friction = -0.1 } end)
+wrong("model:contact: field 'friction' is given; belongs to rule 'surface'; rule is 'gap'", function(s) s.model:contact { rule = "gap", friction = 0.3 } end)
+wrong("model:contact: field 'binding_time' is given; belongs to rule 'gap'; rule is 'surface', the default", function(s) s.model:contact { binding_time = 1e-3 } end)
 wrong("model:contact: unknown field 'bindingtime' (did you mean 'binding_time'?); it takes ...", function(s) s.model:contact { bindingtime = 1 } end)
 wrong("model:contact: field 'groups', item 1: no group 'legs'; the model has 'arms'", function(s) s.model:contact { groups = { "legs" } } end)
 

@@ -57,7 +57,7 @@ double searched_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const V
     return std::min({to_b(0), to_b(1), to_b(0.5 * (low + high))});
 }
 
-/// A structure of bars for GapContact: nodes, their motion, and a step that just moves them.
+/// A structure of bars for Contact: nodes, their motion, and a step that just moves them.
 struct Scene {
     std::vector<Vec3> x;
     std::vector<Quat> q;
@@ -98,7 +98,7 @@ struct Scene {
             q[i] = turned(dt * v[i].tail<3>(), q[i]).normalized();
         }
     }
-    std::vector<Vec6> forces(GapContact& contact) const {
+    std::vector<Vec6> forces(Contact& contact) const {
         std::vector<Vec6> f(x.size(), Vec6::Zero());
         contact.add_internal_forces(x, q, f);
         return f;
@@ -494,9 +494,9 @@ TEST_CASE("contact: to the letter, a step that jumps over the window misses", "[
     // |f| changes by l1 l2 v dt = 0.25 m^2 * 0.5 mm a step; the window is 2 * 1.2 mm wide at 50 m/s, and 0.5 m/s steps land in it.
     const auto steps_to_bind = [](double speed, double dt, bool letter) {
         Scene s = crossing(speed, 0.25);
-        GapSettings settings;
+        ContactSettings settings;
         settings.letter = letter;
-        GapContact contact(settings);
+        Contact contact(settings);
         for (int i = 0; i * speed * dt < 0.5; ++i) {
             if (contact.detect(s.bars, false, s.motion(), dt, i * dt) > 0) return i;
             s.move(dt);
@@ -656,7 +656,7 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
         if (stub) {
             // The end keeps its place; node 1, or node 3, is left alone.
             const int from = seed < 14 ? 1 : 3, to = from - 1;
-            BondEnd& end = b.bond.end[from];
+            End& end = b.bond.end[from];
             end.arm = b.q[to].conjugate() * (b.x[from] + b.q[from] * end.arm - b.x[to]);
             end.node = to;
         }
@@ -696,7 +696,7 @@ TEST_CASE("contact: members crossing at their mid nodes bind up to four element 
         Scene s = crossing(50, 2e-4, angle * pi / 180);
         // First seen apart, else they would count as joined.
         for (int n = 3; n < 6; ++n) s.x[n].z() += 0.1;
-        GapContact contact{GapSettings()};
+        Contact contact{ContactSettings()};
         CHECK(contact.detect(s.bars, false, s.motion(), 1e-6, 0) == 0);
         for (int n = 3; n < 6; ++n) s.x[n].z() -= 0.1;
         // Halves that point away from each other by more than 106 degrees are too long for eq 18: two of the four at 45 degrees.
@@ -730,7 +730,7 @@ TEST_CASE("contact: detect finds fast crossings at any speed, step and angle", "
                 const double rad = angle * pi / 180, along_a = dice(-0.45, 0.45), along_b = dice(-0.45, 0.45);
                 const Vec3 offset(along_a - along_b * std::cos(rad), -along_b * std::sin(rad), 0);
                 Scene s = crossing(speed, 0.25 + dice(0, 1) * speed * dt, rad, offset);
-                GapContact contact{GapSettings()};
+                Contact contact{ContactSettings()};
                 int bound = 0;
                 for (int i = 0; bound == 0 && s.x[3].z() > -0.1; ++i) {
                     bound = contact.detect(s.bars, false, s.motion(), dt, i * dt);
@@ -744,7 +744,7 @@ TEST_CASE("contact: detect finds fast crossings at any speed, step and angle", "
 TEST_CASE("contact: bars that part or stay are left alone", "[contact]") {
     for (double speed : {-50.0, 0.0}) {
         Scene s = crossing(speed, 0.06);
-        GapContact contact{GapSettings()};
+        Contact contact{ContactSettings()};
         for (int i = 0; i < 20; ++i) {
             CHECK(contact.detect(s.bars, false, s.motion(), 1e-4, i * 1e-4) == 0);
             s.move(1e-4);
@@ -759,7 +759,7 @@ TEST_CASE("contact: bars that share a node or are joined when first seen never b
     s.bar(a, b);
     s.bar(c, d);
     s.bar(b, e);
-    GapContact contact{GapSettings()};
+    Contact contact{ContactSettings()};
     double time = 0;
     const auto step = [&](const Vec3& velocity, int steps) {
         int bound = 0;
@@ -782,9 +782,9 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
     const int n0 = s.node({0, 0, 0}), n1 = s.node({1, 0, 0}), n2 = s.node({2, 0, 0});
     s.bar(n0, n1);
     s.bar(n1, n2);
-    GapSettings settings;
+    ContactSettings settings;
     settings.reach = infinite;
-    GapContact contact(settings);
+    Contact contact(settings);
     contact.detect(s.bars, false, s.motion(), 1e-4, 0);
     s.bars[0].end[1] = {n0, Vec3(1, 0, 0)};
     s.v[n0].head<3>() = Vec3(1, 0, 0);
@@ -813,7 +813,7 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
     // A swarm of bars with changing velocities. The reference looks at every pair in every step, with nothing kept but the side.
     for (bool letter : {false, true}) {
         Dice dice(letter ? 9 : 10);
-        GapSettings settings;
+        ContactSettings settings;
         settings.letter = letter;
         settings.flatness = letter ? 3e-3 : 3e-4;
         settings.binding_time = 1e9;
@@ -822,7 +822,7 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
             const Vec3 at = dice.vector(1.2), d = dice(0.4, 1) * dice.direction();
             s.bar(s.node(at), s.node(at + d), dice(0.02, 0.05));
         }
-        GapContact contact(settings);
+        Contact contact(settings);
         std::map<std::pair<int, int>, Vec3> side;
         std::map<std::pair<int, int>, int> state;  // 0 unseen, 1 free, 2 joined, 3 bound
         const double dt = 1e-4;
@@ -877,7 +877,7 @@ TEST_CASE("contact: the order of the bars does not matter", "[contact]") {
     Scene shuffled = s;
     std::reverse(shuffled.bars.begin(), shuffled.bars.end());
     std::swap(shuffled.bars[0], shuffled.bars[2]);
-    GapContact one{GapSettings()}, two{GapSettings()};
+    Contact one{ContactSettings()}, two{ContactSettings()};
     for (int i = 0; i < 300; ++i) {
         CHECK(one.detect(s.bars, false, s.motion(), 1e-5, i * 1e-5) == two.detect(shuffled.bars, false, shuffled.motion(), 1e-5, i * 1e-5));
         s.move(1e-5);
@@ -894,7 +894,7 @@ TEST_CASE("contact: the order of the bars does not matter", "[contact]") {
 
 TEST_CASE("contact: nothing near, next to nothing done", "[contact]") {
     Scene s = crossing(10, 5.0);
-    GapContact contact{GapSettings()};
+    Contact contact{ContactSettings()};
     for (int i = 0; i < 10000; ++i) {
         contact.detect(s.bars, false, s.motion(), 1e-5, i * 1e-5);
         s.move(1e-5);
@@ -915,10 +915,10 @@ TEST_CASE("contact: nothing near, next to nothing done", "[contact]") {
 
 TEST_CASE("contact: to the letter without eq 18, every flat pair that approaches", "[contact]") {
     Scene s = crossing(50, 1.0);
-    GapSettings settings;
+    ContactSettings settings;
     settings.letter = true;
     settings.reach = infinite;
-    GapContact contact(settings);
+    Contact contact(settings);
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 0);
     for (int n = 3; n < 6; ++n) s.x[n].z() = 1e-3;
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
@@ -931,9 +931,9 @@ namespace {
 /// A pair of crossing bars bound at time 0, and what a test wants to do with it.
 struct Held {
     Scene s;
-    GapContact contact;
+    Contact contact;
 
-    explicit Held(GapSettings settings = GapSettings()) : s(crossing(50, 0.06)), contact(settings) {
+    explicit Held(ContactSettings settings = ContactSettings()) : s(crossing(50, 0.06)), contact(settings) {
         contact.detect(s.bars, false, s.motion(), 1e-6, -1);
         for (int n = 3; n < 6; ++n) s.x[n].z() = 2e-4;
         REQUIRE(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
@@ -949,7 +949,7 @@ struct Held {
 }  // namespace
 
 TEST_CASE("contact: cut at the binding time, whatever the bond carries", "[contact]") {
-    GapSettings settings;
+    ContactSettings settings;
     settings.hold_until_parting = false;
     Held held(settings);
     CHECK(held.at(0.3e-3, -1e-3) == 0);
@@ -1008,7 +1008,7 @@ TEST_CASE("contact: held until the bars part and the energy is low", "[contact]"
 }
 
 TEST_CASE("contact: after a release a pair binds again only when it approaches, seen from the side it came from", "[contact]") {
-    GapSettings settings;
+    ContactSettings settings;
     settings.hold_until_parting = false;
     for (double z : {-2e-3, 2e-4}) {  // let go after it has passed through a little, or not
         Held held(settings);
@@ -1029,12 +1029,12 @@ TEST_CASE("contact: after a release a pair binds again only when it approaches, 
 TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "[contact]") {
     // Each node of the falling member is a mass; the lower member does not move. Small explicit steps: nothing but the bond.
     for (bool hold : {true, false}) {
-        GapSettings settings;
+        ContactSettings settings;
         settings.hold_until_parting = hold;
         Scene s;
         s.member({-0.5, 0, 0}, {0.5, 0, 0}, 1);
         s.member({-0.1, -0.6, 0.06}, {0.2, 0.4, 0.06}, 1, {0, 0, -20});
-        GapContact contact(settings);
+        Contact contact(settings);
         const double dt = 2e-6, mass = 5, inertia = 0.05;
         double let_go = 0, worst = 0, lowest = 1;
         const double begin = 2 * 0.5 * mass * 400;
@@ -1083,7 +1083,7 @@ TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact
 // -------------------------------------------------------------------------------------------------------------- snapshots
 
 TEST_CASE("contact: a copy and a saved record continue with the same bits", "[contact]") {
-    const auto run = [](Scene& s, GapContact& contact, int from, int to) {
+    const auto run = [](Scene& s, Contact& contact, int from, int to) {
         for (int i = from; i < to; ++i) {
             contact.detect(s.bars, i == 0, s.motion(), 1e-5, i * 1e-5);
             const std::vector<Vec6> f = s.forces(contact);
@@ -1097,11 +1097,11 @@ TEST_CASE("contact: a copy and a saved record continue with the same bits", "[co
         }
     };
     Scene s = crossing(80, 0.1, 0.8, {0.1, 0.05, 0});
-    GapContact contact{GapSettings()};
+    Contact contact{ContactSettings()};
     run(s, contact, 0, 150);
     REQUIRE_FALSE(contact.idle());
     Scene s2 = s, s3 = s;
-    GapContact copy = contact, read{GapSettings()};
+    Contact copy = contact, read{ContactSettings()};
     std::vector<char> bytes(3, 'x');
     contact.save(bytes);
     CHECK(read.restore(bytes.data() + 3, bytes.size() - 3) == bytes.size() - 3);

@@ -1,0 +1,19 @@
+// Where a bar ends: a point that belongs rigidly to a node.
+#pragma once
+
+#include <functional>
+
+#include "core/types.h"
+
+namespace hinge::contact {
+
+/// `arm` is zero for a real node; a broken element's stub ends in a virtual node, whose arm turns with the node it hangs on.
+struct End {
+    int node = -1;
+    Vec3 arm = Vec3::Zero();  ///< m, in the node's own frame: the point is position + rotation * arm
+};
+
+/// Adds a 12x12 stiffness between two different nodes (rows and columns: translation and rotation of node a, then of node b).
+using AddStiffness = std::function<void(int node_a, int node_b, const Mat12&)>;
+
+}  // namespace hinge::contact

@@ -1,0 +1,177 @@
+// Touches (rule `surface`): forces against the derivative of their energy, balance, tangent, friction, what a step misses.
+#include <algorithm>
+
+#include "contact/touch.h"
+#include "helpers.h"
+
+using namespace hinge;
+using namespace hinge::contact;
+using namespace hinge::test;
+
+namespace {
+
+/// Two bars that press on each other, in a position of the kind asked for; one may be a stub that hangs on one node.
+struct Pressed {
+    std::vector<Vec3> x;
+    std::vector<Quat> q;
+    Touch touch;
+
+    Pressed(Dice& dice, Nearness kind, bool stub, double friction = 0) {
+        const Quat all = dice.turn();
+        const double angle = kind == Nearness::crossing ? dice(0.3, 1.2) : dice(0.7, 1.2), at = kind == Nearness::crossing ? 0.2 : 1.0;
+        const Vec3 along(std::cos(angle), std::sin(angle), dice(-0.05, 0.05)), middle(0.1, 0, 0.045);
+        const Vec3 b1 = kind == Nearness::crossing ? Vec3(middle - at * along) : Vec3(middle + 0.01 * along);
+        const Vec3 place[4] = {{-0.5, 0, 0}, {0.6, 0.02, 0}, b1, middle + 0.8 * along};
+        for (int i = 0; i < 4; ++i) {
+            x.push_back(all * place[i]);
+            q.push_back(dice.turn());
+            touch.end[i].node = i;
+        }
+        if (stub) {  // b hangs on node 2; node 3 is left alone
+            touch.end[3] = {2, q[2].conjugate() * (x[3] - x[2])};
+            x[3] += dice.vector(1);
+        }
+        touch.radius[0] = 0.03;
+        touch.radius[1] = 0.02;
+        touch.stiffness = 1e6;
+        touch.friction = friction;
+        touch.side_before = (all * Vec3(0.1, -0.2, 1)).normalized();
+        look();
+    }
+    void look() { contact::look(touch, x, q); }
+    std::vector<Vec6> forces() {
+        look();
+        std::vector<Vec6> f(4, Vec6::Zero());
+        add_touch_forces(touch, q, f);
+        return f;
+    }
+    Pressed nudged(int n, int c, double h) const {
+        Pressed out = *this;
+        if (c < 3) out.x[n][c] += h;
+        else out.q[n] = exponential(h * Vec3::Unit(c - 3)) * out.q[n];
+        out.look();
+        return out;
+    }
+};
+
+constexpr Nearness kinds[] = {Nearness::crossing, Nearness::end_on_side};
+
+}  // namespace
+
+TEST_CASE("touch: forces are the derivative of the energy", "[touch]") {
+    Dice dice(1);
+    for (int i = 0; i < 12; ++i) {
+        Pressed p(dice, kinds[i % 2], i % 3 == 0);
+        const std::vector<Vec6> f = p.forces();
+        REQUIRE(p.touch.overlap > 0);
+        const double scale = p.touch.stiffness * p.touch.overlap, h = 1e-7;
+        double worst = 0;
+        for (int n = 0; n < 4; ++n)
+            for (int c = 0; c < 6; ++c) {
+                const double slope = (p.nudged(n, c, h).touch.energy - p.nudged(n, c, -h).touch.energy) / (2 * h);
+                worst = std::max(worst, std::abs(slope - f[n][c]) / scale);
+            }
+        CHECK_FIGURE("force against the energy's slope", worst, 1e-5);
+    }
+}
+
+TEST_CASE("touch: forces and moments balance, with and without friction", "[touch]") {
+    Dice dice(2);
+    for (int i = 0; i < 24; ++i) {
+        Pressed p(dice, kinds[i % 2], i % 3 == 0, i % 4 < 2 ? 0.0 : i % 4 == 2 ? 0.01 : 10.0);
+        settle(p.touch, p.x, p.q);
+        for (int n = 0; n < 4; ++n) p.x[n] += dice.vector(1e-3), p.q[n] = exponential(dice.vector(0.02)) * p.q[n];
+        const std::vector<Vec6> f = p.forces();
+        if (p.touch.friction > 0) REQUIRE(p.touch.slip.norm() > 0);
+        if (p.touch.friction > 0) CHECK(p.touch.slides == (p.touch.friction < 1));
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        for (int n = 0; n < 4; ++n) {
+            force += f[n].head<3>();
+            moment += f[n].tail<3>() + p.x[n].cross(f[n].head<3>());
+        }
+        const double scale = p.touch.stiffness * p.touch.overlap;
+        CHECK_FIGURE("sum of forces", force.norm() / scale, 1e-13);
+        CHECK_FIGURE("sum of moments", moment.norm() / scale, 1e-13);
+    }
+}
+
+TEST_CASE("touch: the tangent is what the force's derivative is without the turning of n", "[touch]") {
+    Dice dice(3);
+    for (int i = 0; i < 12; ++i) {
+        const bool sticks = i % 2;
+        Pressed p(dice, kinds[i / 2 % 2], i % 3 == 0, sticks ? 10.0 : 0.0);
+        // all but no overlap: n turns by g / (h_a + h_b) of what it is left out for
+        const Vec3 lift = (p.touch.overlap - 1e-7) * p.touch.side;
+        for (int n : {2, 3}) p.x[n] += lift;
+        p.look();
+        settle(p.touch, p.x, p.q);
+        Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
+        add_touch_stiffness(p.touch, p.q, [&](int a, int b, const Mat12& m) {
+            CHECK(a != b);
+            CHECK((m - m.transpose()).cwiseAbs().maxCoeff() == 0);
+            const int node[2] = {a, b};
+            for (int r = 0; r < 2; ++r)
+                for (int c = 0; c < 2; ++c) k.block<6, 6>(6 * node[r], 6 * node[c]) += m.block<6, 6>(6 * r, 6 * c);
+        });
+        const double h = 1e-9;
+        for (int n = 0; n < 4; ++n)
+            for (int c = 0; c < 6; ++c) {
+                const std::vector<Vec6> up = p.nudged(n, c, h).forces(), down = p.nudged(n, c, -h).forces();
+                for (int r = 0; r < 4; ++r) d.block<6, 1>(6 * r, 6 * n + c) = (up[r] - down[r]) / (2 * h);
+            }
+        CHECK_FIGURE("tangent", (k - d).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff(), 1e-4);
+    }
+}
+
+TEST_CASE("touch: bars whose axes have passed each other are pushed back to their sides", "[touch]") {
+    Dice dice(4);
+    Pressed p(dice, Nearness::crossing, false);
+    settle(p.touch, p.x, p.q);
+    const Vec3 side = p.touch.side;
+    double last = p.touch.overlap;
+    for (int i = 0; i < 30; ++i) {
+        for (int n : {2, 3}) p.x[n] -= 3e-3 * side;
+        const std::vector<Vec6> f = p.forces();
+        CHECK(p.touch.overlap == Approx(last + 3e-3));
+        CHECK((f[2] + f[3]).head<3>().dot(side) < 0);  // what resists; it pushes b along the side
+        last = p.touch.overlap;
+        settle(p.touch, p.x, p.q);
+    }
+    CHECK(last > p.touch.radius[0] + p.touch.radius[1]);
+}
+
+TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back", "[touch]") {
+    // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it does not
+    const double m = 2, k = 1e6, v0 = 3, dt = 0.4 / std::sqrt(k / m);
+    const auto bounce = [&](double start, bool mend) {
+        double x = start, v = -v0, f = 0;  // overlap g = -x
+        for (int step = 0; step < 40; ++step) {
+            // average acceleration, linear in the new force
+            const bool press = x + dt * v < 0;
+            const double to = press ? (x + dt * v + 0.25 * dt * dt / m * f) / (1 + 0.25 * dt * dt * k / m) : x + dt * v + 0.25 * dt * dt / m * f;
+            const double force = press ? -k * to : 0;
+            v += 0.5 * dt / m * (f + force);
+            Touch touch;
+            touch.stiffness = k;
+            touch.overlap_before = -x;
+            touch.overlap = -to;
+            touch.side = Vec3::UnitZ();
+            for (int i = 0; i < 4; ++i) touch.end[i].node = i;
+            std::vector<Vec6> impulse(4, Vec6::Zero());
+            std::vector<Quat> q(4, Quat::Identity());
+            missed_impulse(touch, dt, q, impulse);
+            if (mend) v += (impulse[2] + impulse[3])[2] / m;
+            x = to;
+            f = force;
+        }
+        return v;
+    };
+    double worst = 0, worst_without = 0;
+    for (int i = 0; i < 20; ++i) {
+        const double start = 5e-3 + v0 * dt * i / 20;
+        worst = std::max(worst, off(bounce(start, true), v0));
+        worst_without = std::max(worst_without, off(bounce(start, false), v0));
+    }
+    CHECK_FIGURE("speed after a bounce", worst, 3e-3);
+    CHECK(worst_without > 5 * worst);
+}
