@@ -69,6 +69,20 @@ function Job:picture(run, view, filename)
   try(self, filename, core.write_picture, run:still(), view, picture_path("job:picture", self, filename))
 end
 
+--- Draws stills side by side into one PNG picture: { { run or still, view }, ... }, `columns` in a row.
+function Job:strip(stills, columns, filename)
+  check.value("job:strip", "stills", stills, { "table" })
+  check.value("job:strip", "columns", columns, { "number", whole = true, above = 0 })
+  local pictures, views = {}, {}
+  for i, item in ipairs(stills) do
+    must_be_run("job:strip", item[1])
+    pictures[i] = item[1].still and item[1]:still() or item[1]
+    views[i] = check.options("job:strip", item[2], view_rules)
+  end
+  if #pictures == 0 then check.fail("job:strip: stills is empty; must be { { run:still(), view }, ... }") end
+  try(self, filename, core.write_strip, pictures, views, columns, picture_path("job:strip", self, filename))
+end
+
 --- Draws curves into a PNG picture in the output folder.
 function Job:plot(plot, filename)
   plot = check.options("job:plot", plot, plot_rules)

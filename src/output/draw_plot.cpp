@@ -40,8 +40,12 @@ public:
     Drawing(Pen& pen, const Plot& plot, int width, int height) : pen_(pen), plot_(plot), width_(width), height_(height) {
         em_ = std::clamp(std::min(height / 32.0, width / 40.0), 7.0, 60.0);
         label_ = {.size = 0.92 * em_};
+        legend_.row = 1.45 * em_;
+        legend_.sample = 2.8 * em_;
+        legend_.pad = 0.6 * em_;
         set_axes();
         set_place();
+        set_legend();
     }
 
     void draw() {
@@ -194,20 +198,26 @@ private:
         if (down) pen_.path(piece, curve_width(), c);
     }
 
-    /// How many drawn points a box would hide, seen along the curves.
+    /// How much of the curves a box would hide: dots, and pieces of line an em long.
     int hidden_by(double x, double y, double w, double h) const {
         int hidden = 0;
+        const auto count = [&](double px, double py) { hidden += px >= x && px <= x + w && py >= y && py <= y + h; };
         for (const Series& s : plot_.series)
             for (std::size_t i = 0; i < s.x.size(); ++i) {
                 if (!drawable(s, i)) continue;
                 const Pixel p = pixel(s.x[i], s.y[i]);
-                hidden += p[0] >= x && p[0] <= x + w && p[1] >= y && p[1] <= y + h;
+                count(p[0], p[1]);
+                if (s.style == SeriesStyle::points || i + 1 == s.x.size() || !drawable(s, i + 1)) continue;
+                const Pixel q = pixel(s.x[i + 1], s.y[i + 1]);
+                const int pieces = static_cast<int>(std::hypot(q[0] - p[0], q[1] - p[1]) / em_);
+                for (int k = 1; k <= pieces; ++k) count(p[0] + (q[0] - p[0]) * k / (pieces + 1.0), p[1] + (q[1] - p[1]) * k / (pieces + 1.0));
             }
         return hidden;
     }
 
-    void draw_legend() {
-        std::vector<std::size_t> listed;
+    /// In the corner where it hides least; beside the axes where it would hide curves in every corner.
+    void set_legend() {
+        std::vector<std::size_t>& listed = listed_;
         double widest = 0;
         for (std::size_t i = 0; i < plot_.series.size(); ++i)
             if (!plot_.series[i].name.empty()) {
@@ -215,10 +225,10 @@ private:
                 widest = std::max(widest, pen_.size_of(plot_.series[i].name, label_)[0]);
             }
         if (listed.empty()) return;
-        const double row = 1.45 * em_, sample = 2.8 * em_, pad = 0.6 * em_, away = 0.8 * em_;
-        const double w = sample + 0.6 * em_ + widest + 2 * pad, h = row * static_cast<double>(listed.size()) + pad;
+        const double away = 0.8 * em_;
+        const double w = legend_.sample + 0.6 * em_ + widest + 2 * legend_.pad, h = legend_.row * static_cast<double>(listed.size()) + legend_.pad;
         const double xs[] = {right_ - w - away, left_ + away}, ys[] = {top_ - h - 0.4 * em_, bottom_ + away};
-        double x = xs[0], y = ys[0];
+        double &x = legend_.x, &y = legend_.y;
         int least = std::numeric_limits<int>::max();
         for (const double try_y : ys)
             for (const double try_x : xs)
@@ -227,9 +237,21 @@ private:
                     x = try_x;
                     y = try_y;
                 }
-        pen_.box(x, y, w, h, white, 0.88);
-        double middle = y + h - pad / 2 - row / 2;
-        for (const std::size_t i : listed) {
+        if (least > 3 && w < 0.45 * (right_ - left_)) {
+            right_ = std::round(right_ - w - 0.4 * em_);
+            x = right_ + 0.6 * em_;
+            y = ys[0];
+        }
+        legend_.w = w;
+        legend_.h = h;
+    }
+
+    void draw_legend() {
+        if (listed_.empty()) return;
+        const double x = legend_.x, pad = legend_.pad, sample = legend_.sample, row = legend_.row;
+        pen_.box(x, legend_.y, legend_.w, legend_.h, white, 0.88);
+        double middle = legend_.y + legend_.h - pad / 2 - row / 2;
+        for (const std::size_t i : listed_) {
             const Series& s = plot_.series[i];
             const auto from = static_cast<float>(x + pad), to = static_cast<float>(x + pad + sample);
             const auto at = static_cast<float>(middle);
@@ -246,6 +268,8 @@ private:
     double em_;
     TextStyle label_;
     Axis x_, y_;
+    std::vector<std::size_t> listed_;   // series in the legend
+    struct { double x, y, w, h, row, sample, pad; } legend_{};
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
 };
 
@@ -270,7 +294,7 @@ std::string draw_plot(const Plot& plot, int width, int height) {
     check_plot(plot);
     const auto canvas = sketch([&](Pen& pen) { Drawing(pen, plot, width, height).draw(); });
     vtkRenderer* const layers[] = {canvas};
-    return take_picture(width, height, layers);
+    return encode_png(take_pixels(width, height, layers));
 }
 
 }  // namespace hinge::output

@@ -62,9 +62,7 @@ void set_light(vtkRenderer* renderer) {
     renderer->AddLight(key);
 }
 
-}  // namespace
-
-std::string draw_still(const Still& still, const View& view) {
+Pixels draw_pixels(const Still& still, const View& view) {
     check_size(view.width, view.height);
     check_still(still);
     std::vector<DrawnBar> bars = choose_bars(still, view);
@@ -81,7 +79,30 @@ std::string draw_still(const Still& still, const View& view) {
     set_camera(scene, camera);
     set_light(scene);
     vtkRenderer* const layers[] = {caption, scene};
-    return take_picture(view.width, view.height, layers);
+    return take_pixels(view.width, view.height, layers);
+}
+
+}  // namespace
+
+std::string draw_still(const Still& still, const View& view) { return encode_png(draw_pixels(still, view)); }
+
+std::string draw_strip(int count, const Still* const* stills, const View* views, int columns) {
+    if (count < 1 || columns < 1) throw InputError("a strip needs at least one still and one column");
+    const int rows = (count + columns - 1) / columns, width = views[0].width, height = views[0].height;
+    columns = std::min(columns, count);
+    check_size(columns * width, rows * height);
+    Pixels strip{columns * width, rows * height, {}};
+    strip.rgb.assign(3 * std::size_t(strip.width) * strip.height, 255);
+    for (int i = 0; i < count; ++i) {
+        View view = views[i];
+        view.width = width;
+        view.height = height;
+        const Pixels one = draw_pixels(*stills[i], view);
+        const int left = i % columns * width, low = (rows - 1 - i / columns) * height;
+        for (int y = 0; y < height; ++y)
+            std::copy_n(&one.rgb[3 * std::size_t(y) * width], 3 * width, &strip.rgb[3 * (std::size_t(low + y) * strip.width + left)]);
+    }
+    return encode_png(strip);
 }
 
 std::array<double, 6> frame_box(const Still& still, const View& view) {

@@ -85,6 +85,10 @@ HINGE_EXPORT int hinge_render(const char* path, const Still& still, const View& 
     return guarded(error, room, [&] { write_whole_file(given(path), draw_still(still, view)); });
 }
 
+HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Still* const* stills, const View* views, int columns, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, stills, views, columns)); });
+}
+
 HINGE_EXPORT int hinge_frame_box(const Still& still, const View& view, double box[6], char* error, int room) {
     return guarded(error, room, [&] { std::ranges::copy(frame_box(still, view), box); });
 }

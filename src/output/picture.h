@@ -62,6 +62,9 @@ using hinge_write_collection = int (*)(const char* path, int n, const double* ti
 using hinge_read_still = int (*)(const char* path, hinge::output::Still& still, char* error, int room);
 /// Draws `still` into a PNG; works without a display when Xvfb is installed, else says in one line how to get it.
 using hinge_render = int (*)(const char* path, const hinge::output::Still& still, const hinge::output::View& view, char* error, int room);
+/// Draws n stills side by side into one PNG, `columns` in a row, each of the first view's size.
+using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Still* const* stills, const hinge::output::View* views, int columns,
+                                   char* error, int room);
 /// The box hinge_render would fit to this still: for View::box. An empty picture gives xmin > xmax.
 using hinge_frame_box = int (*)(const hinge::output::Still& still, const hinge::output::View& view, double box[6], char* error, int room);
 }

@@ -45,6 +45,7 @@ void log_ticks(Axis& axis, int wanted) {
     const int first = static_cast<int>(std::floor(std::log10(axis.low)));
     const int last = static_cast<int>(std::ceil(std::log10(axis.high)));
     const double decades = std::log10(axis.high / axis.low);
+    const bool plain = decades < 2 && axis.low >= 9e-4 && axis.high <= 1.1e4;  // 2, 5, 10 read better than powers
     const int stride = std::max(1, static_cast<int>(std::ceil(decades / std::max(wanted, 2))));
     for (int power = first; power <= last; ++power) {
         for (int digit = 1; digit < 10; ++digit) {
@@ -52,7 +53,9 @@ void log_ticks(Axis& axis, int wanted) {
             if (!axis.shows(tick.at)) continue;
             const bool labelled = digit == 1 ? power % stride == 0 : decades < 2 && (digit == 2 || digit == 5);
             if (digit > 1 && stride > 1) continue;
-            if (labelled) {
+            if (labelled && plain) {
+                tick.label = fixed(tick.at, std::max(0, -power));
+            } else if (labelled) {
                 tick.label = digit == 1 ? "10" : std::to_string(digit) + "\xC2\xB7" "10";
                 tick.power = signed_power(power);
             }

@@ -57,10 +57,15 @@ private:
     std::span<vtkRenderer* const> layers_;
 };
 
-std::string encode_png(vtkUnsignedCharArray* pixels, int width, int height) {
+}  // namespace
+
+std::string encode_png(const Pixels& pixels) {
+    const vtkNew<vtkUnsignedCharArray> bytes;
+    bytes->SetNumberOfComponents(3);
+    bytes->SetArray(const_cast<unsigned char*>(pixels.rgb.data()), static_cast<vtkIdType>(pixels.rgb.size()), 1);  // lent, not given
     const vtkNew<vtkImageData> image;
-    image->SetDimensions(width, height, 1);
-    image->GetPointData()->SetScalars(pixels);
+    image->SetDimensions(pixels.width, pixels.height, 1);
+    image->GetPointData()->SetScalars(bytes);
     const vtkNew<vtkPNGWriter> writer;
     writer->SetInputData(image);
     writer->SetCompressionLevel(4);
@@ -71,15 +76,13 @@ std::string encode_png(vtkUnsignedCharArray* pixels, int width, int height) {
     return {reinterpret_cast<const char*>(result->GetPointer(0)), static_cast<std::size_t>(result->GetNumberOfValues())};
 }
 
-}  // namespace
-
 void check_size(int width, int height) {
     if (width < smallest || width > largest || height < smallest || height > largest)
         throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                          " pixels: each side must be from " + std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
-std::string take_picture(int width, int height, std::span<vtkRenderer* const> layers) {
+Pixels take_pixels(int width, int height, std::span<vtkRenderer* const> layers) {
     check_size(width, height);
     const CalmX calm;
     ready_window(width, height);
@@ -94,7 +97,8 @@ std::string take_picture(int width, int height, std::span<vtkRenderer* const> la
     if (!complaint.empty()) throw OutsideError("cannot draw the picture: " + complaint);
     if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height)
         throw OutsideError("cannot draw the picture: the display gave no pixels");
-    return encode_png(pixels, width, height);
+    const unsigned char* first = pixels->GetPointer(0);
+    return {width, height, {first, first + 3 * std::size_t(width) * height}};
 }
 
 }  // namespace hinge::output

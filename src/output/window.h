@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 class vtkRenderer;
 
@@ -11,7 +12,15 @@ namespace hinge::output {
 /// Throws InputError unless a picture of this size can be taken.
 void check_size(int width, int height);
 
-/// Draws the layers, the first lowest, and returns the picture as PNG.
-std::string take_picture(int width, int height, std::span<vtkRenderer* const> layers);
+/// Three bytes a pixel, from the lower left corner, row by row.
+struct Pixels {
+    int width = 0, height = 0;
+    std::vector<unsigned char> rgb;
+};
+
+/// Draws the layers, the first lowest.
+Pixels take_pixels(int width, int height, std::span<vtkRenderer* const> layers);
+
+std::string encode_png(const Pixels& pixels);
 
 }  // namespace hinge::output

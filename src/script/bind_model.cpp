@@ -386,6 +386,13 @@ void refuse_lost_loads(const Model& m, const Structure& structure, const State& 
         if (start.gone[l.node]) throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) + ", which has no element left");
 }
 
+/// Steps between rows of history.csv; 0 for record = false.
+int record_every(Options& o, int usual) {
+    const bool none = o.push_field("record") == LUA_TBOOLEAN && !lua_toboolean(o.L(), -1);
+    lua_pop(o.L(), 1);
+    return none ? 0 : o.integer("record", 1, usual);
+}
+
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
@@ -427,7 +434,7 @@ int static_run(lua_State* L) {
                 for (int n : structure->elements()[e].node) s.held[n] = 63;
     }
     lua_pop(L, 1);
-    const int every = o.integer("record", 1, 1);
+    const int every = record_every(o, 1);
     State start = start_state(o, structure, m);
     o.finish();
     if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
@@ -462,7 +469,7 @@ int dynamic_run(lua_State* L) {
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
     const long planned = std::llround(s.duration / s.dt);
-    const int every = o.integer("record", 1, int(std::max(1L, planned / 500)));
+    const int every = record_every(o, int(std::max(1L, planned / 500)));
     State start = start_state(o, structure, m);
     o.finish();
     if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");

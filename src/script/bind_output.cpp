@@ -134,6 +134,28 @@ int write_picture(lua_State* L) {
     return 0;
 }
 
+/// core.write_strip(stills, views, columns, path): as many views as stills
+int write_strip(lua_State* L) {
+    const std::string path = luaL_checkstring(L, 4);
+    std::vector<output::Still> stills;
+    std::vector<output::View> views;
+    for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
+        lua_rawgeti(L, 1, i);
+        lua_rawgeti(L, 2, i);
+        const StillBox& box = still_argument(L, lua_absindex(L, -2), "write_strip");
+        stills.push_back(box.value);
+        views.push_back(read_view(L, lua_absindex(L, -1), stills.back(), *box.structure));
+        lua_pop(L, 2);
+    }
+    std::vector<const output::Still*> list;
+    for (const output::Still& s : stills) list.push_back(&s);
+    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    char error[512] = "";
+    must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(path.c_str(), int(list.size()), list.data(), views.data(),
+                                                                                 int(luaL_checkinteger(L, 3)), error, sizeof error), error);
+    return 0;
+}
+
 /// The list of numbers in field `name` of a curve; anything else in it leaves a gap.
 std::vector<double> read_values(Options& o, const char* name) {
     lua_State* L = o.L();
@@ -336,7 +358,7 @@ int out_dir(lua_State* L) {
 }  // namespace
 
 void open_output(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"render_file", guarded<render_file>},
+    static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
                                          {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
                                          {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);

@@ -42,7 +42,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     RunRecord& r = *record;
     r.started = true;
     r.start = r.last_progress = r.last_write = Clock::now();
-    if (!c->out_dir.empty()) {
+    if (!c->out_dir.empty() && r.every > 0) {
         make_folder(c->out_dir);
         // the last run's history is history.csv; those before it keep theirs by number
         r.history_path = c->out_dir + "/history.csv";
@@ -115,11 +115,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     r.wall += seconds(now - before);
     if (more) {
         sample(r);
-        if (r.run->steps_done() % r.every == 0) add_row(r);
+        if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(r);
     }
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
-    if (over && r.run->steps_done() % r.every != 0) add_row(r);
+    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);
         r.last_write = now;

@@ -72,7 +72,7 @@ struct RunRecord {
     std::shared_ptr<Run> run;
     std::shared_ptr<Model> model;         ///< the script's own, to know its nodes and groups again
     std::vector<std::shared_ptr<Probe>> probes;
-    long every = 1;                       ///< steps between rows of history.csv
+    long every = 1;                       ///< steps between rows of history.csv; 0: none is kept
     std::string rows;                     ///< not yet written
     std::string history_path;
     bool started = false, closed = false;
