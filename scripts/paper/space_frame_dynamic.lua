@@ -25,7 +25,7 @@ local function respond(p, method, elements, plastic, parts, exact)
   local frame = space_frame.add(model,
     { side = p.side, thickness = p.thickness, material = steel, exact_elements = exact and elements or nil })
   model:load { node = frame.loaded, force = { plastic and p.plastic_load or p.elastic_load, 0, 0 } }
-  local run = model:dynamic { dt = p.dt / parts, duration = p.steps * p.dt, beta = p.beta, solver = "direct" }
+  local run = model:dynamic { dt = p.dt / parts, duration = p.steps * p.dt, beta = p.beta, solver = "direct", record = false }
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
   if run.verdict ~= "completed" then

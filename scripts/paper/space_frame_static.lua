@@ -21,8 +21,8 @@ local function push_over(p, method, elements, plastic, steps)
   local steel = hinge.material { E = p.E, nu = p.nu, yield_stress = p.yield_stress }
   local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })
   model:load { node = frame.loaded, force = { p.load, 0, 0 } }
-  local run = plastic and model:static { steps = steps, control = { node = frame.loaded, "ux", to = p.reach } }
-    or model:static { steps = 20 }
+  local run = plastic and model:static { steps = steps, control = { node = frame.loaded, "ux", to = p.reach }, record = false }
+    or model:static { steps = 20, record = false }
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
   if run.verdict ~= "completed" then error(("%s, %d elements: %s"):format(method, elements, run.reason)) end
