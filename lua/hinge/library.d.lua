@@ -159,6 +159,69 @@ local space_frame = {}
 ---@return space_frame.frame
 function space_frame.add(model, options) end
 
+-- require "hinge.models.ten_storey_impact" ----------------------------------------------------------------------------
+
+---The paper's section 4: fields that a load case leaves alone it does not mind, so that a script hands in its parameters as they are.
+---@class impact.options
+---@field speed? number m/s, default 440 km/h (table 1, Case I)
+---@field size? number m, default 15 (table 1)
+---@field mass? number kg, default 15000 (table 1)
+---@field height? number m above ground, of the fuselage's axis; default 30, the middle of the eighth storey, *reconstructed*
+---@field offset? number m to the left of the building's middle, default 0, *reconstructed*
+---@field gap? number m from nose to facade, default 0.5
+---@field contact? string rule of model:contact, default "gap"
+---@field contact_limits? table further options of model:contact
+---@field yield_stress? number Pa, of the building, default 325e6, *reconstructed*
+---@field building? ten_storey.options
+---@field aircraft? aircraft.options
+---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) declares other limits than the paper's
+
+---What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
+---@alias impact.result table broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work (building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture, 0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict, reason, time, seconds
+
+---@class impact
+---@field order string[] "I", "II", "III", "IV"
+---@field cases table<string, table> table 1, as changes of Case I
+local impact = {}
+
+---The load case's numbers and texts as scenario parameters, with a script's own added.
+---@param own? table
+---@return table
+function impact.parameters(own) end
+
+---A copy of a table with changes.
+---@param base table
+---@param changes table
+---@return table
+function impact.with(base, changes) end
+
+---Adds building, aircraft, gravity, fracture and contact.
+---@param model hinge.model
+---@param options impact.options
+---@return ten_storey.frame frame, hinge.group plane, aircraft.facts parts
+function impact.add(model, options) end
+
+---What became of the building, and how much the aircraft's hinges took.
+---@param run hinge.run
+---@param frame ten_storey.frame
+---@return impact.result
+function impact.damage(run, frame) end
+
+---One run: gravity at rest, then the impact.
+---@param p impact.options with dt, duration and watch (s between looks at the columns)
+---@param see? fun(run: hinge.run, frame: ten_storey.frame, watch: table): fun(step: table) called when the run has been made; what it returns, after each step
+---@return impact.result
+function impact.simulate(p, see) end
+
+---Calls one(task, job) for each task, half of them in a second process; nil in that process. half = 1 in `p`: in this process alone.
+---@param job hinge.job
+---@param p table the script's parameters, half among them
+---@param script string its path
+---@param tasks table[] p of a task, with dt and duration, tells how long it takes
+---@param one fun(task: table, job: hinge.job): any made of numbers, strings, booleans and tables
+---@return any[]? results in the order of the tasks
+function impact.side_by_side(job, p, script, tasks, one) end
+
 -- require "hinge.paper" -----------------------------------------------------------------------------------------------
 
 ---Measures and figures that the scripts of scripts/paper share.

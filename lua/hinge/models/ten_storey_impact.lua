@@ -21,6 +21,7 @@ local rules = {
   offset = { "number", unit = "m", default = 0 }, -- to the left of the building's middle
   gap = { "number", unit = "m", default = 0.5 }, -- nose before the facade
   contact = { "string", default = "gap" },
+  contact_limits = { "table", default = {} }, -- further options of model:contact
   yield_stress = { "number", unit = "Pa", above = 0, default = 325e6 }, -- of the building
   building = { "table", default = {} }, -- further options of the two models
   aircraft = { "table", default = {} },
@@ -63,8 +64,11 @@ function impact.add(model, options)
   else
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- the paper's 0.0004 is per millimetre
   end
-  model:contact { rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }
-  frame.wave = math.sqrt(steel.E / steel.density) -- m/s, of an elastic wave along a column
+  model:contact(impact.with({ rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }, o.contact_limits))
+  -- m/s, of an elastic wave along a column; and of a long one, which takes the floors' mass along
+  local columns = model:group("columns")
+  frame.wave = math.sqrt(steel.E / steel.density)
+  frame.long_wave = frame.wave * math.sqrt(columns.mass / frame.mass)
   return frame, plane, parts
 end
 
@@ -87,6 +91,7 @@ function impact.damage(run, frame)
   end
   d.broken_columns, d.hinged_columns = d.broken_inner + d.broken_outer, d.hinged_inner + d.hinged_outer
   d.work_columns = d.work_inner + d.work_outer
+  d.worst_column = math.max(table.unpack(run:read("plastic_work", "columns")))
   d.work = d.work_columns + d.work_beams
   d.work_aircraft = sum(run:read("plastic_work", "aircraft"))
   d.broken_aircraft = run:count { group = "aircraft", state = "broken" }
@@ -97,7 +102,8 @@ function impact.damage(run, frame)
 end
 
 -- Watches the columns: when a storey feels the impact (figure 17), and who is pulled that was pressed (figure 19).
--- A column counts as pulled from a hundredth of the largest compression at rest.
+-- felt: a column's f_y has changed by 0.05; faint: by 0.005; red: a column is fully plastic, f_y = 1. A column counts as
+-- pulled from a hundredth of the largest compression at rest.
 local function watch_columns(run, frame)
   local f_at_rest, n_at_rest = run:read("f_y", "columns"), run:read("N", "columns")
   local x, y, at = run:read("x", "columns"), run:read("y", "columns"), {}
@@ -105,25 +111,29 @@ local function watch_columns(run, frame)
     at[i] = math.ceil((z - frame.origin[3]) / frame.size[3] * #frame.storey_groups)
   end
   local least = 0.01 * -math.min(table.unpack(n_at_rest))
-  local w = { felt = {}, pulled = {}, times = {}, counts = {}, touched = nil }
+  local w = { felt = {}, faint = {}, red = {}, pulled = {}, times = {}, counts = {}, below = {}, touched = nil }
 
   function w.look()
     if not w.touched then
       if run.contacts.bound == 0 then return end
       w.touched = run.time
     end
-    local after, count = run.time - w.touched, 0
+    local after, count, below = run.time - w.touched, 0, 0
     for i, f in ipairs(run:read("f_y", "columns")) do
-      if not w.felt[at[i]] and math.abs(f - f_at_rest[i]) > 0.05 then w.felt[at[i]] = after end
+      local level, change = at[i], math.abs(f - f_at_rest[i])
+      if not w.faint[level] and change > 0.005 then w.faint[level] = after end
+      if not w.felt[level] and change > 0.05 then w.felt[level] = after end
+      if not w.red[level] and f > 1 - 1e-6 then w.red[level] = after end
     end
     for i, n in ipairs(run:read("N", "columns")) do
       if n_at_rest[i] < 0 and n > least then
         count = count + 1
+        if 2 * at[i] <= #frame.storey_groups then below = below + 1 end
         local column = w.pulled[i] or { storey = at[i], x = x[i], y = y[i], first = after, before = n_at_rest[i], most = 0 }
         column.most, w.pulled[i] = math.max(column.most, n), column
       end
     end
-    w.times[#w.times + 1], w.counts[#w.counts + 1] = after, count
+    w.times[#w.times + 1], w.counts[#w.counts + 1], w.below[#w.below + 1] = after, count, below
   end
   return w
 end
@@ -165,11 +175,14 @@ function impact.simulate(p, see)
   for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do r[name] = energy[name] end
   r.brought, r.own_kinetic = brought, 0.5 * p.mass * p.speed ^ 2
   r.given = since and momentum_of(model, run, before, since) / brought
-  r.felt, r.times, r.counts, r.pulled = {}, watch.times, watch.counts, {}
-  for level = 1, #frame.storey_groups do r.felt[level] = watch.felt[level] or -1 end -- -1: not within the run
+  r.times, r.counts, r.below, r.pulled = watch.times, watch.counts, watch.below, {}
+  for _, name in ipairs { "felt", "faint", "red" } do
+    r[name] = {}
+    for level = 1, #frame.storey_groups do r[name][level] = watch[name][level] or -1 end -- -1: not within the run
+  end
   for _, column in pairs(watch.pulled) do r.pulled[#r.pulled + 1] = column end
   table.sort(r.pulled, function(a, b) return a.first < b.first end)
-  r.wave, r.storey, r.height = frame.wave, frame.size[3] / #frame.storey_groups, p.height
+  r.wave, r.long_wave, r.storey, r.height = frame.wave, frame.long_wave, frame.size[3] / #frame.storey_groups, p.height
   return r
 end
 
@@ -185,6 +198,16 @@ end
 
 local function quoted(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
 
+-- A parameter as it is written on the command line.
+local function argument(value)
+  if type(value) == "table" then
+    local items = {}
+    for i, item in ipairs(value) do items[i] = argument(item) end
+    return "{" .. table.concat(items, ",") .. "}"
+  end
+  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+end
+
 -- Starts this program again on the same script for the second half of the tasks; nil where that cannot be.
 local function start_second(job, p, script)
   local find = io.popen("readlink /proc/$PPID/exe 2>/dev/null")
@@ -193,10 +216,10 @@ local function start_second(job, p, script)
   if not program or not program:match("hinge$") then return nil end
   local words = { quoted(program), "run", quoted(script), "--out", quoted(job.out .. "/second") }
   for name, value in pairs(p) do
-    local text = type(value) == "number" and ("%.17g"):format(value) or tostring(value)
-    if name ~= "half" and type(value) ~= "table" then words[#words + 1] = quoted(name .. "=" .. text) end
+    if name ~= "half" then words[#words + 1] = quoted(name .. "=" .. argument(value)) end
   end
   words[#words + 1] = "half=2"
+  words[#words + 1] = "2>/dev/null" -- the first one's progress stands for both; what fails there is done again here
   return io.popen(table.concat(words, " "), "r")
 end
 
@@ -214,7 +237,17 @@ function impact.side_by_side(job, p, script, tasks, one)
     return nil
   end
   local second = p.half == 0 and #tasks > 1 and start_second(job, p, script) or nil
-  for i = 1, #tasks, second and 2 or 1 do results[i] = one(tasks[i], job) end
+  local function cost(task) return task.p and task.p.duration / task.p.dt or 1 end
+  local stride, since, done, all = second and 2 or 1, os.time(), 0, 0
+  for i = 1, #tasks, stride do all = all + cost(tasks[i]) end
+  for i = 1, #tasks, stride do
+    results[i] = one(tasks[i], job)
+    done = done + cost(tasks[i])
+    local wall = os.time() - since
+    if wall > 2 and done < all then
+      io.stderr:write(("run %d of %d is done, about %.0f s left\n"):format(i, #tasks, wall * (all - done) / done))
+    end
+  end
   if second then
     for line in second:lines() do
       local index, text = line:match("^" .. mark .. "(%d+) (.*)$")
