@@ -7,25 +7,13 @@
 #include <map>
 
 #include "beam/mass.h"
+#include "sim/blocks.h"
 #include "sim/hinges.h"
 #include "beam/tangent.h"
 
 namespace hinge {
-namespace {
 
-/// The inverse of a symmetric positive matrix from its 3x3 quarters, which Eigen inverts without loops.
-Mat6 inverse_by_halves(const Mat6& A) {
-    const Mat3 P = A.topLeftCorner<3, 3>().inverse(), Q = A.topRightCorner<3, 3>(), PQ = P * Q;
-    const Mat3 S = (A.bottomRightCorner<3, 3>() - Q.transpose() * PQ).inverse();
-    Mat6 out;
-    out.topRightCorner<3, 3>() = -PQ * S;
-    out.topLeftCorner<3, 3>() = P - out.topRightCorner<3, 3>() * PQ.transpose();
-    out.bottomLeftCorner<3, 3>() = out.topRightCorner<3, 3>().transpose();
-    out.bottomRightCorner<3, 3>() = S;
-    return 0.5 * (out + out.transpose());
-}
-
-}  // namespace
+using namespace blocks;
 
 Operator::Operator(const Structure& structure, double mass_factor, double stiffness_factor, bool geometric)
     : structure_(structure), mass_factor_(mass_factor), stiffness_factor_(stiffness_factor), geometric_(geometric) {
@@ -48,6 +36,7 @@ Operator::Operator(const Structure& structure, double mass_factor, double stiffn
     const auto find = [&](int i, int j) { return int(std::lower_bound(column_.begin() + row_[i] + 1, column_.begin() + row_[i + 1], j) - column_.begin()); };
     for (const Element& e : structure.elements()) slot_.push_back({find(e.node[0], e.node[1]), find(e.node[1], e.node[0])});
     part_.assign(structure.elements().size(), Mat12::Zero());
+    condensed_ = std::make_unique<Condensed>(row_, column_);
     inverse_.assign(n + 1, Mat6::Identity());  // one more: a block is read two numbers past its end
     is_dirty_.assign(n, 0);
     held_ = structure.fixed();
@@ -98,6 +87,14 @@ void Operator::set_couplings(std::vector<Coupling> couplings) {
     for (const auto* list : {&couplings_, &couplings})
         for (const Coupling& c : *list) mark(c.a), mark(c.b);
     couplings_ = std::move(couplings);
+    std::vector<int> coupled;
+    for (const Coupling& c : couplings_) coupled.push_back(c.a), coupled.push_back(c.b);
+    std::vector<int> changed;
+    condensed_->keep(std::move(coupled), changed);
+    for (int node : changed) {
+        mark(node);
+        for (int k = row_[node] + 1; k < row_[node + 1]; ++k) mark(column_[k]);
+    }
     for (Coupling& c : couplings_) {
         c.K *= stiffness_factor_;
         for (int i = 0; i < 12; ++i)
@@ -151,40 +148,30 @@ void Operator::assemble() {
         for (int c = 0; c < 6; ++c)
             if (held_[i] >> c & 1) diagonal(c, c) = 1;
         store(row_[i], diagonal);
-        inverse_[i] = diagonal;
+    }
+    for (int i : dirty_) is_dirty_[i] = 0;
+    stale_.insert(stale_.end(), dirty_.begin(), dirty_.end());
+    dirty_.clear();
+}
+
+/// What conjugate gradients work on, brought up to date; a direct solver needs none of it.
+void Operator::condense() {
+    if (stale_.empty()) return;
+    std::sort(stale_.begin(), stale_.end());
+    stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
+    for (int i : condensed_->renew(stale_, value_.data())) {
+        is_dirty_[i] = 1;
+        inverse_[i] = condensed_->diagonal(condensed_->place(i));
+        dirty_.push_back(i);
     }
     for (const Coupling& c : couplings_) {
         if (is_dirty_[c.a]) inverse_[c.a] += c.K.block<6, 6>(0, 0);
         if (is_dirty_[c.b]) inverse_[c.b] += c.K.block<6, 6>(6, 6);
     }
-    for (int i : dirty_) {
-        inverse_[i] = inverse_by_halves(inverse_[i]);
-        is_dirty_[i] = 0;
-    }
+    for (int i : dirty_) inverse_[i] = inverse_by_halves(inverse_[i]), is_dirty_[i] = 0;
     dirty_.clear();
+    stale_.clear();
 }
-
-namespace {
-
-/// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are masked out.
-using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));
-constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
-
-inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
-inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(double)); }
-inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
-
-/// B x for a 6x6 block stored by columns.
-inline Wide times(const double* B, const double* x) {
-    Wide even = load(B) * x[0], odd = load(B + 6) * x[1];
-    even += load(B + 12) * x[2];
-    odd += load(B + 18) * x[3];
-    even += load(B + 24) * x[4];
-    odd += load(B + 30) * x[5];
-    return even + odd;
-}
-
-}  // namespace
 
 double Operator::multiply(const double* x, double* y) const {
     const int n = int(held_.size());
@@ -263,14 +250,16 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
     return solve_iteratively(right[0].data(), x[0].data(), settings);
 }
 
-/// Conjugate gradients from x = 0, preconditioned by each node's own block.
+/// Conjugate gradients from x = 0 on the condensed system, preconditioned by each node's own block.
 SolveReport Operator::solve_iteratively(const double* right, double* solution, const SolverSettings& settings) {
-    const int n = int(held_.size());
+    condense();
+    const int n = condensed_->size();
+    const std::vector<int>& order = condensed_->order();
     double *x = x_.data(), *r = r_.data(), *z = z_.data(), *d = d_.data(), *q = q_.data();
+    condensed_->reduce(right, r);
     Wide product{};
     for (int i = 0; i < n; ++i) {
-        std::memcpy(r + 6 * i, right + 6 * i, 6 * sizeof(double));
-        const Wide zi = times(inverse_[i].data(), right + 6 * i);
+        const Wide zi = times(inverse_[order[i]].data(), r + 6 * i);
         store_six(d + 6 * i, zi);
         product += six * zi * load(r + 6 * i);
     }
@@ -280,7 +269,7 @@ SolveReport Operator::solve_iteratively(const double* right, double* solution, c
     SolveReport report;
     while (rho > goal && rho > 1e-280) {
         if (report.iterations == settings.max_iterations) return report.converged = false, report;
-        const double dq = multiply(d, q);
+        const double dq = condensed_->multiply(d, q) + add_couplings(d, q);
         if (!(dq > 0)) return report.converged = false, report;
         const double alpha = rho / dq;
         product = Wide{};
@@ -288,7 +277,7 @@ SolveReport Operator::solve_iteratively(const double* right, double* solution, c
             const Wide ri = load(r + 6 * i) - alpha * load(q + 6 * i);
             store_six(x + 6 * i, load(x + 6 * i) + alpha * load(d + 6 * i));
             store_six(r + 6 * i, ri);
-            const Wide zi = times(inverse_[i].data(), r + 6 * i);
+            const Wide zi = times(inverse_[order[i]].data(), r + 6 * i);
             store_six(z + 6 * i, zi);
             product += six * zi * ri;
         }
@@ -297,10 +286,25 @@ SolveReport Operator::solve_iteratively(const double* right, double* solution, c
         for (int k = 0; k < 6 * n; ++k) d[k] = z[k] + beta * d[k];
         ++report.iterations;
     }
-    std::memcpy(solution, x, 6 * sizeof(double) * std::size_t(n));
+    condensed_->solve_back(x, solution);
     counts_.iterations += report.iterations;
     report.converged = std::isfinite(rho);
     return report;
+}
+
+/// y += K x of what couples nodes beside the elements, which all stay in the condensed system. Returns x . K x.
+double Operator::add_couplings(const double* x, double* y) const {
+    double dot = 0;
+    for (const Coupling& c : couplings_) {
+        const int a = condensed_->place(c.a), b = condensed_->place(c.b);
+        Vec12 v;
+        v << Eigen::Map<const Vec6>(x + 6 * a), Eigen::Map<const Vec6>(x + 6 * b);
+        const Vec12 w = c.K * v;
+        Eigen::Map<Vec6>(y + 6 * a) += w.head<6>();
+        Eigen::Map<Vec6>(y + 6 * b) += w.tail<6>();
+        dot += v.dot(w);
+    }
+    return dot;
 }
 
 }  // namespace hinge

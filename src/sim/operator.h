@@ -1,5 +1,5 @@
 // The left side of a step: A = m M + k K by blocks of 6x6, rebuilt only where something changed, and its solution by
-// conjugate gradients with each node's own block as preconditioner.
+// conjugate gradients on the joints (condensed.h), with each one's own block as preconditioner.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/condensed.h"
 #include "sim/sweep.h"
 
 namespace hinge {
@@ -53,6 +54,8 @@ public:
 
 private:
     void mark(int node);
+    void condense();
+    double add_couplings(const double* x, double* y) const;
     SolveReport solve_iteratively(const double* right, double* solution, const SolverSettings& settings);
     Mat6 masked(int a, int b, const Mat6& block) const;
 
@@ -67,7 +70,9 @@ private:
     std::vector<int> row_, column_;             // row_[i]..row_[i+1]
     std::vector<double> value_;                 // 36 a block, column major, padded at the end
     std::vector<std::array<int, 2>> slot_;      // of each element: (1,2) and (2,1)
-    std::vector<Mat6> inverse_;                 // of each diagonal block
+    std::unique_ptr<Condensed> condensed_;
+    std::vector<int> stale_;                    // nodes whose rows changed since condensed_ saw them
+    std::vector<Mat6> inverse_;                 // of each condensed diagonal block, couplings included
     std::vector<int> dirty_;
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
