@@ -11,9 +11,12 @@ namespace hinge {
 inline Quat turned(const Vec3& turn, const Quat& q) {
     const double h = 0.25 * turn.squaredNorm();  // square of the half angle
     double c, s;                                  // cos, sin(half)/(2 half)
-    if (h < 0.01) {
-        c = 1 - h / 2 * (1 - h / 12 * (1 - h / 30 * (1 - h / 56 * (1 - h / 90))));
-        s = 0.5 * (1 - h / 6 * (1 - h / 20 * (1 - h / 42 * (1 - h / 72 * (1 - h / 110)))));
+    if (h < 2e-4) {  // a step's turn: series to rounding, without a division
+        c = 1 - h * (1.0 / 2 - h * (1.0 / 24 - h * (1.0 / 720)));
+        s = 0.5 - h * (1.0 / 12 - h * (1.0 / 240 - h * (1.0 / 10080)));
+    } else if (h < 0.01) {
+        c = 1 - h * (1.0 / 2 - h * (1.0 / 24 - h * (1.0 / 720 - h * (1.0 / 40320 - h * (1.0 / 3628800)))));
+        s = 0.5 - h * (1.0 / 12 - h * (1.0 / 240 - h * (1.0 / 10080 - h * (1.0 / 725760 - h * (1.0 / 79833600)))));
     } else {
         const double half = std::sqrt(h);
         c = std::cos(half);

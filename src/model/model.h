@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,13 +83,11 @@ struct FractureRule {
     bool tension_only = false;
     FractureHook hook;
     int group = -1;  ///< -1: all members
-    std::string asked_at;
 };
 
 struct ContactRule {
     contact::ContactSettings settings;
     std::vector<int> groups;  ///< empty: all members
-    std::string asked_at;
 };
 
 struct ModelOptions {
@@ -125,6 +124,10 @@ public:
     const std::vector<FractureRule>& fracture() const { return fracture_; }
     const std::optional<ContactRule>& contact() const { return contact_; }
     const std::optional<Vec3>& gravity() const { return gravity_; }
+    /// Which line of the script asked for an effect; the first one counts. "" where none did.
+    void ask(const std::string& effect, const std::string& line) { asked_.try_emplace(effect, line); }
+    bool asked(const std::string& effect) const { return asked_.count(effect) > 0; }
+    std::string asked_at(const std::string& effect) const { return asked(effect) ? asked_.at(effect) : ""; }
     double damping() const { return damping_; }
     const std::vector<Vec6>& velocities() const { return velocities_; }
     bool has_velocity() const { return has_velocity_; }
@@ -139,6 +142,7 @@ private:
     std::vector<FractureRule> fracture_;
     std::optional<ContactRule> contact_;
     std::optional<Vec3> gravity_;
+    std::map<std::string, std::string> asked_;
     double damping_ = 0;
     std::vector<Vec6> velocities_;
     bool has_velocity_ = false;

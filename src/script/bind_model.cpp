@@ -117,7 +117,9 @@ int model(lua_State* L) {
         o.complain("elements_per_member", std::to_string(m.elements_per_member),
                    "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...); 'asi' and 'conventional' take any");
     o.finish();
-    push<ModelBox>(L, std::make_shared<Model>(m));
+    auto model = std::make_shared<Model>(m);
+    model->ask("model", where(L));
+    push<ModelBox>(L, std::move(model));
     return 1;
 }
 
@@ -164,9 +166,12 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
     lua_pop(L, 1);
 }
 
-int accept(Model& m, MemberData data) {
+int accept(lua_State* L, Model& m, MemberData data) {
+    const bool yields = m.options().plasticity && data.material->yield_stress < std::numeric_limits<double>::infinity();
     try {
-        return m.add_member(std::move(data));
+        const int index = m.add_member(std::move(data));
+        if (yields && !m.asked("plasticity")) m.ask("plasticity", where(L));
+        return index;
     } catch (const InputError& e) {
         throw InputError(std::string("model:member: ") + e.what());
     }
@@ -197,14 +202,14 @@ int add_member(lua_State* L) {
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);
     if (fresh.empty()) {
-        const int index = accept(*m, std::move(data));
+        const int index = accept(L, *m, std::move(data));
         push<MemberBox>(L, m, index);
         return 1;
     }
     // new groups come into being only with a member that is accepted
     std::vector<int> names = data.groups;
     data.groups.clear();
-    const int index = accept(*m, data);
+    const int index = accept(L, *m, data);
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);
     push<MemberBox>(L, m, index);
@@ -226,11 +231,14 @@ int add_load(lua_State* L) {
     load.history = read_history(o);
     o.finish();
     m->add_load(std::move(load));
+    if (!m->asked("loads")) m->ask("loads", where(L));
     return 0;
 }
 
 int gravity(lua_State* L) {
-    self<ModelBox>(L, "model:gravity").value->set_gravity(read_triple(L, 2, "model:gravity: acceleration", "m/s^2"));
+    auto& m = self<ModelBox>(L, "model:gravity").value;
+    m->set_gravity(read_triple(L, 2, "model:gravity: acceleration", "m/s^2"));
+    m->ask("gravity", where(L));
     return 0;
 }
 
@@ -284,7 +292,6 @@ FractureHook read_fracture_hook(lua_State* L, int index, const std::shared_ptr<M
 int fracture(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:fracture").value;
     FractureRule rule;
-    rule.asked_at = where(L);
     if (lua_isfunction(L, 2)) {
         rule.hook = read_fracture_hook(L, 2, m);
     } else {
@@ -308,6 +315,7 @@ int fracture(lua_State* L) {
             throw InputError("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function");
     }
     m->add_fracture(std::move(rule));
+    m->ask("fracture", where(L));
     return 0;
 }
 
@@ -315,7 +323,6 @@ int contact_rule(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:contact").value;
     Options o(L, 2, "model:contact", true);
     ContactRule rule;
-    rule.asked_at = where(L);
     contact::ContactSettings& c = rule.settings;
     const bool gap = o.word("rule", {"surface", "gap"}, "surface") == "gap";
     c.rule = gap ? contact::ContactRuleKind::gap : contact::ContactRuleKind::surface;
@@ -341,6 +348,7 @@ int contact_rule(lua_State* L) {
     lua_pop(L, 1);
     o.finish();
     m->set_contact(std::move(rule));
+    m->ask("contact", where(L));
     return 0;
 }
 
@@ -361,124 +369,6 @@ int counts(lua_State* L) {
     set("nodes", lua_Integer(structure.position().size()));
     set("free_dofs", structure.free_dofs());
     return 1;
-}
-
-State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const std::shared_ptr<Model>& model) {
-    lua_State* L = o.L();
-    State state = initial_state(*structure);
-    if (o.push_field("from") != LUA_TNIL) {
-        auto* box = find<RunBox>(L, -1);
-        if (!box) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
-        if (box->value->model != model) o.complain("from", "a run of another model", "must be a run of this one");
-        const State& from = box->value->run->state();
-        if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
-            o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
-                       "this model has " + std::to_string(state.displacement.size()) + " and " + std::to_string(state.broken.size()) + "; add nothing between the runs");
-        state = from;
-        state.step = 0;
-    }
-    lua_pop(L, 1);
-    return state;
-}
-
-void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
-    for (const NodalLoad& l : m.loads())
-        if (start.gone[l.node]) throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) + ", which has no element left");
-}
-
-/// Steps between rows of history.csv; 0 for record = false.
-int record_every(Options& o, int usual) {
-    const bool none = o.push_field("record") == LUA_TBOOLEAN && !lua_toboolean(o.L(), -1);
-    lua_pop(o.L(), 1);
-    return none ? 0 : o.integer("record", 1, usual);
-}
-
-int static_run(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:static").value;
-    Options o(L, 2, "model:static", true);
-    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
-    StaticSettings s;
-    s.steps = o.integer("steps", 1, 10);
-    s.iterations = o.integer("iterations", 2, s.iterations);
-    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
-    const int type = o.push_field("control");
-    if (type == LUA_TSTRING) {
-        const std::string word = lua_tostring(L, -1);
-        if (word == "arc") s.control = Control::arc;
-        else if (word != "load") o.complain("control", "'" + word + "'", "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
-    } else if (type == LUA_TTABLE) {
-        Options c(L, -1, "model:static, control");
-        s.control = Control::displacement;
-        c.push_field("node");
-        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
-        c.push_item(1);
-        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
-        const auto at = std::find(names.begin(), names.end(), component);
-        if (at == names.end()) throw InputError("model:static, control: component is " + show(L, -1) + "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
-        lua_pop(L, 2);
-        s.component = int(at - names.begin());
-        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
-        if (s.target == 0) c.complain("to", "0", "must differ from 0");
-        c.finish(1);
-        if (m->nodes()[s.node].fixed >> s.component & 1) throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) + " is fixed by a support and cannot be driven");
-    } else if (type != LUA_TNIL) {
-        o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
-    }
-    lua_pop(L, 1);
-    if (o.push_field("hold") != LUA_TNIL) {
-        s.held.assign(structure->position().size(), 0);
-        const int g = group_argument(L, -1, "model:static: field 'hold'", *m);
-        for (std::size_t e = 0; e < structure->elements().size(); ++e)
-            if (structure->in_group(int(e), g))
-                for (int n : structure->elements()[e].node) s.held[n] = 63;
-    }
-    lua_pop(L, 1);
-    const int every = record_every(o, 1);
-    State start = start_state(o, structure, m);
-    o.finish();
-    if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
-    refuse_lost_loads(*m, *structure, start, "model:static");
-    context(L)->running = L;
-    try {
-        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
-    } catch (const InputError& e) {
-        throw InputError(std::string("model:static: ") + e.what());
-    }
-}
-
-int dynamic_run(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:dynamic").value;
-    Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record"});
-    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
-    DynamicSettings s;
-    s.dt = o.number("dt", "s", Range::positive);
-    s.duration = o.number("duration", "s", Range::positive);
-    if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
-    if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
-    s.beta = o.number("beta", "", Range::not_negative, s.beta);
-    if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
-    s.iterations = o.integer("iterations", 0, 0);
-    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
-    const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
-    s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;
-    s.geometric = o.flag("geometric", s.geometric);
-    s.turn = o.number("turn", "rad", Range::positive, s.turn);
-    s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
-    s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
-    s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
-    const long planned = std::llround(s.duration / s.dt);
-    const int every = record_every(o, int(std::max(1L, planned / 500)));
-    State start = start_state(o, structure, m);
-    o.finish();
-    if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
-    refuse_lost_loads(*m, *structure, start, "model:dynamic");
-    for (const Element& e : structure->elements())
-        if (!(e.rigidity.rhoA > 0))
-            throw InputError("model:dynamic: " + structure->element_name(int(&e - structure->elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
-    context(L)->running = L;
-    return make_run(L, std::make_shared<Dynamics>(structure, std::move(start), s), m, every);
 }
 
 // ---- fields and text ----------------------------------------------------------------------------------------------

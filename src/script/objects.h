@@ -90,6 +90,9 @@ void open_model(lua_State* L, int module);    ///< hinge.model and what it holds
 void open_run(lua_State* L);
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 
+int static_run(lua_State* L);                 ///< model:static
+int dynamic_run(lua_State* L);                ///< model:dynamic
+
 /// Makes the run that model:static{} and model:dynamic{} return.
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> model, int record_every);
 

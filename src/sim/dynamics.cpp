@@ -16,6 +16,19 @@ namespace {
 /// 2 mrad, the cosine of whose half this is.
 constexpr double hung_turn = 1 - 5e-7;
 
+/// Part of the elastic stiffness by which a plastic tangent may differ from the one in the operator.
+constexpr double same_tangent = 0.05;
+
+/// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
+bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
+    if (part == 0) return false;
+    const Mat6 e = k.matrix();
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 6; ++i)
+            if (std::abs(a(i, j) - b(i, j)) > part * std::sqrt(e(i, i) * e(j, j))) return false;
+    return true;
+}
+
 double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
 
 Mat3 frame_of(const beam::Placement<double>& p) {
@@ -39,7 +52,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (state_.contact) stages_.push_back({"contact", "contact", &Dynamics::contact});
     if (state_.contact || !model.fracture().empty()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
     stages_.push_back({"predict", "inertia", &Dynamics::predict});
-    stages_.push_back({"recover stresses", "elements", &Dynamics::recover});
+    stages_.push_back({"recover stresses", "large displacement", &Dynamics::recover});
     if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
     stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
     stages_.push_back({"solve", "inertia", &Dynamics::solve});
@@ -185,14 +198,31 @@ void Dynamics::recover() {
         if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
 }
 
-/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e].
+/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short steps,
+/// where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Dynamics::yield() {
-    for (int e : was_yielding_)
-        if (!in_rebuild_[e] && !state_.broken[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+    const auto wants = [&](int e) {
+        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+    };
+    tangents_.resize(yielding_.size());
+    if (built_.empty()) built_.assign(structure_->elements().size(), Mat6::Zero());
+    double section[2];
+    const int n = sweep_.sections(section);
+    std::size_t next = 0;
+    for (int e : was_yielding_) {
+        while (next < yielding_.size() && yielding_[next].element < e) ++next;
+        const bool flows_on = next < yielding_.size() && yielding_[next].element == e;
+        if (!flows_on && !state_.broken[e]) wants(e), built_[e].setZero();
+    }
     was_yielding_.clear();
-    for (const Yielding& y : yielding_) {
+    for (std::size_t i = 0; i < yielding_.size(); ++i) {
+        const Yielding& y = yielding_[i];
+        const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
+        const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
+        tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section, y.flow.lambda, active, n);
         was_yielding_.push_back(y.element);
-        if (!in_rebuild_[y.element]) in_rebuild_[y.element] = 1, rebuild_.push_back(y.element);
+        const double same = from_rest_ || settings_.iterations > 1 ? 0 : same_tangent;
+        if (!near(tangents_[i], built_[y.element], k, same)) wants(y.element);
     }
 }
 
@@ -200,18 +230,12 @@ void Dynamics::yield() {
 void Dynamics::renew_operator() {
     if (!rebuild_.empty()) {
         std::sort(rebuild_.begin(), rebuild_.end());
-        tangents_.resize(yielding_.size());
         std::vector<const Mat6*> given(rebuild_.size(), nullptr);
-        double section[2];
-        const int n = sweep_.sections(section);
         for (std::size_t i = 0; i < yielding_.size(); ++i) {
-            const Yielding& y = yielding_[i];
-            const Element& e = structure_->elements()[y.element];
-            const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
-            const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-            tangents_[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n);
-            const auto at = std::lower_bound(rebuild_.begin(), rebuild_.end(), y.element);
-            if (at != rebuild_.end() && *at == y.element) given[at - rebuild_.begin()] = &tangents_[i];
+            const auto at = std::lower_bound(rebuild_.begin(), rebuild_.end(), yielding_[i].element);
+            if (at == rebuild_.end() || *at != yielding_[i].element) continue;
+            given[at - rebuild_.begin()] = &tangents_[i];
+            built_[*at] = tangents_[i];
         }
         force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
         operator_.build(rebuild_, state_, trial_, given);
@@ -219,7 +243,7 @@ void Dynamics::renew_operator() {
         for (int e : rebuild_) {
             sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
             in_rebuild_[e] = 0;
-            if (mass_) mass_stale_.push_back(e);
+            if (mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
         }
         rebuild_.clear();
     }
@@ -404,7 +428,7 @@ void Dynamics::renew_mass(const Pose& pose) {
             if (!state_.broken[i]) mass_stale_.push_back(int(i));
     }
     std::sort(mass_stale_.begin(), mass_stale_.end());
-    mass_stale_.erase(std::unique(mass_stale_.begin(), mass_stale_.end()), mass_stale_.end());
+    in_mass_stale_.assign(state_.broken.size(), 0);
     std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
     mass_->set_held(state_.held);
     mass_->build(mass_stale_, state_, pose, {});
@@ -451,22 +475,11 @@ std::vector<StageTime> Dynamics::stage_times() const {
 }
 
 std::vector<Effect> Dynamics::effects() const {
-    const Model& model = structure_->model();
-    const auto seconds = [&](const char* effect) {
-        double sum = 0;
+    std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
+    for (Effect& e : list)
         for (const Stage& s : stages_)
-            if (std::string(s.effect) == effect) sum += s.seconds;
-        return sum;
-    };
-    return {
-        {"inertia", true, "model:dynamic", seconds("inertia")},
-        {"gravity", model.gravity().has_value(), model.gravity() ? "model:gravity" : "not declared", 0},
-        {"large displacement", structure_->large(), structure_->large() ? "the default; displacement = \"small\" leaves it out" : "displacement = \"small\"", seconds("elements")},
-        {"geometric stiffness", settings_.geometric && structure_->large(), "part of large displacement", 0},
-        {"plasticity", structure_->can_yield(), structure_->can_yield() ? "a material has a yield stress" : "no section can yield", seconds("plasticity")},
-        {"fracture", !model.fracture().empty(), model.fracture().empty() ? "not declared" : "model:fracture", seconds("fracture")},
-        {"contact", state_.contact.has_value(), state_.contact ? "model:contact" : "not declared", seconds("contact")},
-    };
+            if (e.name == s.effect) e.seconds += s.seconds;
+    return list;
 }
 
 }  // namespace hinge

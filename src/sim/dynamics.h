@@ -89,6 +89,7 @@ private:
     Operator operator_;
     std::unique_ptr<Operator> mass_;             ///< M alone, for the acceleration after a force has vanished
     std::vector<int> mass_stale_;
+    std::vector<char> in_mass_stale_;
     Pose trial_;
     std::vector<Vec3> increment_;                ///< rotation vector of the step
     Fastest fastest_;
@@ -98,6 +99,7 @@ private:
     std::vector<Yielding> hinges_;               ///< of the last step, when a step is solved from du = 0
     std::vector<int> was_yielding_;
     std::vector<Mat6> tangents_;
+    std::vector<Mat6> built_;                    ///< D_p in the operator, zero where it is D_e
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_;
     std::vector<contact::Bar> bars_;

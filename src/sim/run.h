@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/effects.h"
 #include "sim/energy.h"
 
 namespace hinge {
@@ -14,9 +15,6 @@ const char* name(Verdict v);
 
 /// One stage of a step, in the order the step does it, with the seconds spent in it.
 struct StageTime { const char* name; double seconds = 0; };
-
-/// An effect of the scene: whether it is in the step, why, and what it took.
-struct Effect { std::string name; bool active; std::string because; double seconds = 0; };
 
 class Run {
 public:

@@ -289,16 +289,10 @@ bool Statics::advance() {
 }
 
 std::vector<Effect> Statics::effects() const {
-    const Model& model = structure_->model();
-    return {
-        {"inertia", false, "statics", 0},
-        {"gravity", model.gravity().has_value(), model.gravity() ? "model:gravity" : "not declared", 0},
-        {"large displacement", structure_->large(), structure_->large() ? "the default; displacement = \"small\" leaves it out" : "displacement = \"small\"", times_[0].seconds},
-        {"geometric stiffness", structure_->large(), "part of large displacement", 0},
-        {"plasticity", structure_->can_yield(), structure_->can_yield() ? "a material has a yield stress" : "no section can yield", 0},
-        {"fracture", false, "statics", 0},
-        {"contact", false, "statics", 0},
-    };
+    std::vector<Effect> list = effects_of(*structure_, false, true);
+    for (Effect& e : list)
+        if (e.name == "large displacement") e.seconds = times_[0].seconds;
+    return list;
 }
 
 }  // namespace hinge

@@ -1,0 +1,132 @@
+// model:static{} and model:dynamic{}: what a script may say of a run, and the run made of it.
+#include <algorithm>
+#include <cmath>
+
+#include "script/objects.h"
+#include "sim/dynamics.h"
+#include "sim/statics.h"
+
+namespace hinge::script {
+namespace {
+
+State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const std::shared_ptr<Model>& model) {
+    lua_State* L = o.L();
+    State state = initial_state(*structure);
+    if (o.push_field("from") != LUA_TNIL) {
+        auto* box = find<RunBox>(L, -1);
+        if (!box) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
+        if (box->value->model != model) o.complain("from", "a run of another model", "must be a run of this one");
+        const State& from = box->value->run->state();
+        if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
+            o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
+                       "this model has " + std::to_string(state.displacement.size()) + " and " + std::to_string(state.broken.size()) + "; add nothing between the runs");
+        state = from;
+        state.step = 0;
+    }
+    lua_pop(L, 1);
+    return state;
+}
+
+void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
+    for (const NodalLoad& l : m.loads())
+        if (start.gone[l.node]) throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) + ", which has no element left");
+}
+
+/// Steps between rows of history.csv; 0 for record = false.
+int record_every(Options& o, int usual) {
+    const bool none = o.push_field("record") == LUA_TBOOLEAN && !lua_toboolean(o.L(), -1);
+    lua_pop(o.L(), 1);
+    return none ? 0 : o.integer("record", 1, usual);
+}
+
+}  // namespace
+
+int static_run(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:static").value;
+    Options o(L, 2, "model:static", true);
+    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    StaticSettings s;
+    s.steps = o.integer("steps", 1, 10);
+    s.iterations = o.integer("iterations", 2, s.iterations);
+    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
+    const int type = o.push_field("control");
+    if (type == LUA_TSTRING) {
+        const std::string word = lua_tostring(L, -1);
+        if (word == "arc") s.control = Control::arc;
+        else if (word != "load") o.complain("control", "'" + word + "'", "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
+    } else if (type == LUA_TTABLE) {
+        Options c(L, -1, "model:static, control");
+        s.control = Control::displacement;
+        c.push_field("node");
+        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
+        c.push_item(1);
+        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
+        const auto at = std::find(names.begin(), names.end(), component);
+        if (at == names.end()) throw InputError("model:static, control: component is " + show(L, -1) + "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
+        lua_pop(L, 2);
+        s.component = int(at - names.begin());
+        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
+        if (s.target == 0) c.complain("to", "0", "must differ from 0");
+        c.finish(1);
+        if (m->nodes()[s.node].fixed >> s.component & 1) throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) + " is fixed by a support and cannot be driven");
+    } else if (type != LUA_TNIL) {
+        o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
+    }
+    lua_pop(L, 1);
+    if (o.push_field("hold") != LUA_TNIL) {
+        s.held.assign(structure->position().size(), 0);
+        const int g = group_argument(L, -1, "model:static: field 'hold'", *m);
+        for (std::size_t e = 0; e < structure->elements().size(); ++e)
+            if (structure->in_group(int(e), g))
+                for (int n : structure->elements()[e].node) s.held[n] = 63;
+    }
+    lua_pop(L, 1);
+    const int every = record_every(o, 1);
+    State start = start_state(o, structure, m);
+    o.finish();
+    if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
+    refuse_lost_loads(*m, *structure, start, "model:static");
+    context(L)->running = L;
+    try {
+        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
+    } catch (const InputError& e) {
+        throw InputError(std::string("model:static: ") + e.what());
+    }
+}
+
+int dynamic_run(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:dynamic").value;
+    Options o(L, 2, "model:dynamic");
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record"});
+    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    DynamicSettings s;
+    s.dt = o.number("dt", "s", Range::positive);
+    s.duration = o.number("duration", "s", Range::positive);
+    if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
+    if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
+    s.beta = o.number("beta", "", Range::not_negative, s.beta);
+    if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
+    s.iterations = o.integer("iterations", 0, 0);
+    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
+    const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
+    s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;
+    s.geometric = o.flag("geometric", s.geometric);
+    s.turn = o.number("turn", "rad", Range::positive, s.turn);
+    s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
+    s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
+    s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
+    const long planned = std::llround(s.duration / s.dt);
+    const int every = record_every(o, int(std::max(1L, planned / 500)));
+    State start = start_state(o, structure, m);
+    o.finish();
+    if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
+    refuse_lost_loads(*m, *structure, start, "model:dynamic");
+    for (const Element& e : structure->elements())
+        if (!(e.rigidity.rhoA > 0))
+            throw InputError("model:dynamic: " + structure->element_name(int(&e - structure->elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
+    context(L)->running = L;
+    return make_run(L, std::make_shared<Dynamics>(structure, std::move(start), s), m, every);
+}
+
+}  // namespace hinge::script
