@@ -12,8 +12,13 @@ namespace hinge::blocks {
 using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));
 constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 
+/// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight over
+/// two stores of six waits until both have left the core.
+constexpr int stride = 8;
+
 inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
 inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(double)); }
+inline void store(double* p, const Wide& v) { *reinterpret_cast<Wide*>(p) = v; }
 inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
 
 /// B x for a 6x6 block stored by columns.
@@ -24,6 +29,19 @@ inline Wide times(const double* B, const double* x) {
     even += load(B + 24) * x[4];
     odd += load(B + 30) * x[5];
     return even + odd;
+}
+
+/// B^T x; x is masked: its last two numbers are zero.
+inline Wide times_transposed(const double* B, const Wide& x) {
+    using Lanes = long __attribute__((vector_size(64)));
+    const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x, p4 = load(B + 24) * x, p5 = load(B + 30) * x;
+    constexpr Lanes even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
+    const Wide s01 = __builtin_shuffle(p0, p1, even) + __builtin_shuffle(p0, p1, odd), s23 = __builtin_shuffle(p2, p3, even) + __builtin_shuffle(p2, p3, odd),
+               s45 = __builtin_shuffle(p4, p5, even) + __builtin_shuffle(p4, p5, odd);
+    constexpr Lanes low = {0, 1, 8, 9, 4, 5, 12, 13}, high = {2, 3, 10, 11, 6, 7, 14, 15};
+    const Wide q = __builtin_shuffle(s01, s23, low) + __builtin_shuffle(s01, s23, high), r = __builtin_shuffle(s45, s45, low) + __builtin_shuffle(s45, s45, high);
+    constexpr Lanes first = {0, 1, 2, 3, 8, 9, 8, 9}, second = {4, 5, 6, 7, 12, 13, 12, 13};
+    return __builtin_shuffle(q, r, first) + __builtin_shuffle(q, r, second);
 }
 
 /// The inverse of a symmetric positive matrix from its 3x3 quarters, which Eigen inverts without loops.

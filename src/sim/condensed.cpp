@@ -50,7 +50,7 @@ Condensed::Condensed(const std::vector<int>& row, const std::vector<int>& column
             for (Entry& e : rows_[i])
                 if ((which_[i] < 0 && which_[e.column] < 0) == usual) e.slot = slots++;
     value_.assign(36 * std::size_t(slots) + 2, 0);
-    y_.assign(6 * between_.size() + 2, 0);
+    y_.assign(stride * between_.size(), 0);
     list();
 }
 
@@ -61,6 +61,7 @@ int Condensed::entry(int node, int column) const {
 }
 
 void Condensed::list() {
+    ++arrangement_;
     const auto stays = [&](int i) { return which_[i] < 0 || between_[which_[i]].kept; };
     order_.clear();
     begin_.assign(1, 0);
@@ -70,8 +71,8 @@ void Condensed::list() {
     for (int i = 0; i < int(rows_.size()); ++i)
         if (stays(i)) place_[i] = int(order_.size()), order_.push_back(i);
     for (int i : order_) {
-        for (const Entry& e : rows_[i])
-            if (place_[e.column] >= 0) slot_.push_back(e.slot), at_.push_back(place_[e.column]);
+        for (const Entry& e : rows_[i])  // S is symmetric: its upper half will do
+            if (place_[e.column] >= place_[i]) slot_.push_back(e.slot), at_.push_back(place_[e.column]);
         begin_.push_back(int(slot_.size()));
     }
 }
@@ -112,7 +113,6 @@ void Condensed::renew_row(int node, const double* value) {
 }
 
 const std::vector<int>& Condensed::renew(const std::vector<int>& nodes, const double* value) {
-    full_ = value;
     std::vector<int>& rows = renewed_;
     rows.clear();
     for (int i : nodes) {
@@ -132,38 +132,48 @@ const std::vector<int>& Condensed::renew(const std::vector<int>& nodes, const do
 Mat6 Condensed::diagonal(int place) const { return block(value_.data(), slot_[begin_[place]]); }
 
 void Condensed::reduce(const double* right, double* b) {
-    for (std::size_t i = 0; i < order_.size(); ++i) std::memcpy(b + 6 * i, right + 6 * order_[i], 6 * sizeof(double));
+    for (std::size_t i = 0; i < order_.size(); ++i) store(b + stride * i, load(right + 6 * order_[i]));
     for (std::size_t i = 0; i < between_.size(); ++i) {
         const Between& m = between_[i];
         if (m.kept) continue;
         const double* r = right + 6 * m.node;
-        double* y = &y_[6 * i];
-        store_six(y, times(m.inverse, r));
-        for (int s = 0; s < m.count; ++s) {
-            double* to = b + 6 * place_[m.side[s]];
-            store_six(to, load(to) - times(full_ + 36 * std::size_t(m.from[s]), y));
+        store(&y_[stride * i], times(m.inverse, r));
+        const Wide masked = six * load(r);
+        for (int s = 0; s < m.count; ++s) {  // A_side,m A_mm^-1 r
+            double* to = b + stride * place_[m.side[s]];
+            store(to, load(to) - times_transposed(m.pull[s], masked));
         }
     }
 }
 
 double Condensed::multiply(const double* x, double* y) const {
+    const int n = size();
+    std::memset(y, 0, stride * sizeof(double) * std::size_t(n));
     Wide product{};
-    for (int i = 0; i < size(); ++i) {
+    for (int i = 0; i < n; ++i) {
+        const Wide xi = six * load(x + stride * i);
+        int k = begin_[i];
+        const Wide own = times(&value_[36 * std::size_t(slot_[k])], x + stride * i);
         Wide row{};
-        for (int k = begin_[i]; k < begin_[i + 1]; ++k) row += times(&value_[36 * std::size_t(slot_[k])], x + 6 * at_[k]);
-        store_six(y + 6 * i, row);
-        product += six * row * load(x + 6 * i);
+        for (++k; k < begin_[i + 1]; ++k) {
+            const double* block = &value_[36 * std::size_t(slot_[k])];
+            double* other = y + stride * at_[k];
+            row += times(block, x + stride * at_[k]);
+            store(other, load(other) + times_transposed(block, xi));
+        }
+        product += xi * (own + row + row);
+        store(y + stride * i, load(y + stride * i) + own + row);
     }
     return sum(product);
 }
 
 void Condensed::solve_back(const double* x, double* solution) const {
-    for (std::size_t i = 0; i < order_.size(); ++i) std::memcpy(solution + 6 * order_[i], x + 6 * i, 6 * sizeof(double));
+    for (std::size_t i = 0; i < order_.size(); ++i) std::memcpy(solution + 6 * order_[i], x + stride * i, 6 * sizeof(double));
     for (std::size_t i = 0; i < between_.size(); ++i) {
         const Between& m = between_[i];
         if (m.kept) continue;
-        Wide v = load(&y_[6 * i]);
-        for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], x + 6 * place_[m.side[s]]);
+        Wide v = load(&y_[stride * i]);
+        for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], x + stride * place_[m.side[s]]);
         store_six(solution + 6 * m.node, v);
     }
 }

@@ -20,21 +20,21 @@ public:
     /// These nodes stay, whatever else they are: something couples them to others. Nodes whose rows must be renewed for it
     /// are added to `changed`.
     void keep(std::vector<int> nodes, std::vector<int>& changed);
-    /// Renews what depends on the rows of these nodes. `value`: blocks of A in the pattern's order, 36 each, by columns; it
-    /// must stay where it is.
+    /// Renews what depends on the rows of these nodes. `value`: blocks of A in the pattern's order, 36 each, by columns.
     /// Returns the nodes whose rows of S changed.
     const std::vector<int>& renew(const std::vector<int>& nodes, const double* value);
 
+    long arrangement() const { return arrangement_; }              ///< another number when other nodes stay
     int size() const { return int(order_.size()); }                ///< nodes that stay
     const std::vector<int>& order() const { return order_; }       ///< which they are
     int place(int node) const { return place_[node]; }             ///< of a node among those that stay, -1: taken out
     Mat6 diagonal(int place) const;
 
-    /// right (six a node) -> b (six a node that stays), and what solve_back needs of it.
+    /// right (six a node, two numbers of room behind it) -> b (eight a node that stays), and what solve_back needs of it.
     void reduce(const double* right, double* b);
-    /// y = S x; returns x . y. Two numbers of room behind x and y.
+    /// y = S x, eight numbers a node; returns x . y.
     double multiply(const double* x, double* y) const;
-    /// x (six a node that stays) -> solution (six a node).
+    /// x (eight a node that stays) -> solution (six a node).
     void solve_back(const double* x, double* solution) const;
 
 private:
@@ -57,11 +57,11 @@ private:
     std::vector<int> which_;                       ///< of each node: its place in between_, -1
     std::vector<std::vector<Entry>> rows_;         ///< of each node: all columns it may have, itself first
     std::vector<double> value_;                    ///< of every slot, 36
-    const double* full_ = nullptr;                 ///< blocks of A, as last seen
     std::vector<int> order_, place_;
-    std::vector<int> begin_, slot_, at_;           ///< rows of those that stay: slots, and places of their columns
+    std::vector<int> begin_, slot_, at_;           ///< upper rows of those that stay: slots, and places of their columns
     std::vector<double> y_;                        ///< A_mm^-1 r_m
     std::vector<int> kept_, renewed_;
+    long arrangement_ = 0;
 };
 
 }  // namespace hinge

@@ -37,10 +37,9 @@ Operator::Operator(const Structure& structure, double mass_factor, double stiffn
     for (const Element& e : structure.elements()) slot_.push_back({find(e.node[0], e.node[1]), find(e.node[1], e.node[0])});
     part_.assign(structure.elements().size(), Mat12::Zero());
     condensed_ = std::make_unique<Condensed>(row_, column_);
-    inverse_.assign(n + 1, Mat6::Identity());  // one more: a block is read two numbers past its end
     is_dirty_.assign(n, 0);
     held_ = structure.fixed();
-    for (auto* v : {&x_, &r_, &z_, &d_, &q_}) v->assign(6 * std::size_t(n) + 8, 0);
+    for (auto* v : {&x_, &r_, &z_, &d_, &q_}) v->assign(stride * std::size_t(n), 0);
     for (int i = 0; i < n; ++i) mark(i);
 }
 
@@ -159,17 +158,17 @@ void Operator::condense() {
     if (stale_.empty()) return;
     std::sort(stale_.begin(), stale_.end());
     stale_.erase(std::unique(stale_.begin(), stale_.end()), stale_.end());
-    for (int i : condensed_->renew(stale_, value_.data())) {
-        is_dirty_[i] = 1;
-        inverse_[i] = condensed_->diagonal(condensed_->place(i));
-        dirty_.push_back(i);
-    }
+    const std::vector<int>& renewed = condensed_->renew(stale_, value_.data());
+    const bool all = condensed_->size() + 1 != int(inverse_.size()) || arrangement_ != condensed_->arrangement();
+    arrangement_ = condensed_->arrangement();
+    const std::vector<int>& nodes = all ? condensed_->order() : renewed;
+    inverse_.resize(condensed_->size() + 1, Mat6::Identity());  // one more: a block is read two numbers past its end
+    for (int i : nodes) inverse_[condensed_->place(i)] = condensed_->diagonal(condensed_->place(i)), is_dirty_[i] = 1;
     for (const Coupling& c : couplings_) {
-        if (is_dirty_[c.a]) inverse_[c.a] += c.K.block<6, 6>(0, 0);
-        if (is_dirty_[c.b]) inverse_[c.b] += c.K.block<6, 6>(6, 6);
+        if (is_dirty_[c.a]) inverse_[condensed_->place(c.a)] += c.K.block<6, 6>(0, 0);
+        if (is_dirty_[c.b]) inverse_[condensed_->place(c.b)] += c.K.block<6, 6>(6, 6);
     }
-    for (int i : dirty_) inverse_[i] = inverse_by_halves(inverse_[i]), is_dirty_[i] = 0;
-    dirty_.clear();
+    for (int i : nodes) inverse_[condensed_->place(i)] = inverse_by_halves(inverse_[condensed_->place(i)]), is_dirty_[i] = 0;
     stale_.clear();
 }
 
@@ -254,16 +253,16 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
 SolveReport Operator::solve_iteratively(const double* right, double* solution, const SolverSettings& settings) {
     condense();
     const int n = condensed_->size();
-    const std::vector<int>& order = condensed_->order();
     double *x = x_.data(), *r = r_.data(), *z = z_.data(), *d = d_.data(), *q = q_.data();
-    condensed_->reduce(right, r);
+    std::memcpy(q, right, 6 * sizeof(double) * held_.size());  // with room behind it
+    condensed_->reduce(q, r);
     Wide product{};
     for (int i = 0; i < n; ++i) {
-        const Wide zi = times(inverse_[order[i]].data(), r + 6 * i);
-        store_six(d + 6 * i, zi);
-        product += six * zi * load(r + 6 * i);
+        const Wide zi = times(inverse_[i].data(), r + stride * i);
+        store(d + stride * i, zi);
+        product += six * zi * load(r + stride * i);
     }
-    std::memset(x, 0, 6 * sizeof(double) * std::size_t(n));
+    std::memset(x, 0, stride * sizeof(double) * std::size_t(n));
     double rho = sum(product);
     const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
@@ -274,16 +273,16 @@ SolveReport Operator::solve_iteratively(const double* right, double* solution, c
         const double alpha = rho / dq;
         product = Wide{};
         for (int i = 0; i < n; ++i) {
-            const Wide ri = load(r + 6 * i) - alpha * load(q + 6 * i);
-            store_six(x + 6 * i, load(x + 6 * i) + alpha * load(d + 6 * i));
-            store_six(r + 6 * i, ri);
-            const Wide zi = times(inverse_[order[i]].data(), r + 6 * i);
-            store_six(z + 6 * i, zi);
+            const Wide ri = load(r + stride * i) - alpha * load(q + stride * i);
+            store(x + stride * i, load(x + stride * i) + alpha * load(d + stride * i));
+            store(r + stride * i, ri);
+            const Wide zi = times(inverse_[i].data(), r + stride * i);
+            store(z + stride * i, zi);
             product += six * zi * ri;
         }
         const double next = sum(product), beta = next / rho;
         rho = next;
-        for (int k = 0; k < 6 * n; ++k) d[k] = z[k] + beta * d[k];
+        for (int k = 0; k < stride * n; k += stride) store(d + k, load(z + k) + beta * load(d + k));
         ++report.iterations;
     }
     condensed_->solve_back(x, solution);
@@ -298,10 +297,10 @@ double Operator::add_couplings(const double* x, double* y) const {
     for (const Coupling& c : couplings_) {
         const int a = condensed_->place(c.a), b = condensed_->place(c.b);
         Vec12 v;
-        v << Eigen::Map<const Vec6>(x + 6 * a), Eigen::Map<const Vec6>(x + 6 * b);
+        v << Eigen::Map<const Vec6>(x + stride * a), Eigen::Map<const Vec6>(x + stride * b);
         const Vec12 w = c.K * v;
-        Eigen::Map<Vec6>(y + 6 * a) += w.head<6>();
-        Eigen::Map<Vec6>(y + 6 * b) += w.tail<6>();
+        Eigen::Map<Vec6>(y + stride * a) += w.head<6>();
+        Eigen::Map<Vec6>(y + stride * b) += w.tail<6>();
         dot += v.dot(w);
     }
     return dot;

@@ -72,7 +72,8 @@ private:
     std::vector<std::array<int, 2>> slot_;      // of each element: (1,2) and (2,1)
     std::unique_ptr<Condensed> condensed_;
     std::vector<int> stale_;                    // nodes whose rows changed since condensed_ saw them
-    std::vector<Mat6> inverse_;                 // of each condensed diagonal block, couplings included
+    std::vector<Mat6> inverse_;                 // of each diagonal block of what is left, couplings included
+    long arrangement_ = -1;                     // of condensed_, for which inverse_ is laid out
     std::vector<int> dirty_;
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
