@@ -64,8 +64,9 @@ int run(Request request, bool named) {
         if (pair.find('=') == std::string::npos || pair[0] == '=')
             return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "render"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "render"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
+    if (request.verb == "plan") return with_lua(request, "hinge.runner", "main", false);
     if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
@@ -75,7 +76,7 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "render"};
+    const std::vector<std::string> verbs = {"run", "plan", "render"};
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
     if (!words.empty() && !named) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
@@ -90,6 +91,10 @@ int main(int argc, char** argv) {
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     run_verb->add_option("--out", request.out, "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
     run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong.");
+    auto* plan_verb = app.add_subcommand("plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
+    plan_verb->add_option("script", request.script, "Lua script")->required();
+    plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
@@ -102,5 +107,6 @@ int main(int argc, char** argv) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
     }
+    if (*plan_verb) request.verb = "plan";
     return run(std::move(request), named);
 }

@@ -44,6 +44,28 @@ function runner.load(path, plain)
   return nil, result
 end
 
+-- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault.
+local function plan_script(options)
+  core.plan()
+  local say, described = print, 0
+  print = function() end
+  local ok, failure = xpcall(function()
+    local plain = {}
+    for _, override in ipairs(options.overrides or {}) do plain[override[1]] = values.guess(override[2]) end
+    local loaded = runner.load(options.script, plain)
+    if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
+  end, explain)
+  print, described = say, core.runs_made()
+  if ok and described == 0 then say("nothing would be simulated: the script makes no run") end
+  if ok then return done end
+  if described == 0 then
+    io.stderr:write("hinge: ", failure.text, "\n")
+    return failure.status
+  end
+  say(("the script was followed as far as it goes without results (%s)"):format(failure.text:match("^[^\n]*")))
+  return done
+end
+
 local function run_script(options)
   local overrides = options.overrides or {}
   local plain = {}
@@ -81,7 +103,8 @@ end
 function runner.main(options)
   return runner.guard(function()
     local verb = options.verb or "run"
-    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run" }) end
+    if verb == "plan" then return plan_script(options) end
+    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan" }) end
     return run_script(options)
   end)
 end

@@ -177,8 +177,8 @@ local function show_why(tasks, results)
     list[i] = { change = task.why, broken_inner = r.broken_inner, broken_outer = r.broken_outer, curvature = r.curvature,
       rotation = r.rotation, work = r.work, work_aircraft = r.work_aircraft, given = r.given }
   end
-  paper.table("Case I, one thing changed at a time: columns fractured, inner+outer; largest curvature that eq 16 reads in a column; "
-    .. "how far\na column's hinges have turned, all together; plastic work in building and aircraft; share of the momentum; remainder",
+  paper.table("Case I, one thing changed at a time: columns fractured, inner+outer; largest curvature that eq 16 reads in a\n"
+    .. "column; how far a column's hinges have turned, all together; plastic work in building and aircraft; share of the momentum",
     { "change", "fractured", "curvature, 1/m", "turned, rad", "building, MJ", "aircraft, MJ", "momentum, %", "off, %" }, rows)
   return list
 end
@@ -223,7 +223,7 @@ return hinge.scenario {
   parameters = impact.parameters {
     scales = { 0.75, 1, 1.25 },                 -- of the building's sections
     heights = { 29, 30, 32 },                   -- m, of the fuselage's axis: a quarter up the storey, its middle, a floor
-    path = 12,                                  -- m of flight after the facade that a run follows
+    path = 8,                                   -- m of flight after the facade that a run follows
     dt = 2e-5, watch = 1e-4,                    -- s
     quick = false, half = 0,
   },
@@ -239,8 +239,6 @@ return hinge.scenario {
       done = done + #part
       return table.move(results, done - #part + 1, done, 1, {})
     end
-
-
     local found, variants = show_grid(p, parts[1], next_of(parts[1]), job)
     local causes = show_why(parts[2], next_of(parts[2]))
     return { findings = found, variants = variants, why = causes, weak = show_weak(parts[3], next_of(parts[3])) }

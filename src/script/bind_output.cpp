@@ -5,6 +5,7 @@
 
 #include "core/files.h"
 #include "output/plot.h"
+#include "script/plan.h"
 #include "script/still.h"
 
 namespace hinge::script {
@@ -66,6 +67,24 @@ void must_work(int status, const char* error) {
 const StillBox& still_argument(lua_State* L, int index, const char* function) {
     if (auto* s = find<StillBox>(L, index)) return *s;
     throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
+}
+
+/// core.plan(): from now on runs are described, not stepped, and nothing is written.
+int plan(lua_State* L) {
+    context(L)->planning = true;
+    return 0;
+}
+
+/// core.runs_made()
+int runs_made(lua_State* L) {
+    lua_pushinteger(L, context(L)->runs);
+    return 1;
+}
+
+/// core.planning()
+int planning(lua_State* L) {
+    lua_pushboolean(L, context(L)->planning);
+    return 1;
 }
 
 /// core.write_frame(still): adds it to frames.pvd in the output folder.
@@ -328,7 +347,10 @@ int write_summary(lua_State* L) {
         j["factor"] = run.state().factor;
         j["wall_seconds"] = r->wall;
         j["effects"] = Json::array();
-        for (const Effect& e : run.effects()) j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+        for (const Effect& e : effects_of(*r)) {
+            j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+            if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
+        }
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run.energy());
@@ -358,7 +380,7 @@ int out_dir(lua_State* L) {
 }  // namespace
 
 void open_output(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
+    static const luaL_Reg functions[] = {{"plan", guarded<plan>}, {"planning", guarded<planning>}, {"runs_made", guarded<runs_made>}, {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
                                          {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
                                          {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);

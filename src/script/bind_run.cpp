@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "core/files.h"
+#include "script/plan.h"
 #include "script/still.h"
 
 namespace hinge::script {
@@ -98,7 +99,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
-    if (r.closed) return false;
+    if (r.closed || c->planning) return false;
     if (!r.started) {
         begin_history(c, record);
         add_row(r);
@@ -140,6 +141,13 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> mode
     record->every = every;
     const auto c = context(L);
     c->record = record;
+    ++c->runs;
+    record->asked_at = where(L);
+    if (c->planning)
+        if (const std::string plan = plan_of(*record); c->described.find(plan) == std::string::npos) {
+            c->described += plan;
+            std::printf("%s\n", plan.c_str());
+        }
     push<RunBox>(L, record);
     return 1;
 }

@@ -22,11 +22,14 @@ struct Context {
     std::string picture_module;           ///< path of the output module
     bool progress = false;                ///< show a progress line on stderr
     bool interrupted = false;
+    bool planning = false;                ///< runs are described, not stepped; nothing is written
     std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
     const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
     std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
     std::shared_ptr<struct RunRecord> record;  ///< of the last run
     std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
+    int runs = 0;                         ///< made so far
+    std::string described;                ///< all plans printed so far: a loop's runs are described once
     int histories = 0;                    ///< kept by number so far
 };
 std::shared_ptr<Context> context(lua_State* L);
@@ -75,6 +78,7 @@ struct RunRecord {
     long every = 1;                       ///< steps between rows of history.csv; 0: none is kept
     std::string rows;                     ///< not yet written
     std::string history_path;
+    std::string asked_at;                 ///< the script's line that made the run
     bool started = false, closed = false;
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps

@@ -28,7 +28,7 @@ std::vector<Effect> effects_of(const Structure& structure, bool dynamic, bool ge
     list.push_back({"friction", dynamic && friction, friction ? only(true, "model:contact with friction") : contact ? "no friction given to model:contact" : "no contact", friction ? asked_at("contact") : ""});
     list.push_back({"damping", false, "not offered", ""});
     list.push_back({"ground", false, "supports do not move", ""});
-    list.push_back({"hooks", (dynamic && hook) || history, hook ? only(true, "a function in model:fracture") : history ? "a load's history" : "not declared", hook ? asked_at("fracture") : asked_at("loads")});
+    list.push_back({"hooks", (dynamic && hook) || history, hook ? only(true, "a function in model:fracture") : history ? "a load's history" : "not declared", hook ? asked_at("fracture") : history ? asked_at("loads") : ""});
     return list;
 }
 

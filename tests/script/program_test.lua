@@ -17,6 +17,7 @@ local function script(name, text) support.write(path(name), text) return quote(p
 for arguments, wanted in pairs {
   ["--help"] = { "Usage: hinge ", "run ", "render ", "--version" },
   ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "Exit status: 0 done, 1 the run failed, 2 " },
+  ["plan --help"] = { "script", "--case", "runs nothing" },
   ["render --help"] = { "folder" },
   ["--version"] = { "0." },
 } do
@@ -77,6 +78,27 @@ local two_nodes = script("two_nodes.lua", beam .. "local model, tip = cantilever
 status, _, complaint = run(hinge .. " run " .. two_nodes .. " --out " .. quote(path "plain.lua"))
 equal(status, 1, "status with a file where the folder should be")
 expect(complaint:find("cannot make folder " .. path "plain.lua", 1, true), "unwritable folder: %s", complaint)
+
+-- A plan: which effects, why, and the line that asks; nothing is run or written ----------------------------------------------
+
+local status, printed = run(hinge .. " plan " .. ten_storey)
+equal(status, 0, "status of a plan")
+for effect, line in pairs { gravity = "model:gravity { 0, 0,", fracture = "model:fracture {", contact = "model:contact {", plasticity = "building.add(" } do
+  local number, at = 0, nil
+  for text in io.lines(support.root .. "scripts/ten_storey_impact.lua") do
+    number = number + 1
+    if text:find(line, 1, true) then at = at or number end
+  end
+  expect(printed:match("dynamic run.*\n  " .. effect .. " +on  [^\n]*ten_storey_impact.lua:(%d+)\n") == tostring(at), "plan: %s at line %s:\n%s",
+    effect, at, printed)
+end
+for _, effect in ipairs { "friction", "damping", "ground", "hooks" } do
+  expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
+end
+status, printed = run(hinge .. " plan " .. script("plans.lua", beam .. "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
+expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "as far as it goes", "a loop is described once: %s", printed)
+equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2, "status of a plan that fails before a run")
+expect(not support.is_there(path "out") and not support.is_there "out/ten_storey_impact/planned", "a plan writes nothing")
 
 -- What a run leaves ---------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,16 @@
+// hinge plan: what a run would simulate, and why, without a step.
+#pragma once
+
+#include <string>
+
+#include "script/objects.h"
+
+namespace hinge::script {
+
+/// The effects of a run, the recording that the script layer does among them.
+std::vector<Effect> effects_of(const RunRecord& record);
+
+/// The run and its effects as a table: name, on or off, why, the script's line.
+std::string plan_of(const RunRecord& record);
+
+}  // namespace hinge::script
