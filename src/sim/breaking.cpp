@@ -1,7 +1,5 @@
 #include "sim/breaking.h"
 
-#include <Eigen/LU>
-
 #include "beam/mass.h"
 #include "sim/hinges.h"
 
@@ -83,7 +81,7 @@ Momentum momentum(const Structure& structure, const State& state) {
     return total;
 }
 
-BreakReport break_element(const Structure& structure, State& state, int index, int end) {
+BreakReport break_off(const Structure& structure, State& state, int index, int end, std::vector<Vec6>& impulse) {
     const Element& e = structure.elements()[index];
     BreakReport report;
     const int a = end == 2 ? 0 : 1, carrier = e.node[a], freed = e.node[1 - a];
@@ -98,7 +96,6 @@ BreakReport break_element(const Structure& structure, State& state, int index, i
     const Mat12 M = beam::consistent_mass(e.rigidity, e.length, axes);
     const Vec12 v = element_velocity(e, state);
     const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(carrier));
-    double before = 0.5 * v.dot(M * v);
 
     state.broken[index] = std::int8_t(end);
     state.force[index].setZero();
@@ -110,33 +107,10 @@ BreakReport break_element(const Structure& structure, State& state, int index, i
     const beam::Stub stub = beam::rigid_stub(same_mass, span, axes);
     const Mat6 stub_mass = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
 
-    // everything else that moves with the carrier: momentum of the system per unit of its velocity
-    Mat6 G = stub_mass;
-    if (state.hung[carrier].mass > 0) G += hung_in_space(state, carrier);
-    const auto others_energy = [&] {
-        double energy = state.hung[carrier].mass > 0 ? 0.5 * state.velocity[carrier].dot(hung_in_space(state, carrier) * state.velocity[carrier]) : 0.0;
-        for (int other : structure.elements_at()[carrier]) {
-            if (state.broken[other]) continue;
-            const Element& o = structure.elements()[other];
-            const Vec12 w = element_velocity(o, state);
-            energy += 0.5 * w.dot(beam::consistent_mass(o.rigidity, o.length, frame(structure, state, other)) * w);
-        }
-        return energy;
-    };
-    for (int other : structure.elements_at()[carrier]) {
-        if (state.broken[other]) continue;
-        const Element& o = structure.elements()[other];
-        const int at = o.node[0] == carrier ? 0 : 1;
-        const Mat12 Mo = beam::consistent_mass(o.rigidity, o.length, frame(structure, state, other));
-        for (int c = 0; c < 6; ++c)
-            G.col(c) += momentum_of(Mo.col(6 * at + c), where(o.node[0]), where(o.node[1]), where(carrier));
-    }
-    before += others_energy();
-    Vec6 missing = carried - stub_mass * state.velocity[carrier];
-    for (int c = 0; c < 6; ++c)
-        if (state.held[carrier] >> c & 1) G.row(c).setZero(), G.col(c).setZero(), G(c, c) = 1, missing[c] = 0;  // the support takes it
-    state.velocity[carrier] += G.fullPivLu().solve(missing);
-    report.kinetic = before - others_energy() - 0.5 * state.velocity[carrier].dot(stub_mass * state.velocity[carrier]);
+    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's velocity
+    const Vec6 at_carrier = stub_mass * state.velocity[carrier];
+    impulse[carrier] += carried - at_carrier;
+    report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);
 
     HungMass& h = state.hung[carrier];
     const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
@@ -157,6 +131,39 @@ BreakReport break_element(const Structure& structure, State& state, int index, i
     }
     state.booked.fracture_elastic += report.elastic;
     state.booked.fracture_kinetic += report.kinetic;
+    return report;
+}
+
+double pass_on(State& state, Operator& mass, std::vector<Vec6>& impulse) {
+    for (std::size_t i = 0; i < impulse.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) impulse[i][c] = 0;  // the support takes it
+    std::vector<Vec6> change(impulse.size(), Vec6::Zero());
+    SolverSettings sharp;
+    sharp.tolerance = 1e-13;
+    mass.solve(impulse, change, sharp);
+    double cost = 0;
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
+        state.velocity[i] += change[i];
+    }
+    state.booked.fracture_kinetic += cost;
+    return cost;
+}
+
+BreakReport break_element(const Structure& structure, State& state, int index, int end) {
+    std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
+    BreakReport report = break_off(structure, state, index, end, impulse);
+    Operator mass(structure, 1.0, 0.0, false);
+    std::vector<int> whole;
+    for (std::size_t i = 0; i < state.broken.size(); ++i)
+        if (!state.broken[i]) whole.push_back(int(i));
+    mass.set_held(state.held);
+    mass.build(whole, state, pose_of(state), {});
+    for (std::size_t i = 0; i < state.hung.size(); ++i)
+        if (state.hung[i].mass > 0) mass.set_hung(int(i), hung_in_space(state, int(i)));
+    mass.assemble();
+    report.kinetic += pass_on(state, mass, impulse);
     return report;
 }
 

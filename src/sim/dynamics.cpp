@@ -348,9 +348,11 @@ void Dynamics::commit() {
         take_up_ = true;
         if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
     }
+    if (!to_break_.empty())
+        for (Vec6& n : right_) n.setZero();  // what breaking asks of the nodes
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
-        const BreakReport report = break_element(*structure_, state_, element, end);
+        const BreakReport report = break_off(*structure_, state_, element, end, right_);
         operator_.remove(element);
         if (mass_) mass_->remove(element);
         renew_hung_operator(report.carrier);
@@ -367,6 +369,8 @@ void Dynamics::commit() {
     if (take_up_ || !to_break_.empty()) sweep_.take_up(state_);
     take_up_ = false;
     if (!to_break_.empty()) {
+        renew_mass(pose_of(state_));
+        pass_on(state_, *mass_, right_);
         if (state_.contact) {
             list_bars();
             place_contact(state_.displacement);
