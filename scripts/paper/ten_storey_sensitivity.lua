@@ -149,6 +149,7 @@ local function why_tasks(p)
     { "yield stress 235 MPa", { yield_stress = 235e6 } },
     { "sections half as large", { building = sections(0.5) } },
     { "bays of 4 m", { building = wide(1) } },
+    { "contact by surfaces", { contact = "surface" } },
     { "what touches, binds", { contact_limits = touch }, gap = true },
     { "both of these", { building = wide(1), contact_limits = touch }, gap = true },
     { "aircraft of box 300x300x20", { aircraft = strong } },

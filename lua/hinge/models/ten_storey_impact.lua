@@ -169,6 +169,9 @@ function impact.simulate(p, see)
     each(step)
   end
 
+  if run.verdict == "failed" then
+    error(("the impact at %.0f m/s, %g m, %.0f kg stopped: %s"):format(p.speed, p.size, p.mass, run.reason), 0)
+  end
   local r, energy, brought = impact.damage(run, frame), run.energy, p.mass * p.speed
   r.verdict, r.reason, r.time, r.seconds, r.touched = run.verdict, run.reason, run.time, run.wall_seconds, watch.touched
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
