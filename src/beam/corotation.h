@@ -40,7 +40,7 @@ inline Triple<Real> relative_rotation(const Triad<Real>& frame, const Triad<Real
     Real factor = c(1) + q * (c(1.0 / 6) + q * (c(3.0 / 40) + q * (c(5.0 / 112) + q * (c(35.0 / 1152) + q * (c(63.0 / 2816) +
                   q * (c(231.0 / 13312) + q * (c(143.0 / 10240) + q * (c(6435.0 / 557056) + q * (c(12155.0 / 1245184))))))))));
     const auto large = [&](int i) { return !(lane(q, i) < 0.04 && lane(cosine, i) > 0); };
-    factor = replace_where(factor, large, [&](int i) {
+    if (any_not_below(q, 0.04) || any_not_below(-cosine, 0)) factor = replace_where(factor, large, [&](int i) {
         const double sine = std::sqrt(lane(q, i));
         return sine > 0 ? std::atan2(sine, lane(cosine, i)) / sine : 1.0;
     });
@@ -53,6 +53,7 @@ inline Real inverse_tangent_coefficient(const Real& q) {
     const auto c = [&](double value) { return spread(value, q); };
     Real eta = c(1.0 / 12) + q * (c(1.0 / 720) + q * (c(1.0 / 30240) + q * (c(1.0 / 1209600) + q * (c(1.0 / 47900160) +
                q * (c(691.0 / 1307674368000.0) + q * c(1.0 / 74724249600.0))))));
+    if (!any_not_below(q, 0.09)) return eta;
     return replace_where(eta, [&](int i) { return !(lane(q, i) < 0.09); }, [&](int i) {
         const double t = std::sqrt(lane(q, i));
         return (1 - 0.5 * t / std::tan(0.5 * t)) / lane(q, i);

@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cmath>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 namespace hinge::beam {
 
@@ -13,6 +16,9 @@ using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
 
 inline double square_root(double a) { return std::sqrt(a); }
 inline Lanes square_root(Lanes a) {
+#ifdef __AVX512F__
+    return reinterpret_cast<Lanes>(_mm512_sqrt_pd(reinterpret_cast<__m512d>(a)));
+#endif
     Lanes r;
     for (int i = 0; i < lane_count; ++i) r[i] = std::sqrt(a[i]);
     return r;
@@ -35,10 +41,24 @@ inline double lane(double a, int) { return a; }
 inline double lane(const Lanes& a, int i) { return a[i]; }
 inline bool any_above(double a, double limit) { return !(a <= limit); }
 inline bool any_above(const Lanes& a, double limit) {
+#ifdef __AVX512F__
+    return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), _mm512_set1_pd(limit), _CMP_NLE_UQ) != 0;
+#endif
     const auto above = ~(a <= spread(limit, a));
     long long any = 0;
     for (int i = 0; i < lane_count; ++i) any |= above[i];
     return any != 0;
+}
+
+/// Whether any lane is not below the limit (a lane that is no number is not).
+inline bool any_not_below(double a, double limit) { return !(a < limit); }
+inline bool any_not_below(const Lanes& a, double limit) {
+#ifdef __AVX512F__
+    return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), _mm512_set1_pd(limit), _CMP_NLT_UQ) != 0;
+#endif
+    bool any = false;
+    for (int i = 0; i < lane_count; ++i) any |= !(a[i] < limit);
+    return any;
 }
 
 template <class Real>

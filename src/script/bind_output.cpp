@@ -75,6 +75,14 @@ int plan(lua_State* L) {
     return 0;
 }
 
+/// core.time_product(run, repeats): the shortest time of a product of its operator with a vector, s
+int time_product(lua_State* L) {
+    const auto* d = dynamic_cast<const Dynamics*>(self<RunBox>(L, "time_product").value->run.get());
+    if (!d) throw InputError("time_product: the run is static; only a dynamic one has a yardstick");
+    lua_pushnumber(L, d->time_product(int(luaL_checkinteger(L, 2))));
+    return 1;
+}
+
 /// core.runs_made()
 int runs_made(lua_State* L) {
     lua_pushinteger(L, context(L)->runs);
@@ -380,7 +388,7 @@ int out_dir(lua_State* L) {
 }  // namespace
 
 void open_output(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"plan", guarded<plan>}, {"planning", guarded<planning>}, {"runs_made", guarded<runs_made>}, {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
+    static const luaL_Reg functions[] = {{"plan", guarded<plan>}, {"planning", guarded<planning>}, {"runs_made", guarded<runs_made>}, {"time_product", guarded<time_product>}, {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
                                          {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
                                          {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);

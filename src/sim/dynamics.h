@@ -49,6 +49,8 @@ public:
     struct Fastest { double speed = 0; int node = -1; double time = 0; };
     const Fastest& fastest() const { return fastest_; }
     long element_updates() const { return sweep_.updates(); }
+    /// Seconds that one product of this run's operator, block by block and uncondensed, with a vector takes: the yardstick of a step.
+    double time_product(int repeats) const;
 
 private:
     struct Stage { const char* name; const char* effect; void (Dynamics::*run)(); double seconds = 0; };

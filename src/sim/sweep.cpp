@@ -1,5 +1,9 @@
 #include "sim/sweep.h"
 
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
+
 #include "beam/mass.h"
 
 namespace hinge {
@@ -67,31 +71,29 @@ void Sweep::take_up(const State& state) {
 
 namespace {
 
-Triple<Lanes> gather(const std::vector<Vec6>& from, const int* node, int offset) {
-    Triple<Lanes> t;
-    for (int i = 0; i < lane_count; ++i) {
-        const double* v = from[node[i]].data() + offset;
-        t.x[i] = v[0], t.y[i] = v[1], t.z[i] = v[2];
-    }
-    return t;
+/// One number of each of eight nodes or elements, `stride` numbers apart. A gather, where the processor has one: numbers put one by
+/// one into a vector go through memory, and the vector waits for all of them.
+Lanes pick(const double* from, const int* index, int stride) {
+#ifdef __AVX512F__
+    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
+    return reinterpret_cast<Lanes>(_mm512_i32gather_pd(at, from, 8));
+#else
+    Lanes v;
+    for (int i = 0; i < lane_count; ++i) v[i] = from[index[i] * stride];
+    return v;
+#endif
 }
 
-Triple<Lanes> gather(const std::vector<Vec3>& from, const int* node) {
-    Triple<Lanes> t;
-    for (int i = 0; i < lane_count; ++i) {
-        const Vec3& v = from[node[i]];
-        t.x[i] = v[0], t.y[i] = v[1], t.z[i] = v[2];
-    }
-    return t;
+template <class T>
+Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
+    const double* first = from.data()->data() + offset;
+    constexpr int stride = sizeof(T) / sizeof(double);
+    return {pick(first, node, stride), pick(first + 1, node, stride), pick(first + 2, node, stride)};
 }
 
 Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
-    Quadruple<Lanes> q;
-    for (int i = 0; i < lane_count; ++i) {
-        const Quat& v = from[node[i]];
-        q.w[i] = v.w(), q.x[i] = v.x(), q.y[i] = v.y(), q.z[i] = v.z();
-    }
-    return q;
+    const double* first = from.data()->coeffs().data();  // x y z w
+    return {pick(first + 3, node, 4), pick(first, node, 4), pick(first + 1, node, 4), pick(first + 2, node, 4)};
 }
 
 /// Small displacement: the frame of the start, and the deformation to first order.
@@ -145,10 +147,7 @@ void Sweep::run_blocks(const State& state, const Pose& pose, std::vector<Vec6>& 
         }
 
         // elastic forces: p = k (d - d_p)
-        for (int i = 0; i < lane_count; ++i) {
-            const Vec6& dp = state.plastic[b.element[i]];
-            for (int c = 0; c < 6; ++c) d[c][i] -= dp[c];
-        }
+        for (int c = 0; c < 6; ++c) d[c] -= pick(state.plastic.data()->data() + c, b.element, 6);
         Lanes p[6] = {b.k[0] * d[0] + b.k[1] * d[1], b.k[1] * d[0] + b.k[2] * d[1],
                       b.k[3] * d[2] + b.k[4] * d[3], b.k[4] * d[2] + b.k[5] * d[3], b.k[6] * d[4], b.k[7] * d[5]};
 
