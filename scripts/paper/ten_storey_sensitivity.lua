@@ -51,13 +51,19 @@ local findings = {
   end },
 }
 
+-- Changed parameters, and as long a run as the aircraft needs for its path.
+local function flight(p, changes)
+  local changed = impact.with(p, changes)
+  changed.duration = (p.gap + p.path) / changed.speed
+  return changed
+end
+
 local function grid_tasks(p)
   local tasks = {}
   for _, scale in ipairs(p.scales) do
     for _, height in ipairs(p.heights) do
       for _, case in ipairs(impact.order) do
-        local changed = impact.with(impact.with(p, impact.cases[case]), { height = height, building = sections(scale) })
-        changed.duration = (p.gap + p.path) / changed.speed
+        local changed = flight(impact.with(p, impact.cases[case]), { height = height, building = sections(scale) })
         tasks[#tasks + 1] = { variant = ("%g; %g"):format(scale, height), case = case, p = changed }
       end
     end
@@ -158,9 +164,7 @@ local function why_tasks(p)
   local tasks = {}
   for _, change in ipairs(changes) do
     if not change.gap or p.contact == "gap" then
-      local changed = impact.with(impact.with(p, { building = sections(1) }), change[2])
-      changed.duration = (p.gap + p.path) / changed.speed
-      tasks[#tasks + 1] = { why = change[1], p = changed }
+      tasks[#tasks + 1] = { why = change[1], p = flight(impact.with(p, { building = sections(1) }), change[2]) }
     end
   end
   return tasks
@@ -182,13 +186,12 @@ local function show_why(tasks, results)
   return list
 end
 
--- A weak frame against a strong aircraft: columns are cut here, and the four cases compare otherwise ------------------------
+-- A weak frame against a strong aircraft: columns are cut here ------------------------------------------------------------
 
 local function weak_tasks(p)
   local tasks = {}
   for _, case in ipairs(impact.order) do
-    local changed = impact.with(impact.with(p, impact.cases[case]), { building = sections(0.5), aircraft = strong })
-    changed.duration = (p.gap + p.path) / changed.speed
+    local changed = flight(impact.with(p, impact.cases[case]), { building = sections(0.5), aircraft = strong })
     tasks[#tasks + 1] = { case = case, p = changed }
   end
   return tasks

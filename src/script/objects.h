@@ -94,6 +94,8 @@ void open_model(lua_State* L, int module);    ///< hinge.model and what it holds
 void open_run(lua_State* L);
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 
+int fracture_rule(lua_State* L);              ///< model:fracture
+int contact_rule(lua_State* L);               ///< model:contact
 int static_run(lua_State* L);                 ///< model:static
 int dynamic_run(lua_State* L);                ///< model:dynamic
 

@@ -46,24 +46,6 @@ void Dynamics::part() {
     }
 }
 
-/// change_ = M^-1 impulse, and what x times it does to the kinetic energy: square x^2 + linear x.
-Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
-    right_ = impulse;
-    for (std::size_t i = 0; i < right_.size(); ++i)
-        for (int c = 0; c < 6; ++c)
-            if (state_.held[i] >> c & 1) right_[i][c] = 0;
-    renew_mass(trial_);
-    SolverSettings sharp;
-    sharp.tolerance = 1e-10;
-    mass_->solve(right_, change_, sharp);
-    Kick out;
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        out.square += 0.5 * right_[i].dot(change_[i]);
-        out.linear += right_[i].dot(trial_.velocity[i]);
-    }
-    return out;
-}
-
 /// The impulses that the step missed (touch.h), scaled so that they do the work that was missed: near 1.
 void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
     const Kick k = kick(impulse);

@@ -69,6 +69,19 @@ function look.two_beam_impact(r)
   equal(#r.sweep, 27, "crossings of the sweep")
 end
 
+function look.ten_storey_cases(r)
+  for _, case in ipairs { "I", "II", "III", "IV" } do
+    local c = r.cases[case]
+    below(math.abs(c.remainder), 0.02 * c.own_kinetic, "remainder of Case " .. case)
+    expect(c.work > 0 and c.broken_aircraft > 0, "Case %s: plastic work %s, %s members of the aircraft broken", case, c.work, c.broken_aircraft)
+  end
+  near(r.cases.II.own_kinetic, 59.3e6, 0.1e6, "kinetic energy of Case II")
+  equal(#r.findings, 8, "findings")
+  local first
+  for _, t in ipairs(r.cases.I.felt) do first = t >= 0 and math.min(first or t, t) or first end
+  below(first, 1e-3, "first storey to feel the impact, s")
+end
+
 for i = 2, #arg do
   local name = arg[i]
   local status, _, complaint = support.run(("%s run %s quick=true --out %s"):format(quote(arg[1] .. "/hinge"),

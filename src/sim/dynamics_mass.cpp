@@ -1,0 +1,95 @@
+// Dynamics, inertia by itself: accelerations and velocities from M alone, and the stubs that hang on nodes.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/dynamics.h"
+
+namespace hinge {
+namespace {
+
+/// A stub's inertia about its own axis is a thousandth of that across: its part of the operator must not lag by more than
+/// 2 mrad, the cosine of whose half this is.
+constexpr double hung_turn = 1 - 5e-7;
+
+}  // namespace
+
+/// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a step
+/// of a force that is no longer there would go into the velocities.
+void Dynamics::find_acceleration() {
+    for (Vec6& a : state_.acceleration) a.setZero();
+    trial_ = pose_of(state_);
+    iteration_ = 0;
+    recover();
+    gather_loads(state_.time, right_);
+    renew_mass(trial_);
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        right_[i] -= nodal_[i];
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
+    }
+    SolverSettings sharp;
+    sharp.tolerance = 1e-12;
+    mass_->solve(right_, state_.acceleration, sharp);
+    yielding_.clear();
+    restart_ = false;
+}
+
+/// M alone, of what turned or broke since it was last needed.
+void Dynamics::renew_mass(const Pose& pose) {
+    if (!mass_) {
+        mass_ = std::make_unique<Operator>(*structure_, 1.0, 0.0, false);
+        for (std::size_t i = 0; i < state_.broken.size(); ++i)
+            if (!state_.broken[i]) mass_stale_.push_back(int(i));
+    }
+    std::sort(mass_stale_.begin(), mass_stale_.end());
+    in_mass_stale_.assign(state_.broken.size(), 0);
+    std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
+    mass_->set_held(state_.held);
+    mass_->build(mass_stale_, state_, pose, {});
+    mass_stale_.clear();
+    for (std::size_t i = 0; i < state_.hung.size(); ++i)
+        if (state_.hung[i].mass > 0) mass_->set_hung(int(i), hung_in_space(state_, int(i)));
+    mass_->assemble();
+}
+
+/// change_ = M^-1 impulse, and what x times it does to the kinetic energy: square x^2 + linear x.
+Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
+    right_ = impulse;
+    for (std::size_t i = 0; i < right_.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[i] >> c & 1) right_[i][c] = 0;
+    renew_mass(trial_);
+    SolverSettings sharp;
+    sharp.tolerance = 1e-10;
+    mass_->solve(right_, change_, sharp);
+    Kick out;
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        out.square += 0.5 * right_[i].dot(change_[i]);
+        out.linear += right_[i].dot(trial_.velocity[i]);
+    }
+    return out;
+}
+
+void Dynamics::renew_hung_operator(std::size_t node) {
+    if (state_.hung[node].mass == 0) return;
+    hung_built_.resize(state_.hung.size(), Quat::Identity());
+    hung_built_[node] = state_.rotation[node];
+    operator_.set_hung(int(node), hung_in_space(state_, int(node)));
+}
+
+/// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
+void Dynamics::add_hung_inertia() {
+    const Vec3 g = structure_->model().gravity().value_or(Vec3::Zero());
+    for (std::size_t i = 0; i < state_.hung.size(); ++i) {
+        const HungMass& h = state_.hung[i];
+        if (h.mass == 0) continue;
+        const Mat3 R = trial_.rotation[i].toRotationMatrix();
+        const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(), w = trial_.velocity[i].tail<3>();
+        const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body), Ja = R * (h.inertia * (R.transpose() * alpha));
+        nodal_[i].head<3>() += h.mass * a + alpha.cross(S) + w.cross(w.cross(S));
+        nodal_[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
+        if (trial_.rotation[i].coeffs().dot(hung_built_[i].coeffs()) < hung_turn) renew_hung_operator(i);
+    }
+}
+
+}  // namespace hinge
