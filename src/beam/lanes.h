@@ -61,6 +61,29 @@ inline bool any_not_below(const Lanes& a, double limit) {
     return any;
 }
 
+/// One number of each of eight nodes or elements, `stride` numbers apart. A gather, where the processor has one: numbers put one by
+/// one into a vector go through memory, and the vector waits for all of them.
+inline Lanes pick(const double* from, const int* index, int stride) {
+#ifdef __AVX512F__
+    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
+    return reinterpret_cast<Lanes>(_mm512_i32gather_pd(at, from, 8));
+#else
+    Lanes v;
+    for (int i = 0; i < lane_count; ++i) v[i] = from[index[i] * stride];
+    return v;
+#endif
+}
+
+/// Puts them back.
+inline void put(double* to, const int* index, int stride, const Lanes& v) {
+#ifdef __AVX512F__
+    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
+    _mm512_i32scatter_pd(to, at, reinterpret_cast<__m512d>(v), 8);
+#else
+    for (int i = 0; i < lane_count; ++i) to[index[i] * stride] = v[i];
+#endif
+}
+
 template <class Real>
 struct Triple {
     Real x, y, z;

@@ -9,7 +9,7 @@ namespace hinge {
 
 /// exp(turn) * q for a rotation vector in space, rad; the result is kept a unit quaternion.
 inline Quat turned(const Vec3& turn, const Quat& q) {
-    const double h = 0.25 * turn.squaredNorm();  // square of the half angle
+    const double h = 0.25 * (turn.x() * turn.x() + turn.y() * turn.y() + turn.z() * turn.z());  // square of the half angle
     double c, s;                                  // cos, sin(half)/(2 half)
     if (h < 2e-4) {  // a step's turn: series to rounding, without a division
         c = 1 - h * (1.0 / 2 - h * (1.0 / 24 - h * (1.0 / 720)));
@@ -25,7 +25,7 @@ inline Quat turned(const Vec3& turn, const Quat& q) {
     const double x = s * turn.x(), y = s * turn.y(), z = s * turn.z();
     Quat r(c * q.w() - x * q.x() - y * q.y() - z * q.z(), c * q.x() + x * q.w() + y * q.z() - z * q.y(),
            c * q.y() - x * q.z() + y * q.w() + z * q.x(), c * q.z() + x * q.y() - y * q.x() + z * q.w());
-    r.coeffs() *= 1.5 - 0.5 * r.squaredNorm();
+    r.coeffs() *= 1.5 - 0.5 * ((r.x() * r.x() + r.y() * r.y()) + (r.z() * r.z() + r.w() * r.w()));
     return r;
 }
 

@@ -71,8 +71,8 @@ void Condensed::list() {
     for (int i = 0; i < int(rows_.size()); ++i)
         if (stays(i)) place_[i] = int(order_.size()), order_.push_back(i);
     for (int i : order_) {
-        for (const Entry& e : rows_[i])  // S is symmetric: its upper half will do
-            if (place_[e.column] >= place_[i]) slot_.push_back(e.slot), at_.push_back(place_[e.column]);
+        for (const Entry& e : rows_[i])
+            if (place_[e.column] >= 0) slot_.push_back(e.slot), at_.push_back(place_[e.column]);
         begin_.push_back(int(slot_.size()));
     }
 }
@@ -147,22 +147,12 @@ void Condensed::reduce(const double* right, double* b) {
 }
 
 double Condensed::multiply(const double* x, double* y) const {
-    const int n = size();
-    std::memset(y, 0, stride * sizeof(double) * std::size_t(n));
     Wide product{};
-    for (int i = 0; i < n; ++i) {
-        const Wide xi = six * load(x + stride * i);
-        int k = begin_[i];
-        const Wide own = times(&value_[36 * std::size_t(slot_[k])], x + stride * i);
+    for (int i = 0; i < size(); ++i) {
         Wide row{};
-        for (++k; k < begin_[i + 1]; ++k) {
-            const double* block = &value_[36 * std::size_t(slot_[k])];
-            double* other = y + stride * at_[k];
-            row += times(block, x + stride * at_[k]);
-            store(other, load(other) + times_transposed(block, xi));
-        }
-        product += xi * (own + row + row);
-        store(y + stride * i, load(y + stride * i) + own + row);
+        for (int k = begin_[i]; k < begin_[i + 1]; ++k) row += times(&value_[36 * std::size_t(slot_[k])], x + stride * at_[k]);
+        store(y + stride * i, row);
+        product += six * row * load(x + stride * i);
     }
     return sum(product);
 }

@@ -8,6 +8,7 @@
 #include "beam/mass.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
+#include "sim/turning.h"
 
 namespace hinge {
 namespace {
@@ -165,9 +166,8 @@ void Dynamics::predict() {
             increment_[i].setZero();
             trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
             trial_.velocity[i] = state_.velocity[i] + (0.5 * dt) * (state_.acceleration[i] + trial_.acceleration[i]);
-            move_to_increment(i);
         }
-        return;
+        return move_to_increment();
     }
     for (std::size_t i = 0; i < increment_.size(); ++i) {
         const Vec6 step = dt * state_.velocity[i] + (0.5 * dt * dt) * state_.acceleration[i];
@@ -175,8 +175,8 @@ void Dynamics::predict() {
         increment_[i] = step.tail<3>();
         trial_.velocity[i] = state_.velocity[i] + dt * state_.acceleration[i];
         trial_.acceleration[i] = state_.acceleration[i];
-        move_to_increment(i);
     }
+    move_to_increment();
 }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
@@ -289,8 +289,9 @@ void Dynamics::correct() {
         if (damping_ < 1)
             for (Vec6& c : change_) c *= damping_;
     }
+    const bool by_spin = from_rest_ && structure_->large();
     for (std::size_t i = 0; i < change_.size(); ++i) {
-        if (from_rest_ && structure_->large()) {
+        if (by_spin) {
             // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
             const Vec3 before = increment_[i];
             trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
@@ -298,13 +299,13 @@ void Dynamics::correct() {
             change_[i].tail<3>() = (increment_[i] - before) / to_u;
         } else {
             increment_[i] += to_u * change_[i].tail<3>();
-            move_to_increment(i);
         }
         trial_.acceleration[i] += change_[i];
         trial_.velocity[i] += to_v * change_[i];
         trial_.displacement[i] += to_u * change_[i].head<3>();
         size += change_[i].head<3>().squaredNorm();
     }
+    if (!by_spin) move_to_increment();
     ++iteration_;
     if (iteration_ == 1) first_change_ = size;
     again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
@@ -383,9 +384,9 @@ void Dynamics::commit() {
 
 // ---- what the stages use ------------------------------------------------------------------------------------------
 
-void Dynamics::move_to_increment(std::size_t i) {
-    if (structure_->large()) trial_.rotation[i] = turned(increment_[i], state_.rotation[i]);
-    else trial_.turn[i] = state_.turn[i] + increment_[i];
+void Dynamics::move_to_increment() {
+    if (structure_->large()) return turn_all(increment_, state_.rotation, trial_.rotation);
+    for (std::size_t i = 0; i < increment_.size(); ++i) trial_.turn[i] = state_.turn[i] + increment_[i];
 }
 
 /// F at time t: gravity and the script's loads.

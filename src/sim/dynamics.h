@@ -79,7 +79,7 @@ private:
     void add_missed(const std::vector<Vec6>& impulse, double work);
     double give_back(const contact::LetGo& bond);
     void list_bars();
-    void move_to_increment(std::size_t node);
+    void move_to_increment();
     bool breaks(int element, const beam::Flow* flow, int& end) const;
     void renew_hung_operator(std::size_t node);
     std::string name_the_culprit() const;

@@ -1,14 +1,11 @@
 #include "sim/sweep.h"
 
-#ifdef __AVX512F__
-#include <immintrin.h>
-#endif
-
 #include "beam/mass.h"
 
 namespace hinge {
 
 using beam::Lanes;
+using beam::pick;
 using beam::lane_count;
 using beam::Placement;
 using beam::Quadruple;
@@ -70,19 +67,6 @@ void Sweep::take_up(const State& state) {
 }
 
 namespace {
-
-/// One number of each of eight nodes or elements, `stride` numbers apart. A gather, where the processor has one: numbers put one by
-/// one into a vector go through memory, and the vector waits for all of them.
-Lanes pick(const double* from, const int* index, int stride) {
-#ifdef __AVX512F__
-    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
-    return reinterpret_cast<Lanes>(_mm512_i32gather_pd(at, from, 8));
-#else
-    Lanes v;
-    for (int i = 0; i < lane_count; ++i) v[i] = from[index[i] * stride];
-    return v;
-#endif
-}
 
 template <class T>
 Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
