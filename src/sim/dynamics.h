@@ -30,7 +30,7 @@ struct DynamicSettings {
     Predictor predictor = Predictor::by_step;
     double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
-    double turn = 0.005;            ///< rad: an element's part of the operator is rebuilt when it has turned by this much
+    double turn = 0.01;             ///< rad: an element's part of the operator is rebuilt when it has turned by this much
     SolverSettings solver;
 };
 

@@ -185,7 +185,7 @@ double Operator::multiply(const double* x, double* y) const {
     for (const Coupling& c : couplings_) {
         Vec12 v;
         v << Eigen::Map<const Vec6>(x + 6 * c.a), Eigen::Map<const Vec6>(x + 6 * c.b);
-        const Vec12 w = c.K * v;
+        const Vec12 w = c.K.lazyProduct(v);  // Eigen's product of this size goes through a loop for any size
         Eigen::Map<Vec6>(y + 6 * c.a) += w.head<6>();
         Eigen::Map<Vec6>(y + 6 * c.b) += w.tail<6>();
         dot += v.dot(w);
@@ -298,7 +298,7 @@ double Operator::add_couplings(const double* x, double* y) const {
         const int a = condensed_->place(c.a), b = condensed_->place(c.b);
         Vec12 v;
         v << Eigen::Map<const Vec6>(x + stride * a), Eigen::Map<const Vec6>(x + stride * b);
-        const Vec12 w = c.K * v;
+        const Vec12 w = c.K.lazyProduct(v);  // Eigen's product of this size goes through a loop for any size
         Eigen::Map<Vec6>(y + stride * a) += w.head<6>();
         Eigen::Map<Vec6>(y + stride * b) += w.tail<6>();
         dot += v.dot(w);
