@@ -5,7 +5,7 @@
 --         beta 0.4. By surfaces (bars press on each other where they are closest), by the paper's gap elements that give back
 --         what they hold when the bars part, by gap elements cut after 0.5 ms as printed, and by eqs 17-19 to the letter
 -- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, to the
---         letter 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1 %, cut loses 9 to 89 %.
+--         letter 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut loses 9 to 89 %.
 --         The remainder falls with the square of the step, and is 70 times less by surfaces with beta 1/4
 --         fig14_*.png: energies over time; fig15.png: stills; remainder_over_dt.png
 --

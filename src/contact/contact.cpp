@@ -290,6 +290,12 @@ void Contact::set_free(const int element[2], const Vec3& side) {
     }
 }
 
+void Contact::end_bond(const Bond& bond) {
+    counts_.energy_let_go += bond.energy;
+    events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
+    set_free(bond.element, bond.side_now);
+}
+
 void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two) {
     pair.state = PairState::bound;
     Touch touch;
@@ -342,9 +348,7 @@ double Contact::drop(int element) {
         if (bond.element[0] == element || bond.element[1] == element) {
             energy += bond.energy;
             ++counts_.dropped;
-            counts_.energy_let_go += bond.energy;
-            events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
-            set_free(bond.element, bond.side_now);
+            end_bond(bond);
         } else {
             bonds_[kept++] = bonds_[i];
         }
@@ -360,7 +364,6 @@ void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& pos
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
                 if (bar.element == touch.element[i]) std::copy(bar.end, bar.end + 2, touch.end + 2 * i);
-        touch.slip = touch.slip_before;
         const Vec3 slip = touch.slip_before;
         contact::look(touch, position, rotation);
         touch.slip = slip;
@@ -391,9 +394,7 @@ double Contact::release(double time, std::vector<LetGo>* let_go) {
         if (due) {
             energy += bond.energy;
             ++counts_.released;
-            counts_.energy_let_go += bond.energy;
-            events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
-            set_free(bond.element, bond.side_now);
+            end_bond(bond);
             if (let_go) let_go->push_back(held_by(bond));
         } else {
             if (kept != i) bonds_[kept] = bond;

@@ -166,6 +166,7 @@ private:
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
     void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
     void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two);
+    void end_bond(const Bond& bond);
     void end_touches();
     void set_free(const int element[2], const Vec3& side);
     Candidate* find(const int element[2], std::size_t* place);

@@ -17,16 +17,14 @@ Eigen::Map<const Mat6> block(const double* value, int place) { return Eigen::Map
 Condensed::Condensed(const std::vector<int>& row, const std::vector<int>& column) : row_(row), column_(column) {
     const int n = int(row.size()) - 1;
     which_.assign(n, -1);
-    const auto find = [&](int i, int j) { return int(std::lower_bound(column.begin() + row[i] + 1, column.begin() + row[i + 1], j) - column.begin()); };
     for (int i = n - 1; i >= 0; --i) {  // inner nodes come after the joints
         const int count = row[i + 1] - row[i] - 1;
         const bool alone = std::all_of(column.begin() + row[i] + 1, column.begin() + row[i + 1], [&](int j) { return which_[j] < 0; });
         if (count > 2 || !alone) continue;
-        Between m{i, count, {}, {}, {}, false, {}, {}};
+        Between m{i, count, {}, {}, false, {}, {}};
         for (int s = 0; s < count; ++s) {
             m.side[s] = column[row[i] + 1 + s];
             m.to[s] = row[i] + 1 + s;
-            m.from[s] = find(m.side[s], i);
         }
         which_[i] = int(between_.size());
         between_.push_back(m);

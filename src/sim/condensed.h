@@ -41,7 +41,7 @@ private:
     struct Between {                 ///< a node that may be taken out
         int node, count;             ///< of its neighbours, 0 to 2
         int side[2];
-        int to[2], from[2];          ///< places in the pattern of (node, side) and (side, node)
+        int to[2];                   ///< places in the pattern of (node, side)
         bool kept = false;
         double inverse[38];          ///< A_mm^-1; blocks are read two numbers past their end
         double pull[2][38];          ///< A_mm^-1 A_m,side
