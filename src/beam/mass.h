@@ -22,6 +22,18 @@ inline Mat12 consistent_mass(const Rigidity& c, double L, const Mat3& axes) {
     return M;
 }
 
+/// Lumped, for each of its two nodes: kg, and kg m^2 about every axis (the section's polar inertia).
+inline double lumped_mass(const Rigidity& c, double L) { return 0.5 * c.rhoA * L; }
+inline double lumped_rotary(const Rigidity& c, double L) { return 0.5 * (c.rhoIx + c.rhoIy) * L; }
+
+/// The lumped mass as a matrix, 12 x 12.
+inline Mat12 lumped_matrix(const Rigidity& c, double L) {
+    Vec12 d;
+    const double m = lumped_mass(c, L), j = lumped_rotary(c, L);
+    d << m, m, m, j, j, j, m, m, m, j, j, j;
+    return d.asDiagonal();
+}
+
 /// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes` likewise.
 struct Stub {
     double mass;

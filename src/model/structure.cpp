@@ -24,7 +24,7 @@ double normal_point(Formulation f, int inner) { return f == Formulation::asi_gau
 
 }  // namespace
 
-Structure::Structure(std::shared_ptr<const Model> model) : model_(std::move(model)) {
+Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
     const Model& m = *model_;
     for (const auto& n : m.nodes()) {
         position_.push_back(n.position);

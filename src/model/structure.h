@@ -27,10 +27,12 @@ struct Element {
     bool touches;                ///< takes part in contact
 };
 
+enum class MassKind : std::uint8_t { consistent, lumped };
+
 /// Nodes 0..declared-1 are the script's; the rest lie inside members.
 class Structure {
 public:
-    explicit Structure(std::shared_ptr<const Model> model);
+    explicit Structure(std::shared_ptr<const Model> model, MassKind mass = MassKind::consistent);
 
     const Model& model() const { return *model_; }
     const std::vector<Vec3>& position() const { return position_; }      ///< m, at the start
@@ -40,6 +42,7 @@ public:
     const std::vector<std::vector<int>>& elements_at() const { return elements_at_; }  ///< of each node
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
+    bool lumped() const { return mass_ == MassKind::lumped; }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }
     bool in_group(int element, int group) const;
@@ -48,6 +51,7 @@ public:
 
 private:
     std::shared_ptr<const Model> model_;
+    MassKind mass_;
     std::vector<Vec3> position_;
     std::vector<std::uint8_t> fixed_;
     std::vector<Element> elements_;

@@ -4,6 +4,7 @@
 
 #include "script/objects.h"
 #include "sim/dynamics.h"
+#include "sim/stable_step.h"
 #include "sim/statics.h"
 
 namespace hinge::script {
@@ -95,17 +96,44 @@ int static_run(lua_State* L) {
     }
 }
 
+namespace {
+
+void require_density(const Structure& structure) {
+    if (structure.elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
+    for (const Element& e : structure.elements())
+        if (!(e.rigidity.rhoA > 0))
+            throw InputError("model:dynamic: " + structure.element_name(int(&e - structure.elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
+}
+
+/// The field dt. Explicit steps may not be longer than stability allows, and can be left to it: dt = "auto".
+double step_of(Options& o, const Structure& structure, bool in_explicit_steps, double duration) {
+    if (!in_explicit_steps) return o.number("dt", "s", Range::positive);
+    const StableStep limit = stable_step(structure);
+    const bool automatic = o.push_field("dt") == LUA_TSTRING && std::string(lua_tostring(o.L(), -1)) == "auto";
+    lua_pop(o.L(), 1);
+    if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model().contact().has_value()));
+    const double dt = o.number("dt", "s", Range::positive);
+    if (dt > limit.dt)
+        o.complain("dt", show(dt) + " s", "explicit steps stay stable up to " + show(limit.dt) + " s here (" + structure.element_name(limit.element) +
+                                              " has the highest frequency); give a shorter one, or dt = 'auto'");
+    return dt;
+}
+
+}  // namespace
+
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record"});
-    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads"});
+    const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
+    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
+    require_density(*structure);
     DynamicSettings s;
-    s.dt = o.number("dt", "s", Range::positive);
     s.duration = o.number("duration", "s", Range::positive);
+    s.dt = step_of(o, *structure, in_explicit_steps, s.duration);
     if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
     if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
-    s.beta = o.number("beta", "", Range::not_negative, s.beta);
+    s.beta = in_explicit_steps ? 0 : o.number("beta", "", Range::positive, s.beta);
     if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
     s.iterations = o.integer("iterations", 0, 0);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
@@ -113,6 +141,12 @@ int dynamic_run(lua_State* L) {
     s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;
     s.geometric = o.flag("geometric", s.geometric);
     s.turn = o.number("turn", "rad", Range::positive, s.turn);
+    s.narrow = o.word("precision", {"single", "double"}, "single") == "single";
+    s.threads = o.integer("threads", 1, 1);
+    if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
+    if (in_explicit_steps)
+        for (const char* field : {"beta", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "precision"})
+            if (o.has(field)) throw InputError(std::string("model:dynamic: field '") + field + "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
@@ -120,11 +154,7 @@ int dynamic_run(lua_State* L) {
     const int every = record_every(o, int(std::max(1L, planned / 500)));
     State start = start_state(o, structure, m);
     o.finish();
-    if (structure->elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
     refuse_lost_loads(*m, *structure, start, "model:dynamic");
-    for (const Element& e : structure->elements())
-        if (!(e.rigidity.rhoA > 0))
-            throw InputError("model:dynamic: " + structure->element_name(int(&e - structure->elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
     context(L)->running = L;
     return make_run(L, std::make_shared<Dynamics>(structure, std::move(start), s), m, every);
 }

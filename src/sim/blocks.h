@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstring>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 #include "core/types.h"
 
@@ -17,22 +20,54 @@ constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 constexpr int stride = 8;
 
 inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
+/// The same from single precision.
+inline Wide load(const float* p) {
+#ifdef __AVX512F__
+    return reinterpret_cast<Wide>(_mm512_cvtps_pd(_mm256_loadu_ps(p)));  // the compiler makes two halves of it
+#endif
+    using Narrow = float __attribute__((vector_size(32), aligned(4), may_alias));
+    return __builtin_convertvector(*reinterpret_cast<const Narrow*>(p), Wide);
+}
+/// Six numbers with nothing behind them.
+inline Wide load_six(const double* p) {
+#ifdef __AVX512F__
+    return reinterpret_cast<Wide>(_mm512_maskz_loadu_pd(0x3f, p));
+#endif
+    Wide v{};
+    std::memcpy(&v, p, 6 * sizeof(double));
+    return v;
+}
 inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(double)); }
 inline void store(double* p, const Wide& v) { *reinterpret_cast<Wide*>(p) = v; }
 inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
 
-/// B x for a 6x6 block stored by columns.
-inline Wide times(const double* B, const double* x) {
-    Wide even = load(B) * x[0], odd = load(B + 6) * x[1];
-    even += load(B + 12) * x[2];
-    odd += load(B + 18) * x[3];
-    even += load(B + 24) * x[4];
-    odd += load(B + 30) * x[5];
-    return even + odd;
+/// A row of blocks times a vector, as two sums side by side: neither waits for the other.
+struct Row {
+    Wide even = {}, odd = {};
+    /// Adds B x for a 6x6 block stored by columns.
+    template <class Number>
+    void add(const Number* B, const double* x) {
+        even += load(B) * x[0];
+        odd += load(B + 6) * x[1];
+        even += load(B + 12) * x[2];
+        odd += load(B + 18) * x[3];
+        even += load(B + 24) * x[4];
+        odd += load(B + 30) * x[5];
+    }
+    Wide sum() const { return even + odd; }
+};
+
+/// B x.
+template <class Number>
+inline Wide times(const Number* B, const double* x) {
+    Row row;
+    row.add(B, x);
+    return row.sum();
 }
 
 /// B^T x; x is masked: its last two numbers are zero.
-inline Wide times_transposed(const double* B, const Wide& x) {
+template <class Number>
+inline Wide times_transposed(const Number* B, const Wide& x) {
     using Lanes = long __attribute__((vector_size(64)));
     const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x, p4 = load(B + 24) * x, p5 = load(B + 30) * x;
     constexpr Lanes even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};

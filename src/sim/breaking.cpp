@@ -17,6 +17,11 @@ Mat3 frame(const Structure& structure, const State& state, int index) {
     return m;
 }
 
+Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
+    const Element& e = structure.elements()[index];
+    return structure.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, frame(structure, state, index));
+}
+
 Vec12 element_velocity(const Element& e, const State& state) {
     Vec12 v;
     v << state.velocity[e.node[0]], state.velocity[e.node[1]];
@@ -49,6 +54,10 @@ double kinetic_energy(const Structure& structure, const State& state) {
         const Mat3 axes = frame(structure, state, int(i)).transpose();
         const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
         const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = axes * a.tail<3>(), wb = axes * b.tail<3>();
+        if (structure.lumped()) {
+            energy += 0.5 * (beam::lumped_mass(e.rigidity, e.length) * (va.dot(va) + vb.dot(vb)) + beam::lumped_rotary(e.rigidity, e.length) * (wa.dot(wa) + wb.dot(wb)));
+            continue;
+        }
         const Vec3 J = beam::rotary_inertia(e.rigidity);
         energy += e.length / 6 * (e.rigidity.rhoA * (va.dot(va) + va.dot(vb) + vb.dot(vb)) +
                                   wa.dot(J.cwiseProduct(wa)) + wa.dot(J.cwiseProduct(wb)) + wb.dot(J.cwiseProduct(wb)));
@@ -64,7 +73,7 @@ Momentum momentum(const Structure& structure, const State& state) {
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         if (state.broken[i]) continue;
         const Element& e = structure.elements()[i];
-        const Mat12 M = beam::consistent_mass(e.rigidity, e.length, frame(structure, state, int(i)));
+        const Mat12 M = mass_matrix(structure, state, int(i));
         h += momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
                          structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
         total.mass += e.rigidity.rhoA * e.length;
@@ -93,7 +102,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
 
     // what the element carries now, about the carrier
     const Mat3 axes = frame(structure, state, index);
-    const Mat12 M = beam::consistent_mass(e.rigidity, e.length, axes);
+    const Mat12 M = mass_matrix(structure, state, index);
     const Vec12 v = element_velocity(e, state);
     const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(carrier));
 
@@ -134,14 +143,12 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     return report;
 }
 
-double pass_on(State& state, Operator& mass, std::vector<Vec6>& impulse) {
+double pass_on(State& state, const Mass& mass, std::vector<Vec6>& impulse) {
     for (std::size_t i = 0; i < impulse.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (state.held[i] >> c & 1) impulse[i][c] = 0;  // the support takes it
-    std::vector<Vec6> change(impulse.size(), Vec6::Zero());
-    SolverSettings sharp;
-    sharp.tolerance = 1e-13;
-    mass.solve(impulse, change, sharp);
+    std::vector<Vec6> change;
+    mass.solve(impulse, change, state, 1e-13);
     double cost = 0;
     for (std::size_t i = 0; i < impulse.size(); ++i) {
         cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
@@ -154,15 +161,7 @@ double pass_on(State& state, Operator& mass, std::vector<Vec6>& impulse) {
 BreakReport break_element(const Structure& structure, State& state, int index, int end) {
     std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
     BreakReport report = break_off(structure, state, index, end, impulse);
-    Operator mass(structure, 1.0, 0.0, false);
-    std::vector<int> whole;
-    for (std::size_t i = 0; i < state.broken.size(); ++i)
-        if (!state.broken[i]) whole.push_back(int(i));
-    mass.set_held(state.held);
-    mass.build(whole, state, pose_of(state), {});
-    for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (state.hung[i].mass > 0) mass.set_hung(int(i), hung_in_space(state, int(i)));
-    mass.assemble();
+    const Mass mass(structure, state);
     report.kinetic += pass_on(state, mass, impulse);
     return report;
 }

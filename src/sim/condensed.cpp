@@ -1,6 +1,7 @@
 #include "sim/condensed.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/blocks.h"
 
@@ -10,160 +11,331 @@ using namespace blocks;
 
 namespace {
 
-Eigen::Map<const Mat6> block(const double* value, int place) { return Eigen::Map<const Mat6>(value + 36 * std::size_t(place)); }
+constexpr int piece = 256;  // rows that one thread takes at a time
+
+int other_node(const Element& e, int node) { return e.node[0] == node ? e.node[1] : e.node[0]; }
+int end_at(const Element& e, int node) { return e.node[0] == node ? 0 : 1; }
+
+template <class Number>
+void put(Number* to, const Mat6& m) {
+    for (int i = 0; i < 36; ++i) to[i] = Number(m.data()[i]);
+}
+template <class Number>
+Mat6 get(const Number* from) {
+    return Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(from).template cast<double>();
+}
 
 }  // namespace
 
-Condensed::Condensed(const std::vector<int>& row, const std::vector<int>& column) : row_(row), column_(column) {
-    const int n = int(row.size()) - 1;
+template <class Number>
+Condensed<Number>::Condensed(const Structure& structure, Team& team) : structure_(structure), team_(team) {
+    const int n = int(structure.position().size());
     which_.assign(n, -1);
+    const auto& at = structure.elements_at();
     for (int i = n - 1; i >= 0; --i) {  // inner nodes come after the joints
-        const int count = row[i + 1] - row[i] - 1;
-        const bool alone = std::all_of(column.begin() + row[i] + 1, column.begin() + row[i + 1], [&](int j) { return which_[j] < 0; });
-        if (count > 2 || !alone) continue;
-        Between m{i, count, {}, {}, false, {}, {}};
-        for (int s = 0; s < count; ++s) {
-            m.side[s] = column[row[i] + 1 + s];
-            m.to[s] = row[i] + 1 + s;
+        if (at[i].size() > 2) continue;
+        Between m{i, 0, {-1, -1}, {-1, -1}, false, {}, {}};
+        bool alone = true;
+        for (int e : at[i]) {
+            m.element[m.count] = e;
+            m.side[m.count] = other_node(structure.elements()[e], i);
+            alone = alone && which_[m.side[m.count]] < 0 && (m.count == 0 || m.side[0] != m.side[1]);
+            ++m.count;
         }
+        if (!alone) continue;
         which_[i] = int(between_.size());
         between_.push_back(m);
     }
-    rows_.resize(n);
-    int slots = 0;
-    for (int i = 0; i < n; ++i) {
-        std::vector<int> columns(column.begin() + row[i] + 1, column.begin() + row[i + 1]);
-        for (int j : std::vector<int>(columns))
-            if (which_[j] >= 0)
-                for (int s = 0; s < between_[which_[j]].count; ++s)
-                    if (const int other = between_[which_[j]].side[s]; other != i) columns.push_back(other);
-        std::sort(columns.begin(), columns.end());
-        columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-        rows_[i].push_back({i, -1});
-        for (int j : columns) rows_[i].push_back({j, -1});
-    }
-    // what is used while nothing is kept lies together
-    for (bool usual : {true, false})
-        for (int i = 0; i < n; ++i)
-            for (Entry& e : rows_[i])
-                if ((which_[i] < 0 && which_[e.column] < 0) == usual) e.slot = slots++;
-    value_.assign(36 * std::size_t(slots) + 2, 0);
-    y_.assign(stride * between_.size(), 0);
-    list();
+    place_.assign(n, -1);
+    for (int i = 0; i < n; ++i)
+        if (which_[i] < 0) place_[i] = int(order_.size()), order_.push_back(i);
+    joints_ = int(order_.size());
+    first_.assign(1, 0);
+    for (int i : order_) first_.push_back(first_.back() + 1 + int(at[i].size()));
+    entries_ = first_.back();
+    paint();
+    lay_out();
 }
 
-int Condensed::entry(int node, int column) const {
-    const std::vector<Entry>& row = rows_[node];
-    if (column == node) return row[0].slot;
-    return std::lower_bound(row.begin() + 1, row.end(), column, [](const Entry& e, int c) { return e.column < c; })->slot;
-}
-
-void Condensed::list() {
-    ++arrangement_;
-    const auto stays = [&](int i) { return which_[i] < 0 || between_[which_[i]].kept; };
-    order_.clear();
-    begin_.assign(1, 0);
-    slot_.clear();
-    at_.clear();
-    place_.assign(rows_.size(), -1);
-    for (int i = 0; i < int(rows_.size()); ++i)
-        if (stays(i)) place_[i] = int(order_.size()), order_.push_back(i);
-    for (int i : order_) {
-        for (const Entry& e : rows_[i])
-            if (place_[e.column] >= 0) slot_.push_back(e.slot), at_.push_back(place_[e.column]);
-        begin_.push_back(int(slot_.size()));
+/// Red, from each part's first node outwards: whoever has no red neighbour.
+template <class Number>
+void Condensed<Number>::paint() {
+    colour_.assign(joints_, Colour::between);
+    std::vector<int> queue;
+    const auto neighbours = [&](int place, auto visit) {
+        const int node = order_[place];
+        for (int e : structure_.elements_at()[node]) {
+            int next = other_node(structure_.elements()[e], node);
+            if (which_[next] >= 0) {
+                const Between& m = between_[which_[next]];
+                if (m.count < 2) continue;
+                next = m.side[m.side[0] == node ? 1 : 0];
+            }
+            visit(place_[next]);
+        }
+    };
+    for (int start = 0; start < joints_; ++start) {
+        if (colour_[start] != Colour::between) continue;
+        queue.assign(1, start);
+        colour_[start] = Colour::red;
+        for (std::size_t i = 0; i < queue.size(); ++i)
+            neighbours(queue[i], [&](int next) {
+                if (colour_[next] != Colour::between) return;
+                bool red = true;
+                neighbours(next, [&](int p) { red = red && colour_[p] != Colour::red; });
+                colour_[next] = red ? Colour::red : Colour::black;
+                queue.push_back(next);
+            });
     }
 }
 
-void Condensed::keep(std::vector<int> nodes, std::vector<int>& changed) {
-    std::erase_if(nodes, [&](int i) { return which_[i] < 0; });
+/// Where the column of a joint's entry lies: across the node between, if there is one and it is taken out.
+template <class Number>
+int Condensed<Number>::far(int place, int entry) const {
+    const int node = order_[place], next = other_node(structure_.elements()[structure_.elements_at()[node][entry - 1]], node);
+    if (place_[next] >= 0) return place_[next];
+    const Between& m = between_[which_[next]];
+    return m.count < 2 ? place : place_[m.side[m.side[0] == node ? 1 : 0]];
+}
+
+/// Lists of places and columns, as they are with what is coupled now.
+template <class Number>
+void Condensed<Number>::lay_out() {
+    order_.resize(joints_);
+    first_.resize(joints_ + 1);
+    for (Between& m : between_) m.kept = false, place_[m.node] = -1;
+    for (int node : coupled_)
+        if (which_[node] >= 0) {
+            between_[which_[node]].kept = true;
+            place_[node] = int(order_.size());
+            order_.push_back(node);
+            first_.push_back(first_.back() + 1 + between_[which_[node]].count);
+        }
+    const int places = int(order_.size());
+    at_.resize(first_.back());
+    via_.resize(first_.back());
+    value_.resize(36 * std::size_t(first_.back()) + 2);
+    inverse_.resize(36 * std::size_t(places) + 2);
+    for (auto* v : {&x_, &r_, &z_, &d_, &q_}) v->resize(stride * std::size_t(places));
+    for (int p = 0; p < places; ++p) {
+        const int node = order_[p];
+        at_[first_[p]] = p;
+        via_[first_[p]] = -1;
+        for (int k = 1; k < first_[p + 1] - first_[p]; ++k) {
+            at_[first_[p] + k] = far(p, k);
+            const int next = other_node(structure_.elements()[structure_.elements_at()[node][k - 1]], node);
+            via_[first_[p] + k] = place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
+        }
+    }
+    red_.clear();
+    black_.clear();
+    for (int p = 0; p < places; ++p) {
+        const bool red = p < joints_ && colour_[p] == Colour::red && !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
+        (red ? red_ : black_).push_back(p);
+    }
+}
+
+template <class Number>
+void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vector<int>& changed) {
+    std::vector<int> nodes;
+    for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    if (nodes == kept_) return;
-    for (const auto* list : {&kept_, &nodes})
-        for (int i : *list) between_[which_[i]].kept = list == &nodes, changed.push_back(i);
-    kept_ = std::move(nodes);
-    list();
+    for (const auto& list : {coupled_, nodes}) changed.insert(changed.end(), list.begin(), list.end());
+    couplings_ = couplings;
+    if (nodes == coupled_) return;
+    for (const auto& list : {coupled_, nodes})
+        for (int i : list)
+            if (which_[i] >= 0)
+                for (int s = 0; s < between_[which_[i]].count; ++s) changed.push_back(between_[which_[i]].side[s]);
+    coupled_ = std::move(nodes);
+    lay_out();
 }
 
-void Condensed::renew_between(Between& m, const double* value) const {
-    const Mat6 inverse = inverse_by_halves(block(value, row_[m.node]));
-    std::memcpy(m.inverse, inverse.data(), sizeof(double) * 36);
-    for (int s = 0; s < m.count; ++s) {
-        const Mat6 pull = inverse * block(value, m.to[s]);
-        std::memcpy(m.pull[s], pull.data(), sizeof(double) * 36);
-    }
+template <class Number>
+void Condensed<Number>::renew_between(Between& m, const Parts& parts) const {
+    const Mat6 inverse = inverse_by_halves(parts.own(m.node));
+    put(m.inverse, inverse);
+    for (int s = 0; s < m.count; ++s) put(m.pull[s], inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
 }
 
-void Condensed::renew_row(int node, const double* value) {
-    for (const Entry& e : rows_[node]) std::fill_n(&value_[36 * std::size_t(e.slot)], 36, 0.0);
-    const auto at = [&](int column) { return Eigen::Map<Mat6>(&value_[36 * std::size_t(entry(node, column))]); };
-    at(node) += block(value, row_[node]);
-    for (int k = row_[node] + 1; k < row_[node + 1]; ++k) {
-        const int j = column_[k];
-        if (place_[j] >= 0) {
-            at(j) += block(value, k);
-            continue;
+template <class Number>
+void Condensed<Number>::renew_row(int place, const Parts& parts) {
+    const int node = order_[place], begin = first_[place];
+    Mat6 own = parts.own(node);
+    for (int k = 1; k < first_[place + 1] - begin; ++k) {
+        const int element = structure_.elements_at()[node][k - 1];
+        const Element& e = structure_.elements()[element];
+        const int next = other_node(e, node);
+        Mat6 block = parts.across(element, end_at(e, node));
+        if (place_[next] < 0) {
+            const Between& m = between_[which_[next]];
+            const int here = m.side[0] == node ? 0 : 1;
+            own -= block * get(m.pull[here]);
+            if (m.count == 2) block = -block * get(m.pull[1 - here]);
+            else block.setZero();
         }
-        const Between& m = between_[which_[j]];
-        for (int s = 0; s < m.count; ++s) at(m.side[s]).noalias() -= block(value, k) * Eigen::Map<const Mat6>(m.pull[s]);
+        put(&value_[36 * std::size_t(begin + k)], block);
     }
+    put(&value_[36 * std::size_t(begin)], own);
 }
 
-const std::vector<int>& Condensed::renew(const std::vector<int>& nodes, const double* value) {
-    std::vector<int>& rows = renewed_;
-    rows.clear();
+template <class Number>
+void Condensed<Number>::renew_inverse(int place) {
+    Mat6 own = get(&value_[36 * std::size_t(first_[place])]);
+    const int node = order_[place];
+    if (!coupled_.empty() && std::binary_search(coupled_.begin(), coupled_.end(), node))
+        for (const Coupling& c : couplings_) {
+            if (c.a == node) own += c.K.template block<6, 6>(0, 0);
+            if (c.b == node) own += c.K.template block<6, 6>(6, 6);
+        }
+    put(&inverse_[36 * std::size_t(place)], inverse_by_halves(own));
+}
+
+template <class Number>
+void Condensed<Number>::renew(const std::vector<int>& nodes, const Parts& parts) {
+    std::vector<int> rows, taken_out;
     for (int i : nodes) {
-        if (place_[i] >= 0) rows.push_back(i);
+        if (place_[i] >= 0) rows.push_back(place_[i]);
         if (which_[i] < 0) continue;
-        Between& m = between_[which_[i]];
-        if (!m.kept) renew_between(m, value);
-        for (int s = 0; s < m.count; ++s) rows.push_back(m.side[s]);
+        const Between& m = between_[which_[i]];
+        if (!m.kept) taken_out.push_back(which_[i]);
+        for (int s = 0; s < m.count; ++s) rows.push_back(place_[m.side[s]]);
     }
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    std::erase_if(rows, [&](int i) { return place_[i] < 0; });
-    for (int i : rows) renew_row(i, value);
-    return rows;
+    team_.share(int(taken_out.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) renew_between(between_[taken_out[i]], parts);
+    });
+    team_.share(int(rows.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
+    });
 }
 
-Mat6 Condensed::diagonal(int place) const { return block(value_.data(), slot_[begin_[place]]); }
-
-void Condensed::reduce(const double* right, double* b) {
-    for (std::size_t i = 0; i < order_.size(); ++i) store(b + stride * i, load(right + 6 * order_[i]));
-    for (std::size_t i = 0; i < between_.size(); ++i) {
-        const Between& m = between_[i];
-        if (m.kept) continue;
-        const double* r = right + 6 * m.node;
-        store(&y_[stride * i], times(m.inverse, r));
-        const Wide masked = six * load(r);
-        for (int s = 0; s < m.count; ++s) {  // A_side,m A_mm^-1 r
-            double* to = b + stride * place_[m.side[s]];
-            store(to, load(to) - times_transposed(m.pull[s], masked));
+/// r: the right side without the nodes between.
+template <class Number>
+void Condensed<Number>::reduce(const double* right) {
+    team_.share(int(order_.size()), piece, [&](int first, int end, int) {
+        for (int p = first; p < end; ++p) {
+            Wide sum = load_six(right + 6 * order_[p]);
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                if (const int via = via_[k]; via >= 0) sum -= times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
+            store(&r_[stride * p], sum);
         }
-    }
+    });
 }
 
-double Condensed::multiply(const double* x, double* y) const {
-    Wide product{};
-    for (int i = 0; i < size(); ++i) {
-        Wide row{};
-        for (int k = begin_[i]; k < begin_[i + 1]; ++k) row += times(&value_[36 * std::size_t(slot_[k])], x + stride * at_[k]);
-        store(y + stride * i, row);
-        product += six * row * load(x + stride * i);
-    }
-    return sum(product);
+template <class Number>
+void Condensed<Number>::solve_back(const double* right, double* x) const {
+    team_.share(int(order_.size()), piece, [&](int first, int end, int) {
+        for (int p = first; p < end; ++p) std::memcpy(x + 6 * order_[p], &x_[stride * p], 6 * sizeof(double));
+    });
+    team_.share(int(between_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Between& m = between_[i];
+            if (m.kept) continue;
+            Wide v = times(m.inverse, right + 6 * m.node);
+            for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &x_[stride * place_[m.side[s]]]);
+            store_six(x + 6 * m.node, v);
+        }
+    });
 }
 
-void Condensed::solve_back(const double* x, double* solution) const {
-    for (std::size_t i = 0; i < order_.size(); ++i) std::memcpy(solution + 6 * order_[i], x + stride * i, 6 * sizeof(double));
-    for (std::size_t i = 0; i < between_.size(); ++i) {
-        const Between& m = between_[i];
-        if (m.kept) continue;
-        Wide v = load(&y_[stride * i]);
-        for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], x + stride * place_[m.side[s]]);
-        store_six(solution + 6 * m.node, v);
-    }
+/// d on the red nodes: what keeps their rows zero.
+template <class Number>
+void Condensed<Number>::follow() {
+    team_.share(int(red_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const int p = red_[i];
+            Row row;
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            double sum[8];
+            store(sum, row.sum());
+            store(&d_[stride * p], -times(&inverse_[36 * std::size_t(p)], sum));
+        }
+    });
 }
+
+/// q = S d on the black nodes; returns d . q.
+template <class Number>
+double Condensed<Number>::multiply() {
+    double dot = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+        Wide product{};
+        for (int i = first; i < end; ++i) {
+            const int p = black_[i];
+            Row row;
+            for (int k = first_[p]; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            store(&q_[stride * p], row.sum());
+            product += six * row.sum() * load(&d_[stride * p]);
+        }
+        return sum(product);
+    });
+    for (const Coupling& c : couplings_) {
+        const int a = place_[c.a], b = place_[c.b];
+        Vec12 v;
+        v << Eigen::Map<const Vec6>(&d_[stride * a]), Eigen::Map<const Vec6>(&d_[stride * b]);
+        const Vec12 w = c.K.lazyProduct(v);  // Eigen's product of this size goes through a loop for any size
+        Eigen::Map<Vec6>(&q_[stride * a]) += w.head<6>();
+        Eigen::Map<Vec6>(&q_[stride * b]) += w.tail<6>();
+        dot += v.dot(w);
+    }
+    return dot;
+}
+
+template <class Number>
+SolveReport Condensed<Number>::solve(const double* right, double* solution, const SolverSettings& settings) {
+    reduce(right);
+    const auto precondition = [&](int p) {
+        const Wide z = times(&inverse_[36 * std::size_t(p)], &r_[stride * p]);
+        store(&z_[stride * p], z);
+        return Wide(six * z * load(&r_[stride * p]));
+    };
+    // x satisfies the red rows from the start
+    std::fill(x_.begin(), x_.end(), 0.0);
+    for (int p : red_) store(&x_[stride * p], times(&inverse_[36 * std::size_t(p)], &r_[stride * p]));
+    double rho = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+        Wide product{};
+        for (int i = first; i < end; ++i) {
+            const int p = black_[i];
+            Row row;
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
+            store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
+            product += precondition(p);
+            store(&d_[stride * p], load(&z_[stride * p]));
+        }
+        return sum(product);
+    });
+    const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
+    SolveReport report;
+    while (rho > goal && rho > 1e-280) {
+        if (report.iterations == settings.max_iterations) return report.converged = false, report;
+        follow();
+        const double dq = multiply();
+        if (!(dq > 0)) return report.converged = false, report;
+        const double alpha = rho / dq;
+        const double next = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+            Wide product{};
+            for (int i = first; i < end; ++i) {
+                const int p = black_[i];
+                store(&r_[stride * p], load(&r_[stride * p]) - alpha * load(&q_[stride * p]));
+                product += precondition(p);
+            }
+            return sum(product);
+        });
+        const double beta = next / rho;
+        rho = next;
+        team_.share(int(order_.size()), 4 * piece, [&](int first, int end, int) {
+            for (int k = stride * first; k < stride * end; k += stride) store(&x_[k], load(&x_[k]) + alpha * load(&d_[k]));
+        });
+        for (int p : black_) store(&d_[stride * p], load(&z_[stride * p]) + beta * load(&d_[stride * p]));
+        ++report.iterations;
+    }
+    solve_back(right, solution);
+    report.converged = std::isfinite(rho);
+    return report;
+}
+
+template class Condensed<float>;
+template class Condensed<double>;
 
 }  // namespace hinge

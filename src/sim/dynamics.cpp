@@ -28,6 +28,17 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
 
 double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
 
+/// How far the axial wave comes in a step against the shortest element; where hinges may chatter, the shear vibration's phase as well.
+double crossing(const Structure& structure, double dt) {
+    double most = 0;
+    for (const Element& e : structure.elements()) {
+        const beam::Rigidity& c = e.rigidity;
+        most = std::max(most, dt * std::sqrt(c.EA / c.rhoA) / e.length);
+        if (!e.yield.elastic()) most = std::max(most, dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
+    }
+    return most;
+}
+
 Mat3 frame_of(const beam::Placement<double>& p) {
     Mat3 m;
     m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
@@ -38,8 +49,11 @@ Mat3 frame_of(const beam::Placement<double>& p) {
 
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start)), settings_(settings),
-      planned_(long(std::llround(settings.duration / settings.dt))), sweep_(*structure_, true),
-      operator_(*structure_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large()) {
+      planned_(long(std::llround(settings.duration / settings.dt))), team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+    from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
+    if (!explicit_steps())
+        operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),
+                                               settings.solver.direct ? Keeping::direct : settings.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
     if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
@@ -50,10 +64,14 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (state_.contact || !model.fracture().empty()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
     stages_.push_back({"predict", "inertia", &Dynamics::predict});
     stages_.push_back({"recover stresses", "large displacement", &Dynamics::recover});
-    if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
-    stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
-    stages_.push_back({"solve", "inertia", &Dynamics::solve});
-    stages_.push_back({"correct", "inertia", &Dynamics::correct});
+    if (explicit_steps()) {
+        stages_.push_back({"accelerate", "inertia", &Dynamics::accelerate});
+    } else {
+        if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
+        stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
+        stages_.push_back({"solve", "inertia", &Dynamics::solve});
+        stages_.push_back({"correct", "inertia", &Dynamics::correct});
+    }
     if (state_.contact) stages_.push_back({"part", "contact", &Dynamics::part});
     if (!model.fracture().empty()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
     stages_.push_back({"commit", "inertia", &Dynamics::commit});
@@ -72,25 +90,18 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     lumped_mass_.assign(nodes, 0);
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
-    // the axial wave's way in a step against the shortest element; where hinges may chatter, the shear vibration's phase as well
-    double crossing = 0;
-    for (const Element& e : structure_->elements()) {
-        const beam::Rigidity& c = e.rigidity;
-        crossing = std::max(crossing, settings_.dt * std::sqrt(c.EA / c.rhoA) / e.length);
-        if (!e.yield.elastic()) crossing = std::max(crossing, settings_.dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
-    }
-    from_rest_ = settings_.beta > 0 && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing > 1));
     if (settings_.iterations == 0) {
         const bool newton = from_rest_ && structure_->can_yield();
         settings_.iterations = newton ? 30 : 1;
         if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
     }
     sweep_.take_up(state_);
-    sweep_.watch_turning(settings_.turn);
-    operator_.set_held(state_.held);
-    if (settings_.solver.direct) operator_.allow_indefinite();
+    if (operator_) {
+        if (structure_->large()) sweep_.watch_turning(settings_.turn);
+        operator_->set_held(state_.held);
+    }
     for (std::size_t i = 0; i < elements; ++i) {
-        if (!state_.broken[i]) rebuild_.push_back(int(i)), in_rebuild_[i] = 1;
+        if (!state_.broken[i]) wants_rebuild(int(i));
         const Element& e = structure_->elements()[i];
         if (e.fracture < 0) continue;
         const FractureRule& rule = model.fracture()[e.fracture];
@@ -107,7 +118,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     }
     gather_loads(state_.time, external_before_);
     find_acceleration();
-    if (!state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
+    if (!explicit_steps() && !state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
 }
 
 bool Dynamics::advance() {
@@ -174,7 +185,8 @@ void Dynamics::predict() {
         trial_.displacement[i] = state_.displacement[i] + step.head<3>();
         increment_[i] = step.tail<3>();
         trial_.velocity[i] = state_.velocity[i] + dt * state_.acceleration[i];
-        trial_.acceleration[i] = state_.acceleration[i];
+        if (operator_) trial_.acceleration[i] = state_.acceleration[i];
+        else trial_.acceleration[i].setZero();  // stubs: what they resist beside their mass times the acceleration
     }
     move_to_increment();
 }
@@ -190,16 +202,12 @@ void Dynamics::recover() {
         state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
         if (!state_.contact->touches().empty()) renew_couplings(trial_.rotation);
     }
-    for (int e : sweep_.turned())
-        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+    for (int e : sweep_.turned()) wants_rebuild(e);
 }
 
 /// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short steps,
 /// where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Dynamics::yield() {
-    const auto wants = [&](int e) {
-        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
-    };
     tangents_.resize(yielding_.size());
     if (built_.empty()) built_.assign(structure_->elements().size(), Mat6::Zero());
     double section[2];
@@ -208,7 +216,7 @@ void Dynamics::yield() {
     for (int e : was_yielding_) {
         while (next < yielding_.size() && yielding_[next].element < e) ++next;
         const bool flows_on = next < yielding_.size() && yielding_[next].element == e;
-        if (!flows_on && !state_.broken[e]) wants(e), built_[e].setZero();
+        if (!flows_on && !state_.broken[e]) wants_rebuild(e), built_[e].setZero();
     }
     was_yielding_.clear();
     for (std::size_t i = 0; i < yielding_.size(); ++i) {
@@ -218,7 +226,7 @@ void Dynamics::yield() {
         tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section, y.flow.lambda, active, n);
         was_yielding_.push_back(y.element);
         const double same = from_rest_ || settings_.iterations > 1 ? 0 : same_tangent;
-        if (!near(tangents_[i], built_[y.element], k, same)) wants(y.element);
+        if (!near(tangents_[i], built_[y.element], k, same)) wants_rebuild(y.element);
     }
 }
 
@@ -234,16 +242,16 @@ void Dynamics::renew_operator() {
             built_[*at] = tangents_[i];
         }
         force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
-        operator_.build(rebuild_, state_, trial_, given);
+        operator_->build(rebuild_, state_, trial_, given);
         force_.swap(state_.force);
         for (int e : rebuild_) {
             sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
             in_rebuild_[e] = 0;
-            if (mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
+            if (!structure_->lumped() && mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
         }
         rebuild_.clear();
     }
-    operator_.assemble();
+    operator_->assemble();
 }
 
 /// (M + beta dt^2 K) da = F - R - M a.
@@ -268,7 +276,7 @@ void Dynamics::solve() {
         if (v2 > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(v2), int(i), state_.time + settings_.dt};
     }
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
-    const SolveReport report = operator_.solve(right_, change_, settings_.solver);
+    const SolveReport report = operator_->solve(right_, change_, settings_.solver);
     if (!report.converged)
         failure_ = settings_.solver.direct ? "the operator could not be factorised"
                                            : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
@@ -318,6 +326,39 @@ void Dynamics::correct() {
                    std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
 }
 
+/// Explicit: a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
+void Dynamics::accelerate() {
+    const double half = 0.5 * settings_.dt;
+    double check = 0;
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        Vec6 f = external_[i] - nodal_[i], a;
+        check += f.squaredNorm();
+        if (state_.held[i])
+            for (int c = 0; c < 6; ++c)
+                if (state_.held[i] >> c & 1) reaction_[i][c] = -f[c], f[c] = 0;
+        a << mass_->inverse()[i].mass * f.head<3>(), mass_->inverse()[i].rotary(0, 0) * f.tail<3>();
+        trial_.acceleration[i] = a;
+        right_[i] = f;
+    }
+    if (!std::isfinite(check)) {
+        failure_ = name_the_culprit();
+        return;
+    }
+    if (!mass_->heavy().empty()) {
+        renew_mass(trial_);
+        for (const Mass::Heavy& h : mass_->heavy()) {
+            trial_.acceleration[h.node] = h.inverse * right_[h.node];
+            for (int c = 0; c < 6; ++c)
+                if (state_.held[h.node] >> c & 1) trial_.acceleration[h.node][c] = 0;
+        }
+    }
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        trial_.velocity[i] = state_.velocity[i] + half * (state_.acceleration[i] + trial_.acceleration[i]);
+        const double v2 = trial_.velocity[i].head<3>().squaredNorm();
+        if (v2 > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(v2), int(i), state_.time + settings_.dt};
+    }
+}
+
 /// What was tried becomes the state.
 void Dynamics::commit() {
     for (const NodalLoad& load : structure_->model().loads()) {
@@ -343,17 +384,16 @@ void Dynamics::commit() {
         if (!state_.yielded[y.element]) ever_yielded_.push_back(y.element);
     for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
         take_up_ = true;
-        if (!in_rebuild_[e]) in_rebuild_[e] = 1, rebuild_.push_back(e);
+        wants_rebuild(e);
     }
     if (!to_break_.empty())
         for (Vec6& n : right_) n.setZero();  // what breaking asks of the nodes
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
         const BreakReport report = break_off(*structure_, state_, element, end, right_);
-        operator_.remove(element);
-        if (mass_) mass_->remove(element);
+        if (operator_) operator_->remove(element), operator_->set_held(state_.held);
         renew_hung_operator(report.carrier);
-        operator_.set_held(state_.held);
+        if (!in_mass_stale_[element]) in_mass_stale_[element] = 1, mass_stale_.push_back(element);
         if (structure_->model().gravity())
             for (int n : e.node) constant_load_[n].head<3>() -= 0.5 * e.rigidity.rhoA * e.length * *structure_->model().gravity();
         if (state_.contact) {
@@ -384,6 +424,11 @@ void Dynamics::commit() {
 
 // ---- what the stages use ------------------------------------------------------------------------------------------
 
+/// The element's part of the operator is to be built anew.
+void Dynamics::wants_rebuild(int element) {
+    if (operator_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+}
+
 void Dynamics::move_to_increment() {
     if (structure_->large()) return turn_all(increment_, state_.rotation, trial_.rotation);
     for (std::size_t i = 0; i < increment_.size(); ++i) trial_.turn[i] = state_.turn[i] + increment_[i];
@@ -406,17 +451,6 @@ std::string Dynamics::name_the_culprit() const {
     for (std::size_t i = 0; i < nodal_.size(); ++i)
         if (!nodal_[i].allFinite()) return "the forces at " + structure_->node_name(int(i)) + " are not finite";
     return "a load is not finite";
-}
-
-double Dynamics::time_product(int repeats) const {
-    std::vector<double> x(6 * structure_->position().size() + 8, 1.0), y(x.size());
-    double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        operator_.multiply(x.data(), y.data());
-        best = std::min(best, seconds_since(start));
-    }
-    return best;
 }
 
 std::vector<StageTime> Dynamics::stage_times() const {

@@ -8,10 +8,13 @@
 // is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure this is eq 15 to
 // the letter; for one that turns and yields, the force out of balance is not carried to the next step but met in this one.
 // Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is written.
+//
+// Beta 0 with lumped masses is the central difference method: K drops out of eq 15, and the acceleration follows node by node.
 #pragma once
 
 #include <functional>
 
+#include "sim/mass.h"
 #include "sim/operator.h"
 #include "sim/run.h"
 
@@ -24,13 +27,15 @@ enum class Predictor : std::uint8_t { by_step, acceleration, displacement };
 struct DynamicSettings {
     double dt = 0;                  ///< s
     double duration = 0;            ///< s
-    double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact
+    double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
     int iterations = 0;             ///< 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to
                                     ///< 1e-6) where hinges form in steps too long for one, which then would not hold
     Predictor predictor = Predictor::by_step;
     double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
     double turn = 0.01;             ///< rad: an element's part of the operator is rebuilt when it has turned by this much
+    bool narrow = true;             ///< in steps no longer than the fastest waves need, the operator in single precision
+    int threads = 1;                ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
 };
 
@@ -44,13 +49,14 @@ public:
     std::vector<StageTime> stage_times() const override;
     std::vector<Effect> effects() const override;
     const DynamicSettings& settings() const { return settings_; }
-    Operator::Counts operator_counts() const { return operator_.counts(); }
+    Operator::Counts operator_counts() const { return operator_ ? operator_->counts() : Operator::Counts{}; }
+    bool explicit_steps() const { return settings_.beta == 0; }
     /// The fastest node of the run so far: m/s, node, s.
     struct Fastest { double speed = 0; int node = -1; double time = 0; };
     const Fastest& fastest() const { return fastest_; }
     long element_updates() const { return sweep_.updates(); }
     /// Seconds that one product of this run's operator, block by block and uncondensed, with a vector takes: the yardstick of a step.
-    double time_product(int repeats) const;
+    double time_product(int repeats) const { return operator_ ? operator_->time_product(repeats) : 0; }
 
 private:
     struct Stage { const char* name; const char* effect; void (Dynamics::*run)(); double seconds = 0; };
@@ -63,6 +69,7 @@ private:
     void renew_operator();
     void solve();
     void correct();
+    void accelerate();
     void part();
     void fracture();
     void commit();
@@ -79,6 +86,7 @@ private:
     void add_missed(const std::vector<Vec6>& impulse, double work);
     double give_back(const contact::LetGo& bond);
     void list_bars();
+    void wants_rebuild(int element);
     void move_to_increment();
     bool breaks(int element, const beam::Flow* flow, int& end) const;
     void renew_hung_operator(std::size_t node);
@@ -87,9 +95,10 @@ private:
     DynamicSettings settings_;
     long planned_;
     std::vector<Stage> stages_;
+    Team team_;
     Sweep sweep_;
-    Operator operator_;
-    std::unique_ptr<Operator> mass_;             ///< M alone, for the acceleration after a force has vanished
+    std::unique_ptr<Operator> operator_;         ///< none in explicit steps
+    std::unique_ptr<Mass> mass_;
     std::vector<int> mass_stale_;
     std::vector<char> in_mass_stale_;
     Pose trial_;

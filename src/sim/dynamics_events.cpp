@@ -101,9 +101,10 @@ void Dynamics::note_contacts() {
 
 /// Tangents of what is bound or touches where contact_position_ and `rotation` have the nodes.
 void Dynamics::renew_couplings(const std::vector<Quat>& rotation) {
-    std::vector<Operator::Coupling> couplings;
+    if (!operator_) return;
+    std::vector<Coupling> couplings;
     state_.contact->add_stiffness(contact_position_, rotation, [&](int a, int b, const Mat12& K) { couplings.push_back({a, b, K}); });
-    operator_.set_couplings(std::move(couplings));
+    operator_->set_couplings(std::move(couplings));
 }
 
 void Dynamics::list_bars() {

@@ -27,29 +27,17 @@ void Dynamics::find_acceleration() {
         for (int c = 0; c < 6; ++c)
             if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
     }
-    SolverSettings sharp;
-    sharp.tolerance = 1e-12;
-    mass_->solve(right_, state_.acceleration, sharp);
+    mass_->solve(right_, state_.acceleration, state_, 1e-12);
     yielding_.clear();
     restart_ = false;
 }
 
 /// M alone, of what turned or broke since it was last needed.
 void Dynamics::renew_mass(const Pose& pose) {
-    if (!mass_) {
-        mass_ = std::make_unique<Operator>(*structure_, 1.0, 0.0, false);
-        for (std::size_t i = 0; i < state_.broken.size(); ++i)
-            if (!state_.broken[i]) mass_stale_.push_back(int(i));
-    }
-    std::sort(mass_stale_.begin(), mass_stale_.end());
     in_mass_stale_.assign(state_.broken.size(), 0);
-    std::erase_if(mass_stale_, [&](int e) { return state_.broken[e] != 0; });
-    mass_->set_held(state_.held);
-    mass_->build(mass_stale_, state_, pose, {});
+    if (mass_) mass_->renew(mass_stale_, state_, pose);
+    else mass_ = std::make_unique<Mass>(*structure_, state_);
     mass_stale_.clear();
-    for (std::size_t i = 0; i < state_.hung.size(); ++i)
-        if (state_.hung[i].mass > 0) mass_->set_hung(int(i), hung_in_space(state_, int(i)));
-    mass_->assemble();
 }
 
 /// change_ = M^-1 impulse, and what x times it does to the kinetic energy: square x^2 + linear x.
@@ -59,9 +47,7 @@ Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
         for (int c = 0; c < 6; ++c)
             if (state_.held[i] >> c & 1) right_[i][c] = 0;
     renew_mass(trial_);
-    SolverSettings sharp;
-    sharp.tolerance = 1e-10;
-    mass_->solve(right_, change_, sharp);
+    mass_->solve(right_, change_, state_, 1e-10);
     Kick out;
     for (std::size_t i = 0; i < right_.size(); ++i) {
         out.square += 0.5 * right_[i].dot(change_[i]);
@@ -74,7 +60,7 @@ void Dynamics::renew_hung_operator(std::size_t node) {
     if (state_.hung[node].mass == 0) return;
     hung_built_.resize(state_.hung.size(), Quat::Identity());
     hung_built_[node] = state_.rotation[node];
-    operator_.set_hung(int(node), hung_in_space(state_, int(node)));
+    if (operator_) operator_->set_hung(int(node), hung_in_space(state_, int(node)));
 }
 
 /// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.

@@ -23,8 +23,8 @@ double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // transla
 }  // namespace
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
-    : Run(std::move(structure), std::move(start)), settings_(std::move(settings)), held_(state_.held), sweep_(*structure_, false),
-      operator_(*structure_, 0.0, 1.0, true) {
+    : Run(std::move(structure), std::move(start)), settings_(std::move(settings)), held_(state_.held), sweep_(*structure_, team_, false),
+      operator_(std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::direct)) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
@@ -55,12 +55,16 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     for (std::size_t i = 0; i < state_.hinge.size(); ++i)
         if (state_.hinge[i]) flowing_.push_back(int(i));
     sweep_.take_up(state_);
-    operator_.set_held(held_);
+    operator_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
     const bool moments = std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
-    if (moments && structure_->large()) operator_.keep_unsymmetric(), built_ = false;
+    if (moments && structure_->large()) {
+        operator_ = std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::unsymmetric);
+        operator_->set_held(held_);
+        built_ = false;
+    }
 }
 
 void Statics::recover() {
@@ -97,20 +101,20 @@ bool Statics::renew_and_factorise() {
         was_yielding_.push_back(y.element);
     }
     force_.swap(state_.force);
-    operator_.build(list, state_, trial_, given);
+    operator_->build(list, state_, trial_, given);
     force_.swap(state_.force);
     built_ = true;
-    operator_.assemble();
+    operator_->assemble();
     times_[1].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto solving = std::chrono::steady_clock::now();
-    const bool good = operator_.factorise();
+    const bool good = operator_->factorise();
     times_[2].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - solving).count();
     return good;
 }
 
 void Statics::refuse_mechanism() {
     renew_and_factorise();
-    const int loose = operator_.loosest_freedom(1e-12);
+    const int loose = operator_->loosest_freedom(1e-12);
     if (loose < 0) return;
     static const char* way[] = {"move along x", "move along y", "move along z", "turn about x", "turn about y", "turn about z"};
     bool supported = false;
@@ -168,7 +172,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         SolverSettings direct;
         direct.direct = true;
         const std::vector<Vec6> unit_load = response_;
-        if (!operator_.solve(right_, change_, direct).converged || !operator_.solve(unit_load, response_, direct).converged) return Outcome::diverged;
+        if (!operator_->solve(right_, change_, direct).converged || !operator_->solve(unit_load, response_, direct).converged) return Outcome::diverged;
 
         double d_factor = 0;
         if (settings_.control == Control::load) {

@@ -29,7 +29,7 @@ public:
     const char* kind() const override { return "static"; }
     std::vector<StageTime> stage_times() const override { return times_; }
     std::vector<Effect> effects() const override;
-    Operator::Counts operator_counts() const { return operator_.counts(); }
+    Operator::Counts operator_counts() const { return operator_->counts(); }
 
 private:
     enum class Outcome { converged, diverged };
@@ -43,8 +43,9 @@ private:
 
     StaticSettings settings_;
     std::vector<std::uint8_t> held_;
+    Team team_;
     Sweep sweep_;
-    Operator operator_;
+    std::unique_ptr<Operator> operator_;
     Pose trial_;
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3, noise_ = 0;
     int converged_in_ = 0;

@@ -21,8 +21,15 @@ struct Sweep::Block {
     bool can_yield;
 };
 
-Sweep::Sweep(const Structure& structure, bool inertia)
-    : structure_(structure), inertia_(inertia), built_(structure.elements().size(), {Vec3::Zero(), Vec3::Zero()}) {}
+struct Sweep::Found {
+    std::vector<Yielding> yielding;
+    std::vector<int> turned;
+};
+
+/// Blocks that one thread takes at a time.
+constexpr int piece = 64;
+
+Sweep::Sweep(const Structure& structure, Team& team, bool inertia) : structure_(structure), team_(team), inertia_(inertia) {}
 
 Sweep::~Sweep() = default;
 
@@ -31,7 +38,9 @@ int Sweep::sections(double* r) const {
     return r[0] = -1, r[1] = 1, 2;
 }
 
-void Sweep::mark_built(int element, const Mat3& frame) { built_[element] = {frame.col(2), frame.col(1)}; }
+void Sweep::mark_built(int element, const Mat3& frame) {
+    if (watching_) built_[element] = {frame.col(2), frame.col(1)};
+}
 
 void Sweep::take_up(const State& state) {
     blocks_.clear();
@@ -113,10 +122,12 @@ Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<
 }  // namespace
 
 template <bool large, bool inertia>
-void Sweep::run_blocks(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, std::vector<Yielding>& yielding) {
+void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found) {
     double section[2];
     const int section_count = sections(section);
-    for (const Block& b : blocks_) {
+    const bool alone = reach_.empty(), watching = watching_;
+    for (int block = first; block < end; ++block) {
+        const Block& b = blocks_[block];
         const Triple<Lanes> u1 = gather(pose.displacement, b.node[0]), u2 = gather(pose.displacement, b.node[1]);
         const Quadruple<Lanes> axes = {b.axes[0], b.axes[1], b.axes[2], b.axes[3]};
         Placement<Lanes> place;
@@ -151,8 +162,8 @@ void Sweep::run_blocks(const State& state, const Pose& pose, std::vector<Vec6>& 
                     Vec6 trial;
                     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
                     if (!trial.allFinite()) continue;  // the step names the culprit
-                    yielding.push_back({b.element[i], beam::return_to_surface(trial, k, e.yield, section, section_count)});
-                    for (int c = 0; c < 6; ++c) p[c][i] = yielding.back().flow.p[c];
+                    found.yielding.push_back({b.element[i], beam::return_to_surface(trial, k, e.yield, section, section_count)});
+                    for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
                 }
         }
 
@@ -180,29 +191,50 @@ void Sweep::run_blocks(const State& state, const Pose& pose, std::vector<Vec6>& 
 
         for (int i = 0; i < b.count; ++i) {
             for (int end = 0; end < 2; ++end) {
-                Vec6& n = nodal[b.node[end][i]];
+                Vec6& n = alone ? nodal[b.node[end][i]] : reach_[2 * b.element[i] + end];
+                if (!alone) n.setZero();
                 n[0] += out.force[end].x[i]; n[1] += out.force[end].y[i]; n[2] += out.force[end].z[i];
                 n[3] += out.moment[end].x[i]; n[4] += out.moment[end].y[i]; n[5] += out.moment[end].z[i];
             }
             Vec6& q = force[b.element[i]];
             for (int c = 0; c < 6; ++c) q[c] = p[c][i];
-            if constexpr (large) {
+            if (large && watching) {
                 const auto& built = built_[b.element[i]];
                 const Vec3 z(place.frame.z.x[i], place.frame.z.y[i], place.frame.z.z[i]), y(place.frame.y.x[i], place.frame.y.y[i], place.frame.y.z[i]);
-                if ((z - built[0]).squaredNorm() + (y - built[1]).squaredNorm() > turn_limit_) turned_.push_back(b.element[i]);
+                if ((z - built[0]).squaredNorm() + (y - built[1]).squaredNorm() > turn_limit_) found.turned.push_back(b.element[i]);
             }
         }
-        updates_ += b.count;
     }
 }
 
+/// Each node adds up what its elements left, in the order in which one thread would have.
+void Sweep::add_up(const State& state, std::vector<Vec6>& nodal) {
+    team_.share(int(nodal.size()), 8 * piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            for (int e : structure_.elements_at()[i])
+                if (!state.broken[e]) nodal[i] += reach_[2 * e + (structure_.elements()[e].node[0] == i ? 0 : 1)];
+    });
+}
+
 void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, std::vector<Yielding>& yielding) {
+    if (team_.threads() > 1) reach_.resize(2 * structure_.elements().size());
+    found_.resize((blocks_.size() + piece - 1) / piece);
+    team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
+        found_[i].yielding.clear();
+        found_[i].turned.clear();
+        if (structure_.large())
+            inertia_ ? run_blocks<true, true>(first, end, state, pose, nodal, force, found_[i]) : run_blocks<true, false>(first, end, state, pose, nodal, force, found_[i]);
+        else
+            inertia_ ? run_blocks<false, true>(first, end, state, pose, nodal, force, found_[i]) : run_blocks<false, false>(first, end, state, pose, nodal, force, found_[i]);
+    });
+    if (!reach_.empty()) add_up(state, nodal);
     yielding.clear();
     turned_.clear();
-    if (structure_.large())
-        inertia_ ? run_blocks<true, true>(state, pose, nodal, force, yielding) : run_blocks<true, false>(state, pose, nodal, force, yielding);
-    else
-        inertia_ ? run_blocks<false, true>(state, pose, nodal, force, yielding) : run_blocks<false, false>(state, pose, nodal, force, yielding);
+    for (const Found& f : found_) {
+        yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
+        turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
+    }
+    for (const Block& b : blocks_) updates_ += b.count;
 }
 
 beam::Placement<double> place_element(const Structure& structure, int index, const Pose& pose) {

@@ -6,6 +6,7 @@
 
 #include "beam/corotation.h"
 #include "beam/yield.h"
+#include "core/team.h"
 #include "sim/state.h"
 
 namespace hinge {
@@ -27,7 +28,7 @@ struct Yielding {
 class Sweep {
 public:
     /// `inertia`: add consistent-mass inertia and gyroscopic forces of the pose's acceleration and velocity.
-    Sweep(const Structure& structure, bool inertia);
+    Sweep(const Structure& structure, Team& team, bool inertia);
     ~Sweep();
 
     /// Takes up which elements are whole and where their points stand. Call after a break or a whole shift.
@@ -39,7 +40,7 @@ public:
 
     /// Elements whose frame has turned by more than `tolerance` (rad) since they were last marked. Filled by run.
     const std::vector<int>& turned() const { return turned_; }
-    void watch_turning(double tolerance) { turn_limit_ = tolerance * tolerance; }
+    void watch_turning(double tolerance) { turn_limit_ = tolerance * tolerance, watching_ = true, built_.assign(structure_.elements().size(), {Vec3::Zero(), Vec3::Zero()}); }
     /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
     void mark_built(int element, const Mat3& frame);
 
@@ -48,15 +49,21 @@ public:
 
 private:
     struct Block;
+    struct Found;                             ///< what one piece of the sweep came upon
     template <bool large, bool inertia>
-    void run_blocks(const State&, const Pose&, std::vector<Vec6>&, std::vector<Vec6>&, std::vector<Yielding>&);
+    void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found);
+    void add_up(const State& state, std::vector<Vec6>& nodal);
 
     const Structure& structure_;
+    Team& team_;
     bool inertia_;
     std::vector<Block> blocks_;
+    std::vector<Found> found_;
+    std::vector<Vec6> reach_;                 ///< forces of each element on its two nodes, when several threads sweep
     std::vector<std::array<Vec3, 2>> built_;  ///< frame z and y at the last build
     std::vector<int> turned_;
     double turn_limit_ = 1e300;
+    bool watching_ = false;
     long updates_ = 0;
 };
 

@@ -1,0 +1,52 @@
+#include "core/team.h"
+
+namespace hinge {
+namespace {
+
+/// How often a thread looks again before it goes to sleep: about the time that waking it would take.
+constexpr int patience = 20000;
+
+}  // namespace
+
+Team::Team(int threads) {
+    for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
+}
+
+Team::~Team() {
+    over_ = true;
+    ++round_;
+    round_.notify_all();
+}
+
+void Team::run(int pieces, const std::function<void(int)>& work) {
+    work_ = &work;
+    pieces_ = pieces;
+    next_ = 0;
+    busy_ = int(others_.size());
+    ++round_;
+    round_.notify_all();
+    take_part();
+    for (int left; (left = busy_) > 0;) {  // the others are at their last piece
+        for (int i = 0; i < patience && busy_ == left; ++i) {}
+        if (busy_ == left) busy_.wait(left);
+    }
+}
+
+void Team::take_part() {
+    for (int i; (i = next_.fetch_add(1)) < pieces_;) (*work_)(i);
+}
+
+void Team::serve() {
+    unsigned seen = 0;
+    for (;;) {
+        for (int i = 0; i < patience && round_ == seen; ++i) {}
+        round_.wait(seen);
+        ++seen;
+        if (over_) return;
+        take_part();
+        --busy_;
+        busy_.notify_one();
+    }
+}
+
+}  // namespace hinge

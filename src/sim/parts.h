@@ -1,0 +1,44 @@
+// The blocks of A = m M + k K, element by element, with supports taken out: what every solver reads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/structure.h"
+
+namespace hinge {
+
+class Parts {
+public:
+    /// `narrow`: kept in single precision. `symmetric`: half of each part stands for both.
+    Parts(const Structure& structure, bool narrow, bool symmetric);
+
+    void set(int element, const Mat12& A);
+    Mat12 whole(int element) const;
+    void set_hung(int node, const Mat6& mass);
+    void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
+    const std::vector<std::uint8_t>& held() const { return held_; }
+
+    /// The diagonal block of a node: of all its elements and what hangs on it; one for a freedom that is held.
+    Mat6 own(int node) const;
+    /// The block in the row of the element's node at `end` (0, 1) and the column of its other node.
+    Mat6 across(int element, int end) const;
+    const Structure& structure() const { return structure_; }
+
+private:
+    template <class Number>
+    Mat6 own_of(const Number* part, int end) const;
+    template <class Number>
+    Mat6 across_of(const Number* part, int end) const;
+    Mat6 masked(int a, int b, const Mat6& block) const;
+
+    const Structure& structure_;
+    bool narrow_, symmetric_;
+    int stride_;                        // numbers a part: two halves of own blocks and the block across, or all 144
+    std::vector<double> wide_part_;
+    std::vector<float> narrow_part_;
+    std::vector<Mat6> hung_;            // of each node, empty if none
+    std::vector<std::uint8_t> held_;
+};
+
+}  // namespace hinge
