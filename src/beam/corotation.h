@@ -15,7 +15,7 @@ template <class Real> struct Triad { Triple<Real> x, y, z; };  // three orthonor
 
 /// The triad of quaternion a * b: the element's axes at a node (a: the node's rotation, b: the element's axes at the start).
 template <class Real>
-inline Triad<Real> turned_triad(const Quadruple<Real>& a, const Quadruple<Real>& b) {
+[[gnu::always_inline]] inline Triad<Real> turned_triad(const Quadruple<Real>& a, const Quadruple<Real>& b) {
     const Real w = a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z;
     const Real x = a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y;
     const Real y = a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x;
@@ -28,7 +28,7 @@ inline Triad<Real> turned_triad(const Quadruple<Real>& a, const Quadruple<Real>&
 
 /// The rotation vector of R = frame^T * node, in the frame's axes, rad; unique below pi.
 template <class Real>
-inline Triple<Real> relative_rotation(const Triad<Real>& frame, const Triad<Real>& node) {
+[[gnu::always_inline]] inline Triple<Real> relative_rotation(const Triad<Real>& frame, const Triad<Real>& node) {
     const Real half = spread(0.5, frame.x.x);
     const Triple<Real> v = {half * (dot(frame.z, node.y) - dot(frame.y, node.z)),
                             half * (dot(frame.x, node.z) - dot(frame.z, node.x)),
@@ -72,7 +72,7 @@ struct Placement {
 
 /// chord: vector from node 1 to node 2 as it is now (m); node: the nodes' rotations; axes: the element's axes at the start.
 template <class Real>
-inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1, const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
+[[gnu::always_inline]] inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1, const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
     const Triad<Real> t1 = turned_triad(node1, axes), t2 = turned_triad(node2, axes);
     const Real one = spread(1.0, chord.x), half = spread(0.5, chord.x);
     Placement<Real> p;
@@ -108,7 +108,7 @@ template <class Real> struct NodalForces { Triple<Real> force[2], moment[2]; };
 /// relative to the frame, and the frame's own spin takes -(mu_1 + mu_2): about e1, e2 through the chord's ends, about e3
 /// through the nodes' y axes.
 template <class Real>
-inline NodalForces<Real> nodal_forces(const Placement<Real>& p, const Real f[6]) {
+[[gnu::always_inline]] inline NodalForces<Real> nodal_forces(const Placement<Real>& p, const Real f[6]) {
     const Real half = spread(0.5, p.length), zero = spread(0.0, p.length);
     const Triple<Real> m[2] = {{f[0], f[2], zero - f[5]}, {f[1], f[3], f[5]}};
     Triple<Real> mu[2];

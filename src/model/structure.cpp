@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "core/errors.h"
 
@@ -30,7 +32,12 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         position_.push_back(n.position);
         fixed_.push_back(n.fixed);
     }
-    velocity_ = m.velocities();
+    std::size_t inner = 0, pieces = 0;
+    for (const MemberData& member : m.members()) inner += member.elements - 1, pieces += member.elements;
+    position_.reserve(m.nodes().size() + inner);
+    fixed_.reserve(m.nodes().size() + inner);
+    elements_.reserve(pieces);
+    std::map<std::tuple<const Section*, const Material*, double, double>, const Kind*> alike;
     for (std::size_t index = 0; index < m.members().size(); ++index) {
         const MemberData& member = m.members()[index];
         const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
@@ -39,24 +46,15 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         axes << x, y, z;
         const Material& mat = *member.material;
         const Section& sec = *member.section;
-        Element e;
-        e.member = int(index);
-        e.length = span.norm() / member.elements;
-        e.chord = span / member.elements;
-        e.axes = Quat(axes).normalized();
-        e.rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
-                      mat.density * sec.area, mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix), mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-        e.yield = m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
-        can_yield_ |= !e.yield.elastic();
-        e.radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
-        e.fracture = -1;
+        const double length = span.norm() / member.elements;
+        int fracture = -1;
         for (std::size_t r = 0; r < m.fracture().size(); ++r) {
             const int group = m.fracture()[r].group;
-            if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end()) e.fracture = int(r);
+            if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end()) fracture = int(r);
         }
-        e.touches = m.contact().has_value();
-        if (e.touches && !m.contact()->groups.empty())
-            e.touches = std::any_of(member.groups.begin(), member.groups.end(), [&](int g) {
+        bool touches = m.contact().has_value();
+        if (touches && !m.contact()->groups.empty())
+            touches = std::any_of(member.groups.begin(), member.groups.end(), [&](int g) {
                 return std::find(m.contact()->groups.begin(), m.contact()->groups.end(), g) != m.contact()->groups.end();
             });
         int left = member.node[0];
@@ -64,30 +62,51 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
             int right = member.node[1];
             if (i + 1 < member.elements) {
                 right = int(position_.size());
-                const double t = double(i + 1) / member.elements;
-                position_.push_back(start + t * span);
+                position_.push_back(start + double(i + 1) / member.elements * span);
                 fixed_.push_back(0);
-                velocity_.push_back((1 - t) * m.velocities()[member.node[0]] + t * m.velocities()[member.node[1]]);
             }
-            e.node[0] = left;
-            e.node[1] = right;
-            const bool paired = member.elements % 2 == 0;
-            e.partner = paired ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
-            e.s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-            e.stiffness = beam::stiffness(e.rigidity, e.length, e.s);
-            elements_.push_back(e);
+            const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
+            const auto [at, fresh] = alike.try_emplace({&sec, &mat, length, s}, nullptr);
+            if (fresh) {
+                const beam::Rigidity rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
+                                                 mat.density * sec.area, mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix), mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
+                kinds_.push_back({rigidity, beam::stiffness(rigidity, length, s), m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
+                at->second = &kinds_.back();
+                can_yield_ |= !kinds_.back().yield.elastic();
+            }
+            const Kind& kind = *at->second;
+            const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
+            const double radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
+            elements_.push_back({{left, right}, int(index), partner, length, span / member.elements, Quat(axes).normalized(), s,
+                                 kind.rigidity, kind.stiffness, kind.yield, radius, fracture, touches});
             left = right;
         }
     }
-    elements_at_.resize(position_.size());
+    first_at_.assign(position_.size() + 1, 0);
+    for (const Element& e : elements_)
+        for (int node : e.node) ++first_at_[node + 1];
+    for (std::size_t i = 0; i < position_.size(); ++i) first_at_[i + 1] += first_at_[i];
+    at_.resize(first_at_.back());
+    std::vector<int> next(first_at_.begin(), first_at_.end() - 1);
     for (std::size_t i = 0; i < elements_.size(); ++i)
-        for (int node : elements_[i].node) elements_at_[node].push_back(int(i));
+        for (int node : elements_[i].node) at_[next[node]++] = int(i);
+}
+
+std::vector<Vec6> Structure::initial_velocity() const {
+    std::vector<Vec6> v = model_->velocities();
+    v.reserve(position_.size());
+    for (const MemberData& member : model_->members())
+        for (int i = 1; i < member.elements; ++i) {
+            const double t = double(i) / member.elements;
+            v.push_back((1 - t) * v[member.node[0]] + t * v[member.node[1]]);
+        }
+    return v;
 }
 
 int Structure::free_dofs() const {
     int n = 0;
     for (std::size_t i = 0; i < fixed_.size(); ++i)
-        if (!elements_at_[i].empty()) n += 6 - std::popcount(fixed_[i]);
+        if (!elements_at(int(i)).empty()) n += 6 - std::popcount(fixed_[i]);
     return n;
 }
 
@@ -103,7 +122,7 @@ std::string Structure::node_name(int node) const {
     if (node < declared)
         std::snprintf(text, sizeof text, "node %d at {%.4g, %.4g, %.4g} m", node + 1, x.x(), x.y(), x.z());
     else
-        std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m", elements_[elements_at_[node][0]].member + 1, x.x(), x.y(), x.z());
+        std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m", elements_[elements_at(node)[0]].member + 1, x.x(), x.y(), x.z());
     return text;
 }
 

@@ -38,9 +38,8 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
 
 }  // namespace
 
-Mat6 hung_in_space(const State& state, int node) {
-    const HungMass& h = state.hung[node];
-    const Mat3 R = state.rotation[node].toRotationMatrix();
+Mat6 hung_in_space(const HungMass& h, const Quat& rotation) {
+    const Mat3 R = rotation.toRotationMatrix();
     return beam::hung_mass(h.mass, R * h.moment, R * h.inertia * R.transpose());
 }
 
@@ -63,7 +62,7 @@ double kinetic_energy(const Structure& structure, const State& state) {
                                   wa.dot(J.cwiseProduct(wa)) + wa.dot(J.cwiseProduct(wb)) + wb.dot(J.cwiseProduct(wb)));
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state, int(i)) * state.velocity[i]);
+        if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);
     return energy;
 }
 
@@ -80,7 +79,7 @@ Momentum momentum(const Structure& structure, const State& state) {
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i) {
         if (state.hung[i].mass == 0) continue;
-        const Vec6 p = hung_in_space(state, int(i)) * state.velocity[i];
+        const Vec6 p = hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i];
         h.head<3>() += p.head<3>();
         h.tail<3>() += p.tail<3>() + (structure.position()[i] + state.displacement[i]).cross(Vec3(p.head<3>()));
         total.mass += state.hung[i].mass;
@@ -130,7 +129,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     h.inertia += back * stub.inertia * back.transpose();
 
     bool alone = state.hung[freed].mass == 0;
-    for (int other : structure.elements_at()[freed]) alone &= state.broken[other] != 0;
+    for (int other : structure.elements_at(freed)) alone &= state.broken[other] != 0;
     if (alone) {
         report.orphaned = true;
         state.gone[freed] = 1;

@@ -32,7 +32,7 @@ Momentum momentum(const Structure& structure, const State& state);
 double kinetic_energy(const Structure& structure, const State& state);
 
 /// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
-Mat6 hung_in_space(const State& state, int node);
+Mat6 hung_in_space(const HungMass& hung, const Quat& rotation);
 
 /// A state's nodes as a pose.
 Pose pose_of(const State& state);

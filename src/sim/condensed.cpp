@@ -31,12 +31,16 @@ template <class Number>
 Condensed<Number>::Condensed(const Structure& structure, Team& team) : structure_(structure), team_(team) {
     const int n = int(structure.position().size());
     which_.assign(n, -1);
-    const auto& at = structure.elements_at();
+    const auto at = [&](int node) { return structure.elements_at(node); };
+    const auto could_go = [&](int i) { return at(i).size() <= 2; };
+    int most = 0;
+    for (int i = 0; i < n; ++i) most += could_go(i);
+    between_.reserve(most);
     for (int i = n - 1; i >= 0; --i) {  // inner nodes come after the joints
-        if (at[i].size() > 2) continue;
+        if (!could_go(i)) continue;
         Between m{i, 0, {-1, -1}, {-1, -1}, false, {}, {}};
         bool alone = true;
-        for (int e : at[i]) {
+        for (int e : at(i)) {
             m.element[m.count] = e;
             m.side[m.count] = other_node(structure.elements()[e], i);
             alone = alone && which_[m.side[m.count]] < 0 && (m.count == 0 || m.side[0] != m.side[1]);
@@ -50,10 +54,20 @@ Condensed<Number>::Condensed(const Structure& structure, Team& team) : structure
     for (int i = 0; i < n; ++i)
         if (which_[i] < 0) place_[i] = int(order_.size()), order_.push_back(i);
     joints_ = int(order_.size());
-    first_.assign(1, 0);
-    for (int i : order_) first_.push_back(first_.back() + 1 + int(at[i].size()));
-    entries_ = first_.back();
     paint();
+    // a colour's rows lie together, as they are used
+    std::vector<int> by_colour;
+    by_colour.reserve(joints_);
+    for (Colour c : {Colour::red, Colour::black})
+        for (int p = 0; p < joints_; ++p)
+            if (colour_[p] == c) by_colour.push_back(order_[p]);
+    std::stable_partition(colour_.begin(), colour_.end(), [](Colour c) { return c == Colour::red; });
+    order_ = std::move(by_colour);
+    first_.assign(1, 0);
+    for (int p = 0; p < joints_; ++p) {
+        place_[order_[p]] = p;
+        first_.push_back(first_.back() + 1 + int(at(order_[p]).size()));
+    }
     lay_out();
 }
 
@@ -64,7 +78,7 @@ void Condensed<Number>::paint() {
     std::vector<int> queue;
     const auto neighbours = [&](int place, auto visit) {
         const int node = order_[place];
-        for (int e : structure_.elements_at()[node]) {
+        for (int e : structure_.elements_at(node)) {
             int next = other_node(structure_.elements()[e], node);
             if (which_[next] >= 0) {
                 const Between& m = between_[which_[next]];
@@ -92,7 +106,7 @@ void Condensed<Number>::paint() {
 /// Where the column of a joint's entry lies: across the node between, if there is one and it is taken out.
 template <class Number>
 int Condensed<Number>::far(int place, int entry) const {
-    const int node = order_[place], next = other_node(structure_.elements()[structure_.elements_at()[node][entry - 1]], node);
+    const int node = order_[place], next = other_node(structure_.elements()[structure_.elements_at(node)[entry - 1]], node);
     if (place_[next] >= 0) return place_[next];
     const Between& m = between_[which_[next]];
     return m.count < 2 ? place : place_[m.side[m.side[0] == node ? 1 : 0]];
@@ -116,14 +130,14 @@ void Condensed<Number>::lay_out() {
     via_.resize(first_.back());
     value_.resize(36 * std::size_t(first_.back()) + 2);
     inverse_.resize(36 * std::size_t(places) + 2);
-    for (auto* v : {&x_, &r_, &z_, &d_, &q_}) v->resize(stride * std::size_t(places));
+    for (auto* v : {&x_, &r_, &d_, &q_}) v->resize(stride * std::size_t(places));
     for (int p = 0; p < places; ++p) {
         const int node = order_[p];
         at_[first_[p]] = p;
         via_[first_[p]] = -1;
         for (int k = 1; k < first_[p + 1] - first_[p]; ++k) {
             at_[first_[p] + k] = far(p, k);
-            const int next = other_node(structure_.elements()[structure_.elements_at()[node][k - 1]], node);
+            const int next = other_node(structure_.elements()[structure_.elements_at(node)[k - 1]], node);
             via_[first_[p] + k] = place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
         }
     }
@@ -164,7 +178,7 @@ void Condensed<Number>::renew_row(int place, const Parts& parts) {
     const int node = order_[place], begin = first_[place];
     Mat6 own = parts.own(node);
     for (int k = 1; k < first_[place + 1] - begin; ++k) {
-        const int element = structure_.elements_at()[node][k - 1];
+        const int element = structure_.elements_at(node)[k - 1];
         const Element& e = structure_.elements()[element];
         const int next = other_node(e, node);
         Mat6 block = parts.across(element, end_at(e, node));
@@ -287,7 +301,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     reduce(right);
     const auto precondition = [&](int p) {
         const Wide z = times(&inverse_[36 * std::size_t(p)], &r_[stride * p]);
-        store(&z_[stride * p], z);
+        store(&q_[stride * p], z);
         return Wide(six * z * load(&r_[stride * p]));
     };
     // x satisfies the red rows from the start
@@ -301,7 +315,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
             for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
             store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
             product += precondition(p);
-            store(&d_[stride * p], load(&z_[stride * p]));
+            store(&d_[stride * p], load(&q_[stride * p]));
         }
         return sum(product);
     });
@@ -327,7 +341,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         team_.share(int(order_.size()), 4 * piece, [&](int first, int end, int) {
             for (int k = stride * first; k < stride * end; k += stride) store(&x_[k], load(&x_[k]) + alpha * load(&d_[k]));
         });
-        for (int p : black_) store(&d_[stride * p], load(&z_[stride * p]) + beta * load(&d_[stride * p]));
+        for (int p : black_) store(&d_[stride * p], load(&q_[stride * p]) + beta * load(&d_[stride * p]));
         ++report.iterations;
     }
     solve_back(right, solution);

@@ -70,7 +70,7 @@ private:
     std::vector<Coupling> couplings_;
     std::vector<int> coupled_;       ///< nodes, rising
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`
-    int joints_ = 0, entries_ = 0;   ///< without what is coupled
+    int joints_ = 0;
     std::vector<int> order_, place_; ///< node of each place; place of each node, -1
     std::vector<int> first_;         ///< of each place: its entries, its own block first, then one for each element there
     std::vector<int> at_;            ///< of each entry: place of its column; its own, with a block of zeros, where it leads nowhere
@@ -78,7 +78,7 @@ private:
     std::vector<Number> value_;      ///< of each entry, 36
     std::vector<Number> inverse_;    ///< of each place, 36: of its own block, couplings included
     std::vector<int> red_, black_;   ///< places
-    std::vector<double> x_, r_, z_, d_, q_;  ///< eight a place
+    std::vector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then what the preconditioner makes of r
 };
 
 extern template class Condensed<float>;

@@ -5,13 +5,28 @@
 #include <cmath>
 #include <limits>
 
+#include "beam/lanes.h"
 #include "beam/mass.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
 #include "sim/turning.h"
 
 namespace hinge {
+
+using beam::Lanes;
+using beam::load_row;
+using beam::store_row;
+
 namespace {
+
+/// Numbers 3 to 5 of a row, in front.
+Lanes second_three(const Lanes& row) {
+    constexpr long __attribute__((vector_size(64))) from = {3, 4, 5, 6, 7, 0, 1, 2};
+    return __builtin_shuffle(row, from);
+}
+
+/// Nodes that one thread takes at a time; a multiple of eight.
+constexpr int some_nodes = 1024;
 
 /// Part of the elastic stiffness by which a plastic tangent may differ from the one in the operator.
 constexpr double same_tangent = 0.05;
@@ -78,15 +93,22 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 
     trial_ = pose_of(state_);
     increment_.assign(nodes, Vec3::Zero());
-    for (auto* v : {&constant_load_, &external_, &external_before_, &nodal_, &right_, &change_}) v->assign(nodes, Vec6::Zero());
+    for (auto* v : {&external_, &nodal_, &change_}) v->assign(nodes, Vec6::Zero());
     force_ = state_.force;
     in_rebuild_.assign(elements, 0);
     if (model.gravity())
         for (std::size_t i = 0; i < elements; ++i) {
             const Element& e = structure_->elements()[i];
             if (!state_.broken[i])
-                for (int n : e.node) constant_load_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
+                for (int n : e.node) external_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
         }
+    std::vector<int> place(nodes, -1);
+    for (const NodalLoad& load : model.loads()) {
+        if (place[load.node] < 0) place[load.node] = int(loaded_.size()), loaded_.push_back({load.node, external_[load.node]});
+        load_at_.push_back(place[load.node]);
+    }
+    for (std::size_t i = 0; i < nodes; ++i)
+        if (state_.held[i]) held_nodes_.push_back(int(i));
     lumped_mass_.assign(nodes, 0);
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
@@ -116,8 +138,8 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         if (state_.hinge[i]) flowing_.push_back(int(i));
         if (state_.yielded[i]) ever_yielded_.push_back(int(i));
     }
-    gather_loads(state_.time, external_before_);
     find_acceleration();
+    for (Loaded& l : loaded_) l.before = l.now;
     if (!explicit_steps() && !state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
 }
 
@@ -159,12 +181,14 @@ bool Dynamics::advance() {
 
 /// F at the end of the step: gravity and the script's loads.
 void Dynamics::loads() {
-    gather_loads(state_.time + settings_.dt, external_);
+    apply_loads(state_.time + settings_.dt);
 }
 
 /// After something broke or was let go: the acceleration anew.
 void Dynamics::restart() {
-    if (restart_) find_acceleration();
+    if (!restart_) return;
+    find_acceleration();
+    loads();
 }
 
 /// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the fastest
@@ -178,17 +202,20 @@ void Dynamics::predict() {
             trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
             trial_.velocity[i] = state_.velocity[i] + (0.5 * dt) * (state_.acceleration[i] + trial_.acceleration[i]);
         }
-        return move_to_increment();
+        return move_to_increment(0, int(increment_.size()));
     }
-    for (std::size_t i = 0; i < increment_.size(); ++i) {
-        const Vec6 step = dt * state_.velocity[i] + (0.5 * dt * dt) * state_.acceleration[i];
-        trial_.displacement[i] = state_.displacement[i] + step.head<3>();
-        increment_[i] = step.tail<3>();
-        trial_.velocity[i] = state_.velocity[i] + dt * state_.acceleration[i];
-        if (operator_) trial_.acceleration[i] = state_.acceleration[i];
-        else trial_.acceleration[i].setZero();  // stubs: what they resist beside their mass times the acceleration
-    }
-    move_to_increment();
+    const bool keep = operator_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
+    team_.share(int(increment_.size()), some_nodes, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Lanes v = load_row<6>(state_.velocity[i].data()), a = load_row<6>(state_.acceleration[i].data());
+            const Lanes step = dt * v + (0.5 * dt * dt) * a;
+            store_row<3>(trial_.displacement[i].data(), load_row<3>(state_.displacement[i].data()) + step);
+            store_row<3>(increment_[i].data(), second_three(step));
+            store_row<6>(trial_.velocity[i].data(), v + dt * a);
+            store_row<6>(trial_.acceleration[i].data(), keep ? a : Lanes{});
+        }
+        move_to_increment(first, end);
+    });
 }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
@@ -209,14 +236,13 @@ void Dynamics::recover() {
 /// where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Dynamics::yield() {
     tangents_.resize(yielding_.size());
-    if (built_.empty()) built_.assign(structure_->elements().size(), Mat6::Zero());
     double section[2];
     const int n = sweep_.sections(section);
     std::size_t next = 0;
     for (int e : was_yielding_) {
         while (next < yielding_.size() && yielding_[next].element < e) ++next;
         const bool flows_on = next < yielding_.size() && yielding_[next].element == e;
-        if (!flows_on && !state_.broken[e]) wants_rebuild(e), built_[e].setZero();
+        if (!flows_on && !state_.broken[e]) wants_rebuild(e), built_.erase(e);
     }
     was_yielding_.clear();
     for (std::size_t i = 0; i < yielding_.size(); ++i) {
@@ -226,7 +252,8 @@ void Dynamics::yield() {
         tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section, y.flow.lambda, active, n);
         was_yielding_.push_back(y.element);
         const double same = from_rest_ || settings_.iterations > 1 ? 0 : same_tangent;
-        if (!near(tangents_[i], built_[y.element], k, same)) wants_rebuild(y.element);
+        const auto there = built_.find(y.element);
+        if (there == built_.end() || !near(tangents_[i], there->second, k, same)) wants_rebuild(y.element);
     }
 }
 
@@ -256,27 +283,35 @@ void Dynamics::renew_operator() {
 
 /// (M + beta dt^2 K) da = F - R - M a.
 void Dynamics::solve() {
-    double check = 0;
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        right_[i] = external_[i] - nodal_[i];
-        check += right_[i].squaredNorm();
-        if (state_.held[i])
-            for (int c = 0; c < 6; ++c)
-                if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
-    }
+    const int nodes = int(nodal_.size());
+    std::vector<Vec6>& right = nodal_;
+    const double check = team_.sum(nodes, some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            right[i] = external_[i] - nodal_[i];
+            sum += right[i].squaredNorm();
+        }
+        return sum;
+    });
     if (!std::isfinite(check)) {
         failure_ = name_the_culprit();
         return;
     }
+    take_reactions(right);
     // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to solve
-    double motion = 0;
-    for (std::size_t i = 0; i < lumped_mass_.size(); ++i) {
-        const double v2 = trial_.velocity[i].head<3>().squaredNorm();
-        motion += lumped_mass_[i] * v2;
-        if (v2 > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(v2), int(i), state_.time + settings_.dt};
-    }
+    fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
+    const double motion = team_.sum(nodes, some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            const double v2 = trial_.velocity[i].head<3>().squaredNorm();
+            sum += lumped_mass_[i] * v2;
+            if (Fastest& most = fastest_of_[first / some_nodes]; v2 > most.speed) most = {v2, i, 0};
+        }
+        return sum;
+    });
+    note_fastest();
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
-    const SolveReport report = operator_->solve(right_, change_, settings_.solver);
+    const SolveReport report = operator_->solve(right, change_, settings_.solver);
     if (!report.converged)
         failure_ = settings_.solver.direct ? "the operator could not be factorised"
                                            : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
@@ -286,7 +321,6 @@ void Dynamics::solve() {
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
 void Dynamics::correct() {
     const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = 0.5 * dt;
-    double size = 0;
     if (settings_.iterations > 1) {  // Newton that swings between two sets of hinges is held back
         double whole = 0;
         for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
@@ -298,22 +332,26 @@ void Dynamics::correct() {
             for (Vec6& c : change_) c *= damping_;
     }
     const bool by_spin = from_rest_ && structure_->large();
-    for (std::size_t i = 0; i < change_.size(); ++i) {
-        if (by_spin) {
-            // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
-            const Vec3 before = increment_[i];
-            trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
-            increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
-            change_[i].tail<3>() = (increment_[i] - before) / to_u;
-        } else {
-            increment_[i] += to_u * change_[i].tail<3>();
+    const double size = team_.sum(int(change_.size()), some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            if (by_spin) {
+                // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
+                const Vec3 before = increment_[i];
+                trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
+                increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
+                change_[i].tail<3>() = (increment_[i] - before) / to_u;
+            } else {
+                increment_[i] += to_u * change_[i].tail<3>();
+            }
+            trial_.acceleration[i] += change_[i];
+            trial_.velocity[i] += to_v * change_[i];
+            trial_.displacement[i] += to_u * change_[i].head<3>();
+            sum += change_[i].head<3>().squaredNorm();
         }
-        trial_.acceleration[i] += change_[i];
-        trial_.velocity[i] += to_v * change_[i];
-        trial_.displacement[i] += to_u * change_[i].head<3>();
-        size += change_[i].head<3>().squaredNorm();
-    }
-    if (!by_spin) move_to_increment();
+        if (!by_spin) move_to_increment(first, end);
+        return sum;
+    });
     ++iteration_;
     if (iteration_ == 1) first_change_ = size;
     again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
@@ -329,45 +367,50 @@ void Dynamics::correct() {
 /// Explicit: a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
 void Dynamics::accelerate() {
     const double half = 0.5 * settings_.dt;
-    double check = 0;
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        Vec6 f = external_[i] - nodal_[i], a;
-        check += f.squaredNorm();
-        if (state_.held[i])
-            for (int c = 0; c < 6; ++c)
-                if (state_.held[i] >> c & 1) reaction_[i][c] = -f[c], f[c] = 0;
-        a << mass_->inverse()[i].mass * f.head<3>(), mass_->inverse()[i].rotary(0, 0) * f.tail<3>();
-        trial_.acceleration[i] = a;
-        right_[i] = f;
-    }
+    const std::vector<Vec6>& inverse = mass_->lumped_inverse();
+    const auto move = [&](int i, const Lanes& a, Fastest& most) {
+        const Lanes v = load_row<6>(state_.velocity[i].data()) + half * (load_row<6>(state_.acceleration[i].data()) + a);
+        store_row<6>(trial_.acceleration[i].data(), a);
+        store_row<6>(trial_.velocity[i].data(), v);
+        if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};
+    };
+    const int nodes = int(nodal_.size());
+    fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
+    const double check = team_.sum(nodes, some_nodes, [&](int first, int end) {
+        Lanes sum{};
+        for (int i = first; i < end; ++i) {
+            const Lanes f = load_row<6>(external_[i].data()) - load_row<6>(nodal_[i].data());
+            sum += f;
+            move(i, load_row<6>(inverse[i].data()) * f, fastest_of_[first / some_nodes]);
+        }
+        return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
+    });
     if (!std::isfinite(check)) {
         failure_ = name_the_culprit();
         return;
     }
-    if (!mass_->heavy().empty()) {
-        renew_mass(trial_);
-        for (const Mass::Heavy& h : mass_->heavy()) {
-            trial_.acceleration[h.node] = h.inverse * right_[h.node];
-            for (int c = 0; c < 6; ++c)
-                if (state_.held[h.node] >> c & 1) trial_.acceleration[h.node][c] = 0;
-        }
+    for (int n : held_nodes_) {
+        Vec6& r = reaction_[n];
+        r.setZero();
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[n] >> c & 1) r[c] = nodal_[n][c] - external_[n][c];
     }
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        trial_.velocity[i] = state_.velocity[i] + half * (state_.acceleration[i] + trial_.acceleration[i]);
-        const double v2 = trial_.velocity[i].head<3>().squaredNorm();
-        if (v2 > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(v2), int(i), state_.time + settings_.dt};
+    if (!mass_->heavy().empty()) mass_->turn_stubs(state_, trial_);
+    for (const Mass::Heavy& h : mass_->heavy()) {
+        Vec6 a = h.inverse * (external_[h.node] - nodal_[h.node]);
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[h.node] >> c & 1) a[c] = 0;
+        move(h.node, load_row<6>(a.data()), fastest_of_.back());
     }
+    note_fastest();
 }
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
-    for (const NodalLoad& load : structure_->model().loads()) {
-        const int n = load.node;
-        if (state_.gone[n]) continue;
-        const Vec6 mean = 0.5 * (external_[n] + external_before_[n]) - constant_load_[n];
-        const auto first = std::find_if(structure_->model().loads().begin(), structure_->model().loads().end(), [&](const NodalLoad& l) { return l.node == n; });
-        if (&*first != &load) continue;  // several loads on one node are one force
-        state_.booked.work += mean.head<3>().dot(trial_.displacement[n] - state_.displacement[n]) + mean.tail<3>().dot(increment_[n]);
+    for (Loaded& l : loaded_) {
+        const Vec6 mean = 0.5 * (l.now + l.before);
+        state_.booked.work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) + mean.tail<3>().dot(increment_[l.node]);
+        l.before = l.now;
     }
     state_.displacement.swap(trial_.displacement);
     state_.rotation.swap(trial_.rotation);
@@ -387,7 +430,7 @@ void Dynamics::commit() {
         wants_rebuild(e);
     }
     if (!to_break_.empty())
-        for (Vec6& n : right_) n.setZero();  // what breaking asks of the nodes
+        right_.assign(nodal_.size(), Vec6::Zero());  // what breaking asks of the nodes
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
         const BreakReport report = break_off(*structure_, state_, element, end, right_);
@@ -395,15 +438,24 @@ void Dynamics::commit() {
         renew_hung_operator(report.carrier);
         if (!in_mass_stale_[element]) in_mass_stale_[element] = 1, mass_stale_.push_back(element);
         if (structure_->model().gravity())
-            for (int n : e.node) constant_load_[n].head<3>() -= 0.5 * e.rigidity.rhoA * e.length * *structure_->model().gravity();
+            for (int n : e.node) {
+                const Vec3 weight = 0.5 * e.rigidity.rhoA * e.length * *structure_->model().gravity();
+                external_[n].head<3>() -= weight;
+                for (Loaded& l : loaded_)
+                    if (l.node == n) l.gravity.head<3>() -= weight;
+            }
         if (state_.contact) {
             state_.booked.contact_released += state_.contact->drop(element);
             bars_changed_ = true;
         }
+        sweep_.drop(element);
+        if (report.orphaned)
+            for (int n : e.node)
+                if (state_.gone[n]) held_nodes_.push_back(n);
         std::erase(ever_yielded_, element);
         std::erase(fracture_candidates_, element);
     }
-    if (take_up_ || !to_break_.empty()) sweep_.take_up(state_);
+    if (take_up_) sweep_.take_up(state_);
     take_up_ = false;
     if (!to_break_.empty()) {
         renew_mass(pose_of(state_));
@@ -417,7 +469,6 @@ void Dynamics::commit() {
         to_break_.clear();
         restart_ = true;
     }
-    external_before_.swap(external_);
     ++state_.step;
     state_.time += settings_.dt;
 }
@@ -429,20 +480,38 @@ void Dynamics::wants_rebuild(int element) {
     if (operator_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
 }
 
-void Dynamics::move_to_increment() {
-    if (structure_->large()) return turn_all(increment_, state_.rotation, trial_.rotation);
-    for (std::size_t i = 0; i < increment_.size(); ++i) trial_.turn[i] = state_.turn[i] + increment_[i];
+void Dynamics::move_to_increment(int first, int end) {
+    if (structure_->large()) return turn_all(increment_, state_.rotation, trial_.rotation, first, end);
+    for (int i = first; i < end; ++i) trial_.turn[i] = state_.turn[i] + increment_[i];
 }
 
-/// F at time t: gravity and the script's loads.
-void Dynamics::gather_loads(double t, std::vector<Vec6>& into) const {
-    into = constant_load_;
-    for (const NodalLoad& load : structure_->model().loads()) {
-        if (state_.gone[load.node]) continue;
-        const double factor = load.history ? load.history(t) : 1.0;
-        into[load.node].head<3>() += factor * load.force;
-        into[load.node].tail<3>() += factor * load.moment;
+/// What the supports must add to hold their freedoms: out of the forces, into the reactions.
+void Dynamics::take_reactions(std::vector<Vec6>& right) {
+    for (int n : held_nodes_) {
+        Vec6& r = reaction_[n];
+        r.setZero();
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[n] >> c & 1) r[c] = -right[n][c], right[n][c] = 0;
     }
+}
+
+/// Takes up what each piece of the nodes found: squared speeds.
+void Dynamics::note_fastest() {
+    for (const Fastest& f : fastest_of_)
+        if (f.speed > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(f.speed), f.node, state_.time + settings_.dt};
+}
+
+/// F at time t: gravity and the script's loads. Only nodes with loads change.
+void Dynamics::apply_loads(double t) {
+    for (Loaded& l : loaded_) l.now.setZero();
+    const std::vector<NodalLoad>& loads = structure_->model().loads();
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        if (state_.gone[loads[i].node]) continue;
+        const double factor = loads[i].history ? loads[i].history(t) : 1.0;
+        loaded_[load_at_[i]].now.head<3>() += factor * loads[i].force;
+        loaded_[load_at_[i]].now.tail<3>() += factor * loads[i].moment;
+    }
+    for (const Loaded& l : loaded_) external_[l.node] = l.gravity + l.now;
 }
 
 std::string Dynamics::name_the_culprit() const {

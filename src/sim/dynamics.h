@@ -13,6 +13,7 @@
 #pragma once
 
 #include <functional>
+#include <unordered_map>
 
 #include "sim/mass.h"
 #include "sim/operator.h"
@@ -74,7 +75,7 @@ private:
     void fracture();
     void commit();
 
-    void gather_loads(double t, std::vector<Vec6>& into) const;
+    void apply_loads(double t);
     void find_acceleration();
     void add_hung_inertia();
     void renew_mass(const Pose& pose);
@@ -87,7 +88,9 @@ private:
     double give_back(const contact::LetGo& bond);
     void list_bars();
     void wants_rebuild(int element);
-    void move_to_increment();
+    void move_to_increment(int first, int end);
+    void note_fastest();
+    void take_reactions(std::vector<Vec6>& right);
     bool breaks(int element, const beam::Flow* flow, int& end) const;
     void renew_hung_operator(std::size_t node);
     std::string name_the_culprit() const;
@@ -99,18 +102,23 @@ private:
     Sweep sweep_;
     std::unique_ptr<Operator> operator_;         ///< none in explicit steps
     std::unique_ptr<Mass> mass_;
+    std::vector<int> held_nodes_;                ///< with a freedom that is held
     std::vector<int> mass_stale_;
     std::vector<char> in_mass_stale_;
     Pose trial_;
     std::vector<Vec3> increment_;                ///< rotation vector of the step
     Fastest fastest_;
+    std::vector<Fastest> fastest_of_;            ///< of each piece of the nodes, speeds squared
     std::vector<double> lumped_mass_;            ///< kg, to judge what is rounding
-    std::vector<Vec6> constant_load_, external_, external_before_, nodal_, right_, change_, force_;
+    std::vector<Vec6> external_, nodal_, right_, change_, force_;
+    struct Loaded { int node; Vec6 gravity, now = Vec6::Zero(), before = Vec6::Zero(); };
+    std::vector<Loaded> loaded_;                 ///< nodes with loads of the script: F is the sum of gravity and what acts now
+    std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
     std::vector<Yielding> yielding_;
     std::vector<Yielding> hinges_;               ///< of the last step, when a step is solved from du = 0
     std::vector<int> was_yielding_;
     std::vector<Mat6> tangents_;
-    std::vector<Mat6> built_;                    ///< D_p in the operator, zero where it is D_e
+    std::unordered_map<int, Mat6> built_;        ///< D_p in the operator, of the elements that have it there
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_;
     std::vector<contact::Bar> bars_;

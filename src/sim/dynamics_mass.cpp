@@ -20,14 +20,11 @@ void Dynamics::find_acceleration() {
     trial_ = pose_of(state_);
     iteration_ = 0;
     recover();
-    gather_loads(state_.time, right_);
+    apply_loads(state_.time);
     renew_mass(trial_);
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        right_[i] -= nodal_[i];
-        for (int c = 0; c < 6; ++c)
-            if (state_.held[i] >> c & 1) reaction_[i][c] = -right_[i][c], right_[i][c] = 0;
-    }
-    mass_->solve(right_, state_.acceleration, state_, 1e-12);
+    for (std::size_t i = 0; i < nodal_.size(); ++i) nodal_[i] = external_[i] - nodal_[i];
+    take_reactions(nodal_);
+    mass_->solve(nodal_, state_.acceleration, state_, 1e-12);
     yielding_.clear();
     restart_ = false;
 }
@@ -60,7 +57,7 @@ void Dynamics::renew_hung_operator(std::size_t node) {
     if (state_.hung[node].mass == 0) return;
     hung_built_.resize(state_.hung.size(), Quat::Identity());
     hung_built_[node] = state_.rotation[node];
-    if (operator_) operator_->set_hung(int(node), hung_in_space(state_, int(node)));
+    if (operator_) operator_->set_hung(int(node), hung_in_space(state_.hung[node], state_.rotation[node]));
 }
 
 /// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "beam/mass.h"
+#include "sim/blocks.h"
 #include "sim/breaking.h"
 
 namespace hinge {
@@ -54,7 +55,7 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
         if (!stale[i] && !hung) continue;
         double mass = 0;
         Mat3 rotary = Mat3::Zero();
-        for (int index : structure_.elements_at()[i]) {
+        for (int index : structure_.elements_at(int(i))) {
             if (state.broken[index]) continue;
             const Element& e = structure_.elements()[index];
             if (structure_.lumped()) {
@@ -67,12 +68,25 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
         }
         inverse_[i] = {};
         if (mass > 0) inverse_[i] = {1 / mass, rotary.inverse()};
+        if (structure_.lumped()) {
+            lumped_inverse_.resize(inverse_.size());
+            lumped_inverse_[i] << Vec3::Constant(inverse_[i].mass), inverse_[i].rotary.diagonal();
+            for (int c = 0; c < 6; ++c)
+                if (state.held[i] >> c & 1) lumped_inverse_[i][c] = 0;
+        }
         if (!hung) continue;
-        Mat6 own = Mat6::Zero();
-        own.topLeftCorner<3, 3>().diagonal().array() += mass;
-        own.bottomRightCorner<3, 3>() = rotary;
-        const Mat6 stubs = hung_in_space(state, int(i));
-        heavy_.push_back({int(i), stubs, (own + stubs).inverse()});
+        Heavy h{int(i), Mat6::Zero(), {}, {}};
+        h.elements.topLeftCorner<3, 3>().diagonal().array() += mass;
+        h.elements.bottomRightCorner<3, 3>() = rotary;
+        heavy_.push_back(h);
+    }
+    turn_stubs(state, pose);
+}
+
+void Mass::turn_stubs(const State& state, const Pose& pose) {
+    for (Heavy& h : heavy_) {
+        h.stubs = hung_in_space(state.hung[h.node], pose.rotation[h.node]);
+        h.inverse = blocks::inverse_by_halves(h.elements + h.stubs);
     }
 }
 

@@ -16,6 +16,8 @@ public:
 
     /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing but as stubs.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
+    /// Stubs alone: where `pose` has turned them.
+    void turn_stubs(const State& state, const Pose& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the residual,
     /// relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) const;
@@ -23,8 +25,10 @@ public:
     /// Of a node without stubs: 1/kg, and the inverse of its rotary inertia, 1/(kg m^2); zero where no element is left.
     struct Inverse { double mass = 0; Mat3 rotary = Mat3::Zero(); };
     const std::vector<Inverse>& inverse() const { return inverse_; }
-    /// Of the nodes with stubs, all that turns and moves with them: M and its inverse, 6x6 in space.
-    struct Heavy { int node; Mat6 stubs, inverse; };
+    /// Lumped: the same, a number for each freedom, zero where it is held.
+    const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
+    /// Of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space.
+    struct Heavy { int node; Mat6 elements, stubs, inverse; };
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
 private:
@@ -35,6 +39,7 @@ private:
     struct Part { double mass = 0; double rotary[6] = {}; };    ///< kg and kg m^2: of rho A L/6 and rho I L/6 (xx xy xz yy yz zz), in space
     std::vector<Part> part_;                                    ///< consistent, of each element
     std::vector<Inverse> inverse_;                              ///< lumped: M^-1; consistent: of its blocks on the diagonal
+    std::vector<Vec6> lumped_inverse_;
     std::vector<Heavy> heavy_;                                  ///< in order of their nodes
 };
 

@@ -88,7 +88,7 @@ void Operator::set_held(const std::vector<std::uint8_t>& held) {
     for (std::size_t i = 0; i < held.size(); ++i) {
         if (held[i] == parts_.held()[i]) continue;
         mark(int(i));
-        for (int e : structure_.elements_at()[i])
+        for (int e : structure_.elements_at(int(i)))
             for (int node : structure_.elements()[e].node) mark(node);
     }
     parts_.set_held(held);
@@ -168,10 +168,11 @@ double Operator::time_product(int repeats) const {
     const int n = int(structure_.position().size());
     std::vector<int> first(1, 0), column;
     std::vector<double> value;
+    value.reserve(36 * (std::size_t(n) + 2 * structure_.elements().size()) + 8);
     const auto add = [&](int j, const Mat6& m) { column.push_back(j), value.insert(value.end(), m.data(), m.data() + 36); };
     for (int i = 0; i < n; ++i) {
         add(i, parts_.own(i));
-        for (int e : structure_.elements_at()[i]) {
+        for (int e : structure_.elements_at(int(i))) {
             const int end = structure_.elements()[e].node[0] == i ? 0 : 1;
             add(structure_.elements()[e].node[1 - end], parts_.across(e, end));
         }

@@ -88,7 +88,7 @@ Mat6 Parts::masked(int a, int b, const Mat6& m) const {
 
 Mat6 Parts::own(int node) const {
     Mat6 sum = Mat6::Zero();
-    for (int e : structure_.elements_at()[node]) {
+    for (int e : structure_.elements_at(node)) {
         const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
         sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end) : own_of(&wide_part_[stride_ * std::size_t(e)], end);
     }

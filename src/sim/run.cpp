@@ -17,7 +17,7 @@ const char* name(Verdict v) {
 
 Run::Run(std::shared_ptr<const Structure> structure, State start)
     : structure_(std::move(structure)), state_(std::move(start)), ledger_(*structure_, state_),
-      reaction_(structure_->position().size(), Vec6::Zero()), first_step_(state_.step) {}
+      first_step_(state_.step) {}
 
 void Run::stop() {
     if (verdict_ == Verdict::running) verdict_ = Verdict::stopped, reason_ = "stopped by the script";
@@ -39,7 +39,10 @@ Vec6 Run::displacement(int node) const {
     return d;
 }
 
-Vec6 Run::reaction(int node) const { return reaction_[node]; }
+Vec6 Run::reaction(int node) const {
+    const auto at = reaction_.find(node);
+    return at == reaction_.end() ? Vec6(Vec6::Zero()) : at->second;
+}
 
 double Run::yield_value(int element) const {
     if (state_.broken[element]) return 0;

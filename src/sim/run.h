@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sim/effects.h"
@@ -52,7 +53,7 @@ protected:
     std::shared_ptr<const Structure> structure_;
     State state_;
     Ledger ledger_;
-    std::vector<Vec6> reaction_;
+    std::unordered_map<int, Vec6> reaction_;   ///< of nodes with a freedom that is held
     Verdict verdict_ = Verdict::running;
     std::string reason_;
     long first_step_;

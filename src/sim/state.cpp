@@ -9,13 +9,13 @@ State initial_state(const Structure& structure) {
     State s;
     s.displacement.assign(nodes, Vec3::Zero());
     s.rotation.assign(nodes, Quat::Identity());
-    s.turn.assign(nodes, Vec3::Zero());
+    if (!structure.large()) s.turn.assign(nodes, Vec3::Zero());
     s.velocity = structure.initial_velocity();
     s.acceleration.assign(nodes, Vec6::Zero());
     s.held = structure.fixed();
     s.gone.assign(nodes, 0);
     for (std::size_t i = 0; i < nodes; ++i) {
-        if (structure.elements_at()[i].empty()) s.held[i] = 63, s.gone[i] = 1;
+        if (structure.elements_at(int(i)).empty()) s.held[i] = 63, s.gone[i] = 1;
         for (int c = 0; c < 6; ++c)
             if (s.held[i] >> c & 1) s.velocity[i][c] = 0;
     }

@@ -33,7 +33,7 @@ struct State {
     // nodes
     std::vector<Vec3> displacement;     ///< m
     std::vector<Quat> rotation;         ///< large displacement: since the start
-    std::vector<Vec3> turn;             ///< small displacement: rotation vector, rad
+    std::vector<Vec3> turn;             ///< small displacement alone: rotation vector, rad
     std::vector<Vec6> velocity;         ///< m/s and rad/s, in space
     std::vector<Vec6> acceleration;     ///< m/s^2 and rad/s^2, in space
     std::vector<std::uint8_t> held;     ///< bits as in Structure::fixed; all six for a node that has lost its elements

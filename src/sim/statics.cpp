@@ -241,7 +241,10 @@ void Statics::commit(double before) {
         const double mean = 0.5 * (before + trial_factor_);
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
         state_.booked.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) - gravity_load_[i].head<3>().dot(du);
-        for (int c = 0; c < 6; ++c) reaction_[i][c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;
+        if (held_[i]) {
+            Vec6& r = reaction_[int(i)];
+            for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;
+        }
     }
     state_.displacement = trial_.displacement;
     state_.rotation = trial_.rotation;

@@ -1,6 +1,11 @@
 #include "sim/sweep.h"
 
+#include <algorithm>
+#include <bit>
+#include <map>
+
 #include "beam/mass.h"
+#include "sim/hinges.h"
 
 namespace hinge {
 
@@ -11,10 +16,17 @@ using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
 
+/// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
-    int count;
-    int element[lane_count], node[2][lane_count];
-    Lanes length, chord[3], axes[4];   // axes: w x y z
+    int node[2][lane_count];
+    Lanes chord[3], axes[4];           // axes: w x y z
+    const Kind* kind;
+    unsigned whole;                    // a bit for each that is not broken
+};
+
+/// What blocks of the same eight sections and lengths share: in a regular frame, nearly all of them.
+struct Sweep::Kind {
+    Lanes length;
     Lanes k[8];                        // x11 x12 x22 y11 y12 y22 axial twist
     Lanes yield[4];                    // x y n z
     Lanes mass, rotary[3];             // rho A L/6, rho I L/6
@@ -39,54 +51,98 @@ int Sweep::sections(double* r) const {
 }
 
 void Sweep::mark_built(int element, const Mat3& frame) {
-    if (watching_) built_[element] = {frame.col(2), frame.col(1)};
+    if (!watching_) return;
+    Lanes* built = &built_[6 * std::size_t(element / lane_count)];
+    for (int c = 0; c < 3; ++c) built[c][element % lane_count] = frame(c, 2), built[3 + c][element % lane_count] = frame(c, 1);
+}
+
+void Sweep::watch_turning(double tolerance) {
+    watching_ = true;
+    turn_limit_ = tolerance * tolerance;
+    built_.assign(6 * blocks_.size(), Lanes{});
 }
 
 void Sweep::take_up(const State& state) {
-    blocks_.clear();
-    std::vector<int> whole;
-    for (std::size_t i = 0; i < state.broken.size(); ++i)
-        if (!state.broken[i]) whole.push_back(int(i));
-    for (std::size_t first = 0; first < whole.size(); first += lane_count) {
-        Block b{};
-        b.count = int(std::min<std::size_t>(lane_count, whole.size() - first));
-        b.can_yield = false;
+    const int count = int(state.broken.size());
+    blocks_.resize((count + lane_count - 1) / lane_count);
+    kinds_.clear();
+    std::map<std::array<const void*, lane_count>, const Kind*> known;
+    for (int block = 0; block < int(blocks_.size()); ++block) {
+        Block& b = blocks_[block];
+        b.whole = 0;
+        std::array<const void*, lane_count> alike;
+        bool as_declared = true;
+        int index[lane_count];
         for (int i = 0; i < lane_count; ++i) {
-            const int index = whole[first + std::min(i, b.count - 1)];  // a short block repeats its last element and drops the copies
-            const Element& e = structure_.elements()[index];
-            const beam::Stiffness k = state.point[index] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[index]);
-            b.element[i] = index;
+            index[i] = std::min(block * lane_count + i, count - 1);  // a short block repeats its last element and drops the copies
+            const Element& e = structure_.elements()[index[i]];
+            alike[i] = &e.stiffness;
+            as_declared = as_declared && state.point[index[i]] == e.s;
             b.node[0][i] = e.node[0];
             b.node[1][i] = e.node[1];
-            b.length[i] = e.length;
             for (int c = 0; c < 3; ++c) b.chord[c][i] = e.chord[c];
             const double q[4] = {e.axes.w(), e.axes.x(), e.axes.y(), e.axes.z()};
             for (int c = 0; c < 4; ++c) b.axes[c][i] = q[c];
-            const double ks[8] = {k.x11, k.x12, k.x22, k.y11, k.y12, k.y22, k.axial, k.twist};
-            for (int c = 0; c < 8; ++c) b.k[c][i] = ks[c];
-            const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
-            for (int c = 0; c < 4; ++c) b.yield[c][i] = w[c];
-            b.mass[i] = e.rigidity.rhoA * e.length / 6;
-            const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
-            for (int c = 0; c < 3; ++c) b.rotary[c][i] = rotary[c];
-            b.can_yield |= !e.yield.elastic();
+            if (block * lane_count + i < count && !state.broken[index[i]]) b.whole |= 1u << i;
         }
-        blocks_.push_back(b);
+        if (as_declared) {
+            const Kind*& kind = known[alike];
+            if (!kind) kind = &add_kind(state, index);
+            b.kind = kind;
+        } else {
+            b.kind = &add_kind(state, index);
+        }
     }
+}
+
+const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
+    kinds_.emplace_back();
+    Kind& kind = kinds_.back();
+    kind.can_yield = false;
+    for (int i = 0; i < lane_count; ++i) {
+        const Element& e = structure_.elements()[index[i]];
+        const beam::Stiffness k = stiffness_now(structure_, state, index[i]);
+        kind.length[i] = e.length;
+        const double ks[8] = {k.x11, k.x12, k.x22, k.y11, k.y12, k.y22, k.axial, k.twist};
+        for (int c = 0; c < 8; ++c) kind.k[c][i] = ks[c];
+        const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
+        for (int c = 0; c < 4; ++c) kind.yield[c][i] = w[c];
+        kind.mass[i] = e.rigidity.rhoA * e.length / 6;
+        const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
+        for (int c = 0; c < 3; ++c) kind.rotary[c][i] = rotary[c];
+        kind.can_yield |= !e.yield.elastic();
+    }
+    return kind;
+}
+
+void Sweep::drop(int element) {
+    blocks_[element / lane_count].whole &= ~(1u << element % lane_count);
+    if (place_.empty()) return;
+    for (int e : {0, 1})
+        if (const int place = place_[2 * element + e]; place >= 0) left_[place].setZero();
 }
 
 namespace {
 
+/// Three numbers of each node, from the given one of its numbers on.
 template <class T>
-Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
-    const double* first = from.data()->data() + offset;
-    constexpr int stride = sizeof(T) / sizeof(double);
-    return {pick(first, node, stride), pick(first + 1, node, stride), pick(first + 2, node, stride)};
+[[gnu::always_inline]] inline Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
+    Lanes v[lane_count];
+    beam::pick_rows<3>(from.data()->data() + offset, node, sizeof(T) / sizeof(double), v);
+    return {v[0], v[1], v[2]};
 }
 
-Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
-    const double* first = from.data()->coeffs().data();  // x y z w
-    return {pick(first + 3, node, 4), pick(first, node, 4), pick(first + 1, node, 4), pick(first + 2, node, 4)};
+[[gnu::always_inline]] inline Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
+    Lanes v[lane_count];
+    beam::pick_rows<4>(from.data()->coeffs().data(), node, 4, v);  // x y z w
+    return {v[3], v[0], v[1], v[2]};
+}
+
+struct Motion { Triple<Lanes> linear, angular; };
+[[gnu::always_inline]] inline Motion gather_motion(const std::vector<Vec6>& from, const int* node) {
+    Lanes v[lane_count];
+    beam::pick_rows<6>(from.data()->data(), node, 6, v);
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 /// Small displacement: the frame of the start, and the deformation to first order.
@@ -125,9 +181,12 @@ template <bool large, bool inertia>
 void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found) {
     double section[2];
     const int section_count = sections(section);
-    const bool alone = reach_.empty(), watching = watching_;
+    const bool watching = watching_;
     for (int block = first; block < end; ++block) {
         const Block& b = blocks_[block];
+        if (!b.whole) continue;
+        const Kind& kind = *b.kind;
+        const int element = block * lane_count;
         const Triple<Lanes> u1 = gather(pose.displacement, b.node[0]), u2 = gather(pose.displacement, b.node[1]);
         const Quadruple<Lanes> axes = {b.axes[0], b.axes[1], b.axes[2], b.axes[3]};
         Placement<Lanes> place;
@@ -135,34 +194,36 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         if constexpr (large) {
             const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
             place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
-            beam::deformation(place, b.length, d);
+            beam::deformation(place, kind.length, d);
         } else {
-            place = start_placement(axes, b.length);
+            place = start_placement(axes, kind.length);
             linear_deformation(place, u2 - u1, gather(pose.turn, b.node[0]), gather(pose.turn, b.node[1]), d);
         }
 
         // elastic forces: p = k (d - d_p)
-        for (int c = 0; c < 6; ++c) d[c] -= pick(state.plastic.data()->data() + c, b.element, 6);
-        Lanes p[6] = {b.k[0] * d[0] + b.k[1] * d[1], b.k[1] * d[0] + b.k[2] * d[1],
-                      b.k[3] * d[2] + b.k[4] * d[3], b.k[4] * d[2] + b.k[5] * d[3], b.k[6] * d[4], b.k[7] * d[5]};
+        Lanes plastic[lane_count];
+        beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element), plastic);
+        for (int c = 0; c < 6; ++c) d[c] -= plastic[c];
+        Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1], kind.k[1] * d[0] + kind.k[2] * d[1],
+                      kind.k[3] * d[2] + kind.k[4] * d[3], kind.k[4] * d[2] + kind.k[5] * d[3], kind.k[6] * d[4], kind.k[7] * d[5]};
 
         // yield: return to the surface of eq 14
-        if (b.can_yield) {
+        if (kind.can_yield) {
             Lanes f[2];
-            const Lanes shared = b.yield[2] * p[4] * p[4] + b.yield[3] * p[5] * p[5];
+            const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
             for (int s = 0; s < section_count; ++s) {
                 const Lanes mx = (section[s] - 1) / 2 * p[0] + (section[s] + 1) / 2 * p[1], my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
-                f[s] = b.yield[0] * mx * mx + b.yield[1] * my * my + shared;
+                f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
             }
             if (beam::any_above(f[0], 1) || (section_count == 2 && beam::any_above(f[1], 1)))
-                for (int i = 0; i < b.count; ++i) {
-                    if (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1)) continue;
-                    const Element& e = structure_.elements()[b.element[i]];
-                    const beam::Stiffness k = {b.k[0][i], b.k[1][i], b.k[2][i], b.k[3][i], b.k[4][i], b.k[5][i], b.k[6][i], b.k[7][i]};
+                for (int i = 0; i < lane_count; ++i) {
+                    if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
+                    const Element& e = structure_.elements()[element + i];
+                    const beam::Stiffness k = {kind.k[0][i], kind.k[1][i], kind.k[2][i], kind.k[3][i], kind.k[4][i], kind.k[5][i], kind.k[6][i], kind.k[7][i]};
                     Vec6 trial;
                     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
                     if (!trial.allFinite()) continue;  // the step names the culprit
-                    found.yielding.push_back({b.element[i], beam::return_to_surface(trial, k, e.yield, section, section_count)});
+                    found.yielding.push_back({element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
                     for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
                 }
         }
@@ -170,10 +231,11 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);
 
         if constexpr (inertia) {
-            const Lanes two = beam::spread(2.0, b.mass);
-            const Triple<Lanes> a1 = gather(pose.acceleration, b.node[0], 0), a2 = gather(pose.acceleration, b.node[1], 0);
-            out.force[0] = out.force[0] + b.mass * (two * a1 + a2);
-            out.force[1] = out.force[1] + b.mass * (a1 + two * a2);
+            const Lanes two = beam::spread(2.0, kind.mass);
+            const Motion m1 = gather_motion(pose.acceleration, b.node[0]), m2 = gather_motion(pose.acceleration, b.node[1]);
+            const Triple<Lanes>&a1 = m1.linear, &a2 = m2.linear;
+            out.force[0] = out.force[0] + kind.mass * (two * a1 + a2);
+            out.force[1] = out.force[1] + kind.mass * (a1 + two * a2);
             const auto local = [&](const Triple<Lanes>& v) { return Triple<Lanes>{dot(place.frame.x, v), dot(place.frame.y, v), dot(place.frame.z, v)}; };
             const Lanes none = {};
             Triple<Lanes> w1 = {none, none, none}, w2 = w1;
@@ -181,43 +243,61 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 w1 = local(gather(pose.velocity, b.node[0], 3));
                 w2 = local(gather(pose.velocity, b.node[1], 3));
             }
-            const Triple<Lanes> h1 = rotary_force(b.rotary, w1, local(gather(pose.acceleration, b.node[0], 3)));
-            const Triple<Lanes> h2 = rotary_force(b.rotary, w2, local(gather(pose.acceleration, b.node[1], 3)));
+            const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, local(m1.angular));
+            const Triple<Lanes> h2 = rotary_force(kind.rotary, w2, local(m2.angular));
             const auto space = [&](const Triple<Lanes>& v) { return v.x * place.frame.x + v.y * place.frame.y + v.z * place.frame.z; };
             const Triple<Lanes> g1 = space(h1), g2 = space(h2);
             out.moment[0] = out.moment[0] + two * g1 + g2;
             out.moment[1] = out.moment[1] + g1 + two * g2;
         }
 
-        for (int i = 0; i < b.count; ++i) {
-            for (int end = 0; end < 2; ++end) {
-                Vec6& n = alone ? nodal[b.node[end][i]] : reach_[2 * b.element[i] + end];
-                if (!alone) n.setZero();
-                n[0] += out.force[end].x[i]; n[1] += out.force[end].y[i]; n[2] += out.force[end].z[i];
-                n[3] += out.moment[end].x[i]; n[4] += out.moment[end].y[i]; n[5] += out.moment[end].z[i];
+        // element by element again
+        Lanes row[2][lane_count], by_end[2][lane_count] = {
+            {out.force[0].x, out.force[0].y, out.force[0].z, out.moment[0].x, out.moment[0].y, out.moment[0].z},
+            {out.force[1].x, out.force[1].y, out.force[1].z, out.moment[1].x, out.moment[1].y, out.moment[1].z}};
+        for (int e : {0, 1}) beam::transpose(by_end[e], row[e]);
+        for (int i = 0; i < lane_count; ++i)
+            for (int e = 0; e < 2 && b.whole >> i & 1; ++e) {
+                const int place = place_.empty() ? -1 : place_[2 * (element + i) + e];
+                if (place < 0) beam::add_six(nodal[b.node[e][i]].data(), row[e][i]);
+                else beam::store_row<6>(left_[place].data(), row[e][i]);
             }
-            Vec6& q = force[b.element[i]];
-            for (int c = 0; c < 6; ++c) q[c] = p[c][i];
-            if (large && watching) {
-                const auto& built = built_[b.element[i]];
-                const Vec3 z(place.frame.z.x[i], place.frame.z.y[i], place.frame.z.z[i]), y(place.frame.y.x[i], place.frame.y.y[i], place.frame.y.z[i]);
-                if ((z - built[0]).squaredNorm() + (y - built[1]).squaredNorm() > turn_limit_) found.turned.push_back(b.element[i]);
-            }
+        const Lanes forces[lane_count] = {p[0], p[1], p[2], p[3], p[4], p[5]};
+        beam::transpose(forces, row[0]);
+        for (int i = 0; i < lane_count; ++i)
+            if (b.whole >> i & 1) beam::store_row<6>(force[element + i].data(), row[0][i]);
+        if (large && watching) {
+            const Lanes* built = &built_[6 * std::size_t(block)];
+            const auto square = [](const Triple<Lanes>& now, const Lanes* then) {
+                const Triple<Lanes> way = now - Triple<Lanes>{then[0], then[1], then[2]};
+                return dot(way, way);
+            };
+            const Lanes turned = square(place.frame.z, built) + square(place.frame.y, built + 3);
+            if (beam::any_above(turned, turn_limit_))
+                for (int i = 0; i < lane_count; ++i)
+                    if (turned[i] > turn_limit_ && b.whole >> i & 1) found.turned.push_back(element + i);
         }
     }
 }
 
-/// Each node adds up what its elements left, in the order in which one thread would have.
-void Sweep::add_up(const State& state, std::vector<Vec6>& nodal) {
-    team_.share(int(nodal.size()), 8 * piece, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i)
-            for (int e : structure_.elements_at()[i])
-                if (!state.broken[e]) nodal[i] += reach_[2 * e + (structure_.elements()[e].node[0] == i ? 0 : 1)];
-    });
+/// Which nodes have elements in more than one piece.
+void Sweep::share_out() {
+    place_.assign(2 * structure_.elements().size(), -1);
+    const auto piece_of = [](int element) { return element / (piece * lane_count); };
+    for (int node = 0; node < int(structure_.position().size()); ++node) {
+        const std::span<const int> at = structure_.elements_at(node);
+        if (at.empty() || piece_of(at.front()) == piece_of(at.back())) continue;
+        const int first = int(left_.size());
+        for (int e : at) {
+            place_[2 * e + (structure_.elements()[e].node[0] == node ? 0 : 1)] = int(left_.size());
+            left_.push_back(Vec6::Zero());
+        }
+        shared_.push_back({node, first, int(left_.size())});
+    }
 }
 
 void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, std::vector<Yielding>& yielding) {
-    if (team_.threads() > 1) reach_.resize(2 * structure_.elements().size());
+    if (team_.threads() > 1 && place_.empty()) share_out();
     found_.resize((blocks_.size() + piece - 1) / piece);
     team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
@@ -227,14 +307,17 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         else
             inertia_ ? run_blocks<false, true>(first, end, state, pose, nodal, force, found_[i]) : run_blocks<false, false>(first, end, state, pose, nodal, force, found_[i]);
     });
-    if (!reach_.empty()) add_up(state, nodal);
+    team_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += left_[k];
+    });
     yielding.clear();
     turned_.clear();
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
         turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
     }
-    for (const Block& b : blocks_) updates_ += b.count;
+    for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
 }
 
 beam::Placement<double> place_element(const Structure& structure, int index, const Pose& pose) {

@@ -1,7 +1,7 @@
 // The sweep over the elements, eight at a time: deformation, forces, yield, and inertia, summed into the nodes.
 #pragma once
 
-#include <array>
+#include <deque>
 #include <vector>
 
 #include "beam/corotation.h"
@@ -31,8 +31,9 @@ public:
     Sweep(const Structure& structure, Team& team, bool inertia);
     ~Sweep();
 
-    /// Takes up which elements are whole and where their points stand. Call after a break or a whole shift.
+    /// Takes up which elements are whole and where their points stand. Call when a point has moved.
     void take_up(const State& state);
+    void drop(int element);   ///< it broke
 
     /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; what resists), writes p of each element to `force`,
     /// and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes nothing in it.
@@ -40,7 +41,7 @@ public:
 
     /// Elements whose frame has turned by more than `tolerance` (rad) since they were last marked. Filled by run.
     const std::vector<int>& turned() const { return turned_; }
-    void watch_turning(double tolerance) { turn_limit_ = tolerance * tolerance, watching_ = true, built_.assign(structure_.elements().size(), {Vec3::Zero(), Vec3::Zero()}); }
+    void watch_turning(double tolerance);
     /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
     void mark_built(int element, const Mat3& frame);
 
@@ -49,18 +50,25 @@ public:
 
 private:
     struct Block;
+    struct Kind;
+    const Kind& add_kind(const State& state, const int* index);
     struct Found;                             ///< what one piece of the sweep came upon
     template <bool large, bool inertia>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found);
-    void add_up(const State& state, std::vector<Vec6>& nodal);
+    void share_out();
 
     const Structure& structure_;
     Team& team_;
     bool inertia_;
     std::vector<Block> blocks_;
+    std::deque<Kind> kinds_;
     std::vector<Found> found_;
-    std::vector<Vec6> reach_;                 ///< forces of each element on its two nodes, when several threads sweep
-    std::vector<std::array<Vec3, 2>> built_;  ///< frame z and y at the last build
+    // several threads: what elements of several pieces do to one node is left in `left_` and added up afterwards
+    struct Shared { int node, first, end; };
+    std::vector<Shared> shared_;              ///< places in left_ of each such node, in the order of its elements
+    std::vector<int> place_;                  ///< of each element's two ends: in left_, -1 where one piece has the node to itself
+    std::vector<Vec6> left_;
+    std::vector<beam::Lanes> built_;          ///< six a block: frame z and y at the last build
     std::vector<int> turned_;
     double turn_limit_ = 1e300;
     bool watching_ = false;
