@@ -255,12 +255,13 @@ void Condensed<Number>::solve_back(const double* right, double* x) const {
     });
 }
 
-/// d on the red nodes: what keeps their rows zero.
+/// On the red nodes: x takes its part of the last d, and the new d is what keeps their rows zero.
 template <class Number>
-void Condensed<Number>::follow() {
+void Condensed<Number>::follow(double alpha) {
     team_.share(int(red_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const int p = red_[i];
+            store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
             Row row;
             for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
             double sum[8];
@@ -306,6 +307,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     };
     // x satisfies the red rows from the start
     std::fill(x_.begin(), x_.end(), 0.0);
+    std::fill(d_.begin(), d_.end(), 0.0);
     for (int p : red_) store(&x_[stride * p], times(&inverse_[36 * std::size_t(p)], &r_[stride * p]));
     double rho = team_.sum(int(black_.size()), piece, [&](int first, int end) {
         Wide product{};
@@ -321,9 +323,10 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     });
     const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
+    double before = 0;  // alpha of the last step
     while (rho > goal && rho > 1e-280) {
         if (report.iterations == settings.max_iterations) return report.converged = false, report;
-        follow();
+        follow(before);
         const double dq = multiply();
         if (!(dq > 0)) return report.converged = false, report;
         const double alpha = rho / dq;
@@ -332,18 +335,20 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
             for (int i = first; i < end; ++i) {
                 const int p = black_[i];
                 store(&r_[stride * p], load(&r_[stride * p]) - alpha * load(&q_[stride * p]));
+                store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
                 product += precondition(p);
             }
             return sum(product);
         });
         const double beta = next / rho;
         rho = next;
-        team_.share(int(order_.size()), 4 * piece, [&](int first, int end, int) {
-            for (int k = stride * first; k < stride * end; k += stride) store(&x_[k], load(&x_[k]) + alpha * load(&d_[k]));
+        before = alpha;
+        team_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
+            for (int i = first; i < end; ++i) store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
         });
-        for (int p : black_) store(&d_[stride * p], load(&q_[stride * p]) + beta * load(&d_[stride * p]));
         ++report.iterations;
     }
+    for (int p : red_) store(&x_[stride * p], load(&x_[stride * p]) + before * load(&d_[stride * p]));
     solve_back(right, solution);
     report.converged = std::isfinite(rho);
     return report;

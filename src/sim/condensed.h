@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "core/large_pages.h"
 #include "core/team.h"
 #include "sim/parts.h"
 
@@ -59,12 +60,12 @@ private:
     void reduce(const double* right);
     void solve_back(const double* right, double* x) const;
     double multiply();
-    void follow();
+    void follow(double alpha);
     int far(int place, int entry) const;
 
     const Structure& structure_;
     Team& team_;
-    std::vector<Between> between_;
+    LargeVector<Between> between_;
     std::vector<int> which_;         ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;     ///< of each place, while it is not coupled
     std::vector<Coupling> couplings_;
@@ -75,10 +76,10 @@ private:
     std::vector<int> first_;         ///< of each place: its entries, its own block first, then one for each element there
     std::vector<int> at_;            ///< of each entry: place of its column; its own, with a block of zeros, where it leads nowhere
     std::vector<int> via_;           ///< of each entry: 2 times the node between that is taken out, and which of its sides this is; -1
-    std::vector<Number> value_;      ///< of each entry, 36
-    std::vector<Number> inverse_;    ///< of each place, 36: of its own block, couplings included
+    LargeVector<Number> value_;      ///< of each entry, 36
+    LargeVector<Number> inverse_;    ///< of each place, 36: of its own block, couplings included
     std::vector<int> red_, black_;   ///< places
-    std::vector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then what the preconditioner makes of r
+    LargeVector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then what the preconditioner makes of r
 };
 
 extern template class Condensed<float>;

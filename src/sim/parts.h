@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/large_pages.h"
 #include "model/structure.h"
 
 namespace hinge {
@@ -35,8 +36,8 @@ private:
     const Structure& structure_;
     bool narrow_, symmetric_;
     int stride_;                        // numbers a part: two halves of own blocks and the block across, or all 144
-    std::vector<double> wide_part_;
-    std::vector<float> narrow_part_;
+    LargeVector<double> wide_part_;
+    LargeVector<float> narrow_part_;
     std::vector<Mat6> hung_;            // of each node, empty if none
     std::vector<std::uint8_t> held_;
 };

