@@ -86,7 +86,10 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
 void Mass::turn_stubs(const State& state, const Pose& pose) {
     for (Heavy& h : heavy_) {
         h.stubs = hung_in_space(state.hung[h.node], pose.rotation[h.node]);
-        h.inverse = blocks::inverse_by_halves(h.elements + h.stubs);
+        Mat6 free = h.elements + h.stubs;  // what is held takes no part: a stub on a pinned node turns about the pin
+        for (int c = 0; c < 6; ++c)
+            if (state.held[h.node] >> c & 1) free.row(c).setZero(), free.col(c).setZero(), free(c, c) = 1;
+        h.inverse = blocks::inverse_by_halves(free);
     }
 }
 

@@ -27,7 +27,8 @@ public:
     const std::vector<Inverse>& inverse() const { return inverse_; }
     /// Lumped: the same, a number for each freedom, zero where it is held.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space.
+    /// Of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space. The
+    /// inverse is of the freedoms that are not held; one for those that are.
     struct Heavy { int node; Mat6 elements, stubs, inverse; };
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
