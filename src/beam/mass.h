@@ -46,6 +46,13 @@ inline Stub rigid_stub(const Rigidity& c, const Vec3& span, const Mat3& axes) {
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
+/// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's masses did
+/// would gain energy as it takes over their angular momentum.
+inline Stub lumped_stub(const Rigidity& c, const Vec3& span) {
+    const double L = span.norm(), m = c.rhoA * L;
+    return {m, 0.5 * m * span, 2 * lumped_rotary(c, L) * Mat3::Identity() + 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
+}
+
 /// Mass of a rigid body hung on a node, 6 x 6 in space, for first moment and inertia in space.
 inline Mat6 hung_mass(double mass, const Vec3& moment, const Mat3& inertia) {
     Mat6 M;

@@ -112,7 +112,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     const double stretch = e.length / span.norm();
     beam::Rigidity same_mass = e.rigidity;
     same_mass.rhoA *= stretch; same_mass.rhoIx *= stretch; same_mass.rhoIy *= stretch;
-    const beam::Stub stub = beam::rigid_stub(same_mass, span, axes);
+    const beam::Stub stub = structure.lumped() ? beam::lumped_stub(same_mass, span) : beam::rigid_stub(same_mass, span, axes);
     const Mat6 stub_mass = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
 
     // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's velocity
