@@ -519,7 +519,12 @@ std::string Dynamics::name_the_culprit() const {
         if (!state_.broken[i] && !force_[i].allFinite()) return "the forces of " + structure_->element_name(int(i)) + " are not finite";
     for (std::size_t i = 0; i < nodal_.size(); ++i)
         if (!nodal_[i].allFinite()) return "the forces at " + structure_->node_name(int(i)) + " are not finite";
-    return "a load is not finite";
+    for (std::size_t i = 0; i < external_.size(); ++i)
+        if (!external_[i].allFinite()) return "the load on " + structure_->node_name(int(i)) + " is not finite";
+    std::size_t most = 0;  // each is finite, what they add up to is not
+    for (std::size_t i = 0; i < nodal_.size(); ++i)
+        if (nodal_[i].cwiseAbs().maxCoeff() > nodal_[most].cwiseAbs().maxCoeff()) most = i;
+    return "the forces at " + structure_->node_name(int(most)) + " grow without bound";
 }
 
 std::vector<StageTime> Dynamics::stage_times() const {
