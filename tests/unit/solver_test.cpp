@@ -1,0 +1,431 @@
+// What a step solves with: M by itself, the operator by conjugate gradients, the team of threads. Each against dense matrices
+// or the same thing done by one.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "beam/mass.h"
+#include "helpers.h"
+#include "sim/breaking.h"
+
+using namespace hinge;
+using namespace hinge::test;
+
+namespace {
+
+ModelOptions any_number_of_elements() {
+    ModelOptions o;
+    o.formulation = Formulation::asi;
+    return o;
+}
+
+/// A triangle of members of 3, 2 and 1 elements on a post of 4, with an arm of 2 and one of 1 that end free. Node 1 may not
+/// move along x nor turn about z; the post's foot is held.
+struct Odd : Frame {
+    int corner[3], foot, free_end[2];
+    Odd() : Frame(any_number_of_elements()) {
+        material = steel();
+        corner[0] = node(0, 0, 1);
+        corner[1] = foot_of({1, 0.2, 1}, 0b100001);
+        corner[2] = node(0.3, 0.9, 1.2);
+        foot = foot_of({0, 0, 0}, 63);
+        free_end[0] = node(-0.8, 0.1, 1.1);
+        free_end[1] = node(0.4, 1.6, 1.0);
+        const int ends[6][2] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}, {foot, corner[0]}, {corner[0], free_end[0]}, {corner[2], free_end[1]}};
+        const int counts[6] = {3, 2, 1, 4, 2, 1};
+        for (int i = 0; i < 6; ++i) {
+            elements = counts[i];
+            member(ends[i][0], ends[i][1]);
+        }
+    }
+    int foot_of(const Vec3& x, std::uint8_t fixed) { return Frame::foot(x.x(), x.y(), x.z(), fixed); }
+};
+
+/// Each freedom measured by the square root of A's diagonal: N and N m are alike then.
+double scaled_norm(const Eigen::VectorXd& v, const Eigen::MatrixXd& A) { return (v.array() / A.diagonal().array().sqrt()).matrix().norm(); }
+
+std::vector<int> free_freedoms(const std::vector<std::uint8_t>& held) {
+    std::vector<int> free;
+    for (int i = 0; i < 6 * int(held.size()); ++i)
+        if (!(held[i / 6] >> (i % 6) & 1)) free.push_back(i);
+    return free;
+}
+
+Eigen::VectorXd flat(const std::vector<Vec6>& v) {
+    Eigen::VectorXd out(6 * v.size());
+    for (std::size_t i = 0; i < v.size(); ++i) out.segment<6>(6 * i) = v[i];
+    return out;
+}
+
+std::vector<int> all_elements(const Structure& structure) {
+    std::vector<int> all(structure.elements().size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+}
+
+// ---- M ----------------------------------------------------------------------------------------------------------------
+
+/// M of all nodes as a dense matrix, of a structure that has been turned by Q as a whole; `end[e]`: 0, or where e is broken.
+Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std::vector<int>& end) {
+    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6 * structure.position().size(), 6 * structure.position().size());
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
+        const Mat3 axes = (Q * e.axes).toRotationMatrix();
+        if (end[i]) {
+            const int carrier = e.node[end[i] == 2 ? 0 : 1];
+            const Vec3 span = (end[i] == 2 ? 1 : -1) * (Q * e.chord);
+            const beam::Stub s = structure.lumped() ? beam::lumped_stub(e.rigidity, span) : beam::rigid_stub(e.rigidity, span, axes);
+            M.block<6, 6>(6 * carrier, 6 * carrier) += beam::hung_mass(s.mass, s.moment, s.inertia);
+            continue;
+        }
+        const Mat12 m = structure.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, axes);
+        for (int a : {0, 1})
+            for (int b : {0, 1}) M.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += m.block<6, 6>(6 * a, 6 * b);
+    }
+    return M;
+}
+
+/// The structure at rest, turned by Q about the origin.
+State turned_state(const Structure& structure, const Quat& Q) {
+    State state = initial_state(structure);
+    for (std::size_t i = 0; i < state.displacement.size(); ++i) {
+        state.displacement[i] = Q * structure.position()[i] - structure.position()[i];
+        state.rotation[i] = Q;
+    }
+    return state;
+}
+
+double mass_error(const Structure& structure, const State& state, const Mass& mass, const Eigen::MatrixXd& M, unsigned seed) {
+    Dice dice(seed);
+    std::vector<Vec6> b(structure.position().size()), x;
+    for (Vec6& v : b) v << dice.vector(100), dice.vector(0.1);
+    mass.solve(b, x, state, 1e-13);
+    const std::vector<int> free = free_freedoms(state.held);
+    const Eigen::MatrixXd part = M(free, free);
+    const Eigen::VectorXd all = flat(x), right = flat(b)(free);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) CHECK(x[i][c] == 0);
+    return scaled_norm(part * all(free) - right, part) / scaled_norm(right, part);
+}
+
+// ---- the operator -------------------------------------------------------------------------------------------------------
+
+Mat12 spring(Dice& dice, double size) {  // semidefinite: of rank 9
+    Eigen::Matrix<double, 12, 9> F;
+    for (int i = 0; i < F.size(); ++i) F.data()[i] = dice(-1, 1);
+    for (int i = 0; i < 12; ++i)
+        if (i % 6 > 2) F.row(i) *= 0.02;  // m: moments are smaller than forces
+    return size * F * F.transpose();
+}
+
+/// Everything that A is made of, put together densely.
+struct Dense {
+    Eigen::MatrixXd A;
+    std::vector<int> free;
+    Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings, const std::vector<int>& removed, int hung_node, const Mat6& hung) {
+        Team alone;
+        Operator parts(structure, alone, 1, k, false, Keeping::direct);
+        parts.build(all_elements(structure), state, pose_of(state), {});
+        const int n = 6 * int(structure.position().size());
+        A = Eigen::MatrixXd::Zero(n, n);
+        const auto add = [&](int a, int b, const Mat12& m) {
+            const int at[2] = {a, b};
+            for (int i : {0, 1})
+                for (int j : {0, 1}) A.block<6, 6>(6 * at[i], 6 * at[j]) += m.block<6, 6>(6 * i, 6 * j);
+        };
+        for (int i : all_elements(structure))
+            if (std::find(removed.begin(), removed.end(), i) == removed.end())
+                add(structure.elements()[i].node[0], structure.elements()[i].node[1], parts.element_part(i));
+        for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
+        if (hung_node >= 0) A.block<6, 6>(6 * hung_node, 6 * hung_node) += hung;
+        free = free_freedoms(state.held);
+    }
+    /// |x - A^-1 b| in the norm of A, relative.
+    double error(const std::vector<Vec6>& b, const std::vector<Vec6>& x) const {
+        const Eigen::MatrixXd part = A(free, free);
+        const Eigen::VectorXd right = flat(b), got = flat(x), exact = part.ldlt().solve(Eigen::VectorXd(right(free)));
+        const Eigen::VectorXd e = got(free) - exact;
+        return std::sqrt(e.dot(part * e) / exact.dot(part * exact));
+    }
+};
+
+std::vector<Vec6> right_side(const State& state, unsigned seed) {
+    Dice dice(seed);
+    std::vector<Vec6> b(state.held.size());
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        b[i] << dice.vector(1000), dice.vector(20);
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) b[i][c] = 0;
+    }
+    return b;
+}
+
+SolverSettings tight() {
+    SolverSettings s;
+    s.tolerance = 1e-12;
+    return s;
+}
+
+std::vector<Vec6> answer(Operator& op, const std::vector<Vec6>& b) {
+    std::vector<Vec6> x(b.size(), Vec6::Constant(7));  // what was there before must not matter
+    op.assemble();
+    CHECK(op.solve(b, x, tight()).converged);
+    return x;
+}
+
+struct Solving {
+    Odd frame;
+    std::shared_ptr<const Structure> structure = frame.build();
+    State state = initial_state(*structure);
+    Team team{1};
+    Dice dice{31};
+    int inner(int i) const { return 6 + i; }  // the declared nodes come first
+    std::unique_ptr<Operator> fresh(Keeping keeping, double k) {
+        auto op = std::make_unique<Operator>(*structure, team, 1, k, false, keeping);
+        op->build(all_elements(*structure), state, pose_of(state), {});
+        return op;
+    }
+};
+
+// beta dt^2 of 10 us, in which an axial wave comes a part of the way through an element, so that inertia rules; and of 1 ms
+constexpr double short_step = 0.25 * 1e-5 * 1e-5, long_step = 0.25 * 1e-3 * 1e-3;
+
+struct Way { Keeping keeping; double k, limit; const char* name; };
+// single precision: 6e-8 of each entry, and not much more of the answer where inertia rules A
+constexpr Way ways[] = {{Keeping::iterative, short_step, 1e-9, "double, short step"},
+                        {Keeping::iterative, long_step, 1e-9, "double, long step"},
+                        {Keeping::narrow, short_step, 1e-6, "single, short step"}};
+
+}  // namespace
+
+TEST_CASE("solver: M by itself is undone, consistent and lumped, with stubs and with held freedoms (1e-10: its tolerance is 1e-13)", "[solver]") {
+    for (MassKind kind : {MassKind::consistent, MassKind::lumped}) {
+        const std::string name = kind == MassKind::lumped ? "lumped" : "consistent";
+        const Odd frame;
+        const Structure structure(frame.model, kind);
+        const Quat Q(Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()));
+        State state = turned_state(structure, Q);
+        std::vector<int> end(structure.elements().size(), 0);
+        Mass mass(structure, state);
+        CHECK_FIGURE(name + " M, whole", mass_error(structure, state, mass, dense_mass(structure, Q, end), 1), 1e-10);
+
+        // stubs on a joint, on an inner node, and on the node that is held in part
+        int at_joint = -1, at_partly_held = -1, inside = -1;
+        for (int i : all_elements(structure)) {
+            const Element& e = structure.elements()[i];
+            if (e.node[0] == frame.corner[2] || e.node[1] == frame.corner[2]) at_joint = i;
+            if (e.node[0] == frame.corner[1] && at_partly_held < 0) at_partly_held = i;
+            if (e.node[0] >= 6 && e.node[1] >= 6 && inside < 0) inside = i;
+        }
+        REQUIRE(at_joint >= 0);
+        REQUIRE(at_partly_held >= 0);
+        REQUIRE(inside >= 0);
+        const auto carried_by = [&](int element, int node) { return structure.elements()[element].node[0] == node ? 2 : 1; };
+        const std::pair<int, int> breaks[] = {{at_joint, carried_by(at_joint, frame.corner[2])}, {inside, 1}, {at_partly_held, carried_by(at_partly_held, frame.corner[1])}};
+        for (const auto& [element, where] : breaks) {
+            break_element(structure, state, element, where);
+            end[element] = where;
+            mass.renew({element}, state, pose_of(state));
+            const Eigen::MatrixXd M = dense_mass(structure, Q, end);
+            CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken", mass_error(structure, state, mass, M, 2), 1e-10);
+            CHECK_FIGURE(name + " M, made anew", mass_error(structure, state, Mass(structure, state), M, 3), 1e-10);
+        }
+        // the stubs turn with their nodes, and M with them
+        const Quat other = Quat(Eigen::AngleAxisd(1.1, Vec3(0.3, 1, 1).normalized()));
+        State turned = turned_state(structure, other);
+        turned.hung = state.hung;
+        turned.broken = state.broken;
+        turned.held = state.held;
+        if (kind == MassKind::lumped) {
+            mass.turn_stubs(turned, pose_of(turned));
+            CHECK_FIGURE("lumped M, stubs turned alone", mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
+        }
+        mass.renew(all_elements(structure), turned, pose_of(turned));
+        CHECK_FIGURE(name + " M, all turned", mass_error(structure, turned, mass, dense_mass(structure, other, end), 5), 1e-10);
+    }
+}
+
+TEST_CASE("solver: a stub weighs what its element does when that moves as a rigid body, consistent and lumped (1e-14: rounding)", "[solver]") {
+    const Odd frame;
+    const Structure structure(frame.model);
+    const Element& e = structure.elements()[1];
+    const Mat3 axes = e.axes.toRotationMatrix();
+    Eigen::Matrix<double, 12, 6> follow = Eigen::Matrix<double, 12, 6>::Zero();  // both nodes as the first one bids
+    for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
+    follow.block<3, 3>(6, 3) = -skew(e.chord);
+    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {{"consistent", {beam::consistent_mass(e.rigidity, e.length, axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
+                                                                          {"lumped", {beam::lumped_matrix(e.rigidity, e.length), beam::lumped_stub(e.rigidity, e.chord)}}};
+    for (const auto& [name, both] : kinds) {
+        const Mat6 element = follow.transpose() * both.first * follow, stub = beam::hung_mass(both.second.mass, both.second.moment, both.second.inertia);
+        CHECK_FIGURE(std::string("stub, ") + name, (element - stub).norm() / element.norm(), 1e-14);
+    }
+}
+
+TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a freedom is held (1e-14: rounding)", "[solver]") {
+    const Odd frame;
+    const Structure structure(frame.model, MassKind::lumped);
+    const State state = initial_state(structure);
+    const Mass mass(structure, state);
+    const Eigen::MatrixXd M = dense_mass(structure, Quat::Identity(), std::vector<int>(structure.elements().size(), 0));
+    double worst = 0;
+    for (int i = 0; i < M.rows(); ++i) {
+        const double inverse = mass.lumped_inverse()[i / 6][i % 6];
+        if (state.held[i / 6] >> (i % 6) & 1) CHECK(inverse == 0);
+        else worst = std::max(worst, std::abs(inverse * M(i, i) - 1));
+    }
+    CHECK_FIGURE("lumped inverse", worst, 1e-14);
+}
+
+TEST_CASE("solver: conjugate gradients give what dense factors give, on a frame with an odd cycle (1e-9 double, 1e-6 single)", "[solver]") {
+    for (const Way& way : ways) {
+        Solving s;
+        auto op = s.fresh(way.keeping, way.k);
+        const auto b = right_side(s.state, 5);
+        const auto x = answer(*op, b);
+        CHECK_FIGURE(std::string("no couplings, ") + way.name, Dense(*s.structure, s.state, way.k, {}, {}, -1, {}).error(b, x), way.limit);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            for (int c = 0; c < 6; ++c)
+                if (s.state.held[i] >> c & 1) CHECK(x[i][c] == 0);
+    }
+}
+
+TEST_CASE("solver: couplings between inner nodes and between joints, as they come, change and go (1e-9 double, 1e-6 single)", "[solver]") {
+    for (const Way& way : ways) {
+        Solving s;
+        auto op = s.fresh(way.keeping, way.k);
+        const auto b = right_side(s.state, 6);
+        const double stiff = 2e8;  // N/m: that of a touch, which is as stiff as its softer element
+        const std::vector<Vec6> before = answer(*op, b);
+        const int joint = s.frame.corner[0], other = s.frame.corner[2], held_in_part = s.frame.corner[1];
+        const std::vector<std::pair<const char*, std::vector<Coupling>>> sets = {
+            {"two neighbours inside a member", {{s.inner(0), s.inner(1), spring(s.dice, stiff)}}},
+            {"inner nodes of two members", {{s.inner(0), s.inner(4), spring(s.dice, stiff)}}},
+            {"the same nodes, another spring", {{s.inner(0), s.inner(4), spring(s.dice, stiff)}}},
+            {"two joints", {{joint, other, spring(s.dice, stiff)}}},
+            {"a free end and a node held in part", {{s.frame.free_end[1], held_in_part, spring(s.dice, stiff)}}},
+            {"all of them at once, two on one node", {{s.inner(1), s.inner(3), spring(s.dice, stiff)}, {joint, other, spring(s.dice, stiff)}, {joint, s.inner(6), spring(s.dice, stiff)}, {s.frame.free_end[0], s.inner(5), spring(s.dice, stiff)}}},
+            {"one of them left", {{joint, s.inner(6), spring(s.dice, stiff)}}},
+        };
+        for (const auto& [name, couplings] : sets) {
+            op->set_couplings(couplings);
+            const Dense all(*s.structure, s.state, way.k, couplings, {}, -1, {});
+            const auto x = answer(*op, b);
+            CHECK_FIGURE(std::string(name) + ", " + way.name, all.error(b, x), way.limit);
+            CHECK(all.error(b, before) > 100 * way.limit);  // the coupling is felt
+            auto fresh = s.fresh(way.keeping, way.k);
+            fresh->set_couplings(couplings);
+            CHECK(flat(answer(*fresh, b)) == flat(x));
+        }
+        op->set_couplings({});
+        CHECK(flat(answer(*op, b)) == flat(before));
+    }
+}
+
+TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled (1e-9 double, 1e-6 single)", "[solver]") {
+    for (const Way& way : ways) {
+        Solving s;
+        auto op = s.fresh(way.keeping, way.k);
+        const auto b = right_side(s.state, 7);
+        const std::vector<Coupling> couplings = {{s.inner(0), s.inner(4), spring(s.dice, 2e8)}};
+        op->set_couplings(couplings);
+        answer(*op, b);
+        std::vector<int> removed;
+        int inside = -1, last = -1;
+        for (int i : all_elements(*s.structure)) {
+            const Element& e = s.structure->elements()[i];
+            if (e.node[0] == s.inner(0) || e.node[1] == s.inner(0)) inside = i;
+            if (e.node[1] == s.frame.free_end[0] || e.node[0] == s.frame.free_end[0]) last = i;
+        }
+        REQUIRE(inside >= 0);
+        REQUIRE(last >= 0);
+        op->remove(inside);
+        removed.push_back(inside);
+        CHECK_FIGURE(std::string("removed beside a coupled node, ") + way.name, Dense(*s.structure, s.state, way.k, couplings, removed, -1, {}).error(b, answer(*op, b)), way.limit);
+        op->set_couplings({});
+        CHECK_FIGURE(std::string("coupling gone, ") + way.name, Dense(*s.structure, s.state, way.k, {}, removed, -1, {}).error(b, answer(*op, b)), way.limit);
+
+        // the last element of an arm breaks: a stub on the node before, and its end leaves the solve
+        op->remove(last);
+        removed.push_back(last);
+        const Element& e = s.structure->elements()[last];
+        const int at = e.node[1] == s.frame.free_end[0] ? 0 : 1, carrier = e.node[at];
+        const beam::Stub stub = beam::rigid_stub(e.rigidity, (at == 0 ? 1 : -1) * e.chord, e.axes.toRotationMatrix());
+        const Mat6 hung = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
+        op->set_hung(carrier, hung);
+        s.state.held[s.frame.free_end[0]] = 63;
+        op->set_held(s.state.held);
+        const auto b2 = right_side(s.state, 8);
+        const auto x = answer(*op, b2);
+        CHECK(x[s.frame.free_end[0]].isZero(0));
+        CHECK_FIGURE(std::string("a stub in its place, ") + way.name, Dense(*s.structure, s.state, way.k, {}, removed, carrier, hung).error(b2, x), way.limit);
+    }
+}
+
+TEST_CASE("solver: conjugate gradients give the same bits with any number of threads", "[solver]") {
+    // long enough for several pieces of 256 rows in each colour
+    Frame frame;
+    std::vector<std::vector<int>> grid(40, std::vector<int>(40));
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) grid[i][j] = i == 0 ? frame.foot(i, j, 0) : frame.node(i, j, 0);
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) {
+            if (i + 1 < 40) frame.member(grid[i][j], grid[i + 1][j]);
+            if (j + 1 < 40) frame.member(grid[i][j], grid[i][j + 1]);
+        }
+    const auto structure = frame.build();
+    const State state = initial_state(*structure);
+    const auto b = right_side(state, 9);
+    Dice dice(32);
+    const std::vector<Coupling> couplings = {{grid[3][3], grid[20][20], spring(dice, 1e8)}, {1700, 1900, spring(dice, 1e8)}};
+    for (Keeping keeping : {Keeping::iterative, Keeping::narrow}) {
+        Eigen::VectorXd first;
+        for (int threads : {1, 2, 3}) {
+            Team team(threads);
+            Operator op(*structure, team, 1, short_step, false, keeping);
+            op.build(all_elements(*structure), state, pose_of(state), {});
+            op.set_couplings(couplings);
+            const Eigen::VectorXd x = flat(answer(op, b));
+            if (threads == 1) first = x;
+            CHECK(x == first);
+        }
+    }
+}
+
+TEST_CASE("solver: a team does each index once, in the same pieces for any number of threads", "[solver]") {
+    for (int threads : {1, 2, 3, 4}) {
+        Team team(threads);
+        CHECK(team.threads() == threads);
+        for (int count : {0, 1, 5, 256, 257, 10000})
+            for (int size : {1, 7, 256}) {
+                std::vector<std::atomic<int>> times(count);
+                std::vector<std::atomic<int>> pieces((count + size - 1) / size);
+                std::atomic<int> wrong{0};
+                team.share(count, size, [&](int first, int end, int piece) {
+                    if (first != piece * size || end != std::min(count, first + size)) ++wrong;
+                    ++pieces[piece];
+                    for (int i = first; i < end; ++i) ++times[i];
+                });
+                const auto once = [](const auto& v) { return std::all_of(v.begin(), v.end(), [](int n) { return n == 1; }); };
+                CHECK((wrong == 0 && once(times) && once(pieces)));
+            }
+    }
+}
+
+TEST_CASE("solver: a team's sums have the same bits for any number of threads, one after the other and many times", "[solver]") {
+    Dice dice(41);
+    std::vector<double> numbers(100000);
+    for (double& x : numbers) x = dice(-1, 1) * std::pow(10, dice(-8, 8));  // so that the order shows
+    const auto some = [&](int first, int end) { return std::accumulate(numbers.begin() + first, numbers.begin() + end, 0.0); };
+    Team alone;
+    const double reference = alone.sum(int(numbers.size()), 100, some);
+    CHECK(reference != std::accumulate(numbers.begin(), numbers.end(), 0.0));  // the order does show
+    CHECK(alone.sum(0, 100, some) == 0);
+    for (int threads : {2, 3}) {
+        Team team(threads);
+        int same = 0;
+        for (int i = 0; i < 200; ++i) same += team.sum(int(numbers.size()), 100, some) == reference;
+        CHECK(same == 200);
+    }
+}
