@@ -70,6 +70,7 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     if (first_sight || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
 
     end_touches();
+    nearest_ = {};
     int bound = 0;
     const double horizon = travelled_ + foreseen;
     for (std::size_t i = 0; i < look_at_.size(); ++i)
@@ -226,6 +227,8 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
         return false;
     }
     if (far > 0) look_at_[i] += 0.5 * far;
+    if (const double apart = closest.distance - pair.touch; a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
+        nearest_ = {{pair.element[0], pair.element[1]}, apart};
 
     const Moving moving{two, {{dt * velocity(a.end[0], motion), dt * velocity(a.end[1], motion)},
                               {dt * velocity(b.end[0], motion), dt * velocity(b.end[1], motion)}}};

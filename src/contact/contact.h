@@ -24,6 +24,7 @@ struct Bar {
     End end[2];
     double radius = 0;      ///< m, half the depth of the member
     double stiffness = 0;   ///< EA of the member, N
+    int body = 0;           ///< which body it belongs to
 };
 
 /// Nodes now, and their motion foreseen over the coming step.
@@ -66,6 +67,9 @@ struct ContactCounts {
     long pair_tests = 0, list_builds = 0;
     double energy_let_go = 0;                    ///< J, stored in bonds when they were released or dropped
 };
+
+/// Of the pairs of different bodies looked at in a step, the one that came nearest.
+struct Nearest { int element[2] = {-1, -1}; double distance = 0; };   ///< m, of their surfaces
 
 /// Something happened between two elements.
 struct ContactEvent {
@@ -129,6 +133,7 @@ public:
     const ContactCounts& counts() const { return counts_; }
     const std::vector<Bond>& bonds() const { return bonds_; }   ///< in the order in which they were made
     const std::vector<Touch>& touches() const { return touches_; }   ///< pairs that touch, or might in this step
+    const Nearest& nearest() const { return nearest_; }   ///< in the last detect; {-1, -1}: none was looked at
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
     /// What happened since the log was last cleared.
@@ -177,6 +182,7 @@ private:
     ContactCounts counts_;
     std::vector<Bond> bonds_;
     std::vector<Touch> touches_;
+    Nearest nearest_;
     double stored_ = 0;                   ///< J, as of the last add_internal_forces
     std::vector<ContactEvent> events_;
 

@@ -125,6 +125,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         write_rows(r);
         r.last_write = now;
     }
+    for (const auto& list = r.run->wakings(); r.wakings_shown < list.size(); ++r.wakings_shown)
+        if (c->progress) {
+            const Run::Waking& w = list[r.wakings_shown];
+            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", isatty(2) ? "\r\033[K" : "", w.time, w.effect.c_str(), w.awake ? "awake" : "asleep", w.why.c_str());
+        }
     const double pause = isatty(2) ? 0.2 : 10;
     if (seconds(now - r.start) > (isatty(2) ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
         show_progress(*c, r, false);

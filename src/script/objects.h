@@ -82,6 +82,7 @@ struct RunRecord {
     bool started = false, closed = false;
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps
+    std::size_t wakings_shown = 0;
     double worst_remainder = 0, last_remainder = 0, initial = 0;
 };
 struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };

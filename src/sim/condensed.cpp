@@ -143,10 +143,22 @@ void Condensed<Number>::lay_out() {
     }
     red_.clear();
     black_.clear();
+    staying_.clear();
+    going_.clear();
+    for (int i = 0; i < int(between_.size()); ++i)
+        if (!between_[i].kept && takes_part(between_[i].node)) going_.push_back(i);
     for (int p = 0; p < places; ++p) {
+        if (!takes_part(order_[p])) continue;
+        staying_.push_back(p);
         const bool red = p < joints_ && colour_[p] == Colour::red && !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
         (red ? red_ : black_).push_back(p);
     }
+}
+
+template <class Number>
+void Condensed<Number>::leave_out(const std::vector<int>& resting) {
+    resting_ = resting;
+    lay_out();
 }
 
 template <class Number>
@@ -229,8 +241,9 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const Parts& parts)
 /// r: the right side without the nodes between.
 template <class Number>
 void Condensed<Number>::reduce(const double* right) {
-    team_.share(int(order_.size()), piece, [&](int first, int end, int) {
-        for (int p = first; p < end; ++p) {
+    team_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const int p = staying_[i];
             Wide sum = load_six(right + 6 * order_[p]);
             for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
                 if (const int via = via_[k]; via >= 0) sum -= times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
@@ -241,13 +254,12 @@ void Condensed<Number>::reduce(const double* right) {
 
 template <class Number>
 void Condensed<Number>::solve_back(const double* right, double* x) const {
-    team_.share(int(order_.size()), piece, [&](int first, int end, int) {
-        for (int p = first; p < end; ++p) std::memcpy(x + 6 * order_[p], &x_[stride * p], 6 * sizeof(double));
+    team_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) std::memcpy(x + 6 * order_[staying_[i]], &x_[stride * staying_[i]], 6 * sizeof(double));
     });
-    team_.share(int(between_.size()), piece, [&](int first, int end, int) {
+    team_.share(int(going_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
-            const Between& m = between_[i];
-            if (m.kept) continue;
+            const Between& m = between_[going_[i]];
             Wide v = times(m.inverse, right + 6 * m.node);
             for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &x_[stride * place_[m.side[s]]]);
             store_six(x + 6 * m.node, v);

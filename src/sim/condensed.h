@@ -36,6 +36,8 @@ public:
     /// These couplings, with what is held taken out. Their nodes stay, whatever else they are; nodes whose rows must be renewed
     /// for it are added to `changed`.
     void couple(const std::vector<Coupling>& couplings, std::vector<int>& changed);
+    /// Passes over these nodes, whose right side is zero and which nothing couples to others.
+    void leave_out(const std::vector<int>& resting);
     /// Renews what depends on the blocks of these nodes (each once, rising).
     void renew(const std::vector<int>& nodes, const Parts& parts);
     /// A x = right by preconditioned conjugate gradients from x = 0; six numbers a node.
@@ -62,6 +64,7 @@ private:
     double multiply();
     void follow(double alpha);
     int far(int place, int entry) const;
+    bool takes_part(int node) const { return resting_.empty() || resting_[node] < 0; }
 
     const Structure& structure_;
     Team& team_;
@@ -78,7 +81,9 @@ private:
     std::vector<int> via_;           ///< of each entry: 2 times the node between that is taken out, and which of its sides this is; -1
     LargeVector<Number> value_;      ///< of each entry, 36
     LargeVector<Number> inverse_;    ///< of each place, 36: of its own block, couplings included
-    std::vector<int> red_, black_;   ///< places
+    std::vector<int> red_, black_;   ///< places, of what takes part
+    std::vector<int> staying_, going_;   ///< likewise: places of all that stay; of between_ that are taken out
+    std::vector<int> resting_;       ///< of each node, not negative where it does not take part; empty: all do
     LargeVector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then what the preconditioner makes of r
 };
 

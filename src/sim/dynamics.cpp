@@ -140,6 +140,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     }
     find_acceleration();
     for (Loaded& l : loaded_) l.before = l.now;
+    if (settings_.rest) let_rest();
     if (!explicit_steps() && !state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
 }
 
@@ -469,6 +470,7 @@ void Dynamics::commit() {
         to_break_.clear();
         restart_ = true;
     }
+    watch_effects();
     ++state_.step;
     state_.time += settings_.dt;
 }
@@ -511,7 +513,8 @@ void Dynamics::apply_loads(double t) {
         loaded_[load_at_[i]].now.head<3>() += factor * loads[i].force;
         loaded_[load_at_[i]].now.tail<3>() += factor * loads[i].moment;
     }
-    for (const Loaded& l : loaded_) external_[l.node] = l.gravity + l.now;
+    for (const Loaded& l : loaded_)
+        if (resting_.empty() || resting_[l.node] < 0) external_[l.node] = l.gravity + l.now;
 }
 
 std::string Dynamics::name_the_culprit() const {

@@ -36,6 +36,7 @@ struct DynamicSettings {
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
     double turn = 0.01;             ///< rad: an element's part of the operator is rebuilt when it has turned by this much
     bool narrow = true;             ///< in steps no longer than the fastest waves need, the operator in single precision
+    bool rest = true;               ///< bodies at rest are left alone until something reaches them
     int threads = 1;                ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
 };
@@ -94,6 +95,13 @@ private:
     bool breaks(int element, const beam::Flow* flow, int& end) const;
     void renew_hung_operator(std::size_t node);
     std::string name_the_culprit() const;
+    void let_rest();
+    void wake_bodies();
+    struct Sleeper { const char* effect; bool awake = false; long quiet = 0; };
+    void note_waking(std::string effect, bool awake, std::string why);
+    template <class Why>
+    void watch(Sleeper& sleeper, bool busy, Why why);
+    void watch_effects();
 
     DynamicSettings settings_;
     long planned_;
@@ -132,6 +140,9 @@ private:
     std::vector<Vec6> contact_velocity_;
     std::vector<int> fracture_candidates_;       ///< elements that can break without ever yielding
     std::vector<int> ever_yielded_, flowing_, looked_at_;
+    std::vector<int> resting_;                   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    std::unordered_map<int, Vec6> weight_at_rest_;  ///< F of those nodes
+    Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};
     struct Break { int element, end; };
     std::vector<Break> to_break_;
 };

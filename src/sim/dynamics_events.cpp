@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "beam/fracture.h"
+#include "sim/bodies.h"
 #include "sim/dynamics.h"
 #include "sim/hinges.h"
 
@@ -18,6 +19,7 @@ void Dynamics::contact() {
     const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, contact_velocity_}, settings_.dt, state_.time);
     bars_changed_ = false;
     note_contacts();
+    wake_bodies();
     if (bound > 0 || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings(state_.rotation);
 }
 
@@ -109,6 +111,7 @@ void Dynamics::renew_couplings(const std::vector<Quat>& rotation) {
 
 void Dynamics::list_bars() {
     bars_.clear();
+    const Bodies bodies = find_bodies(*structure_, state_);
     for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
         const Element& e = structure_->elements()[i];
         if (!e.touches) continue;
@@ -116,6 +119,7 @@ void Dynamics::list_bars() {
         bar.element = int(i);
         bar.radius = e.radius;
         bar.stiffness = e.rigidity.EA;
+        bar.body = bodies.of_node[e.node[state_.broken[i] == 1 ? 1 : 0]];
         if (state_.broken[i]) {
             const int carrier = e.node[state_.broken[i] == 2 ? 0 : 1];
             bar.end[0] = {carrier, Vec3::Zero()};

@@ -94,6 +94,11 @@ void Operator::set_held(const std::vector<std::uint8_t>& held) {
     parts_.set_held(held);
 }
 
+void Operator::leave_out(const std::vector<int>& resting) {
+    if (narrow_) narrow_->leave_out(resting);
+    if (condensed_) condensed_->leave_out(resting);
+}
+
 void Operator::assemble() {
     if (dirty_.empty()) return;
     factor_valid_ = false;

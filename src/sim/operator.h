@@ -33,6 +33,10 @@ public:
     void set_hung(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);   ///< rows and columns taken out
 
+    /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing couples them to
+    /// others, and their solution is zero. Empty: none.
+    void leave_out(const std::vector<int>& resting);
+
     /// Takes up what changed.
     void assemble();
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);

@@ -36,6 +36,9 @@ public:
     const Structure& structure() const { return *structure_; }
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return ledger_.balance(state_); }
+    /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
+    struct Waking { double time; std::string effect; bool awake; std::string why; };
+    const std::vector<Waking>& wakings() const { return wakings_; }
     long steps_done() const { return state_.step - first_step_; }
 
     Vec6 displacement(int node) const;   ///< ux uy uz (m), rotation vector rx ry rz (rad)
@@ -55,6 +58,7 @@ protected:
     Ledger ledger_;
     std::unordered_map<int, Vec6> reaction_;   ///< of nodes with a freedom that is held
     Verdict verdict_ = Verdict::running;
+    std::vector<Waking> wakings_;
     std::string reason_;
     long first_step_;
 };

@@ -115,6 +115,8 @@ const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
     return kind;
 }
 
+void Sweep::raise(int element) { blocks_[element / lane_count].whole |= 1u << element % lane_count; }
+
 void Sweep::drop(int element) {
     blocks_[element / lane_count].whole &= ~(1u << element % lane_count);
     if (place_.empty()) return;

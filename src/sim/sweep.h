@@ -33,7 +33,8 @@ public:
 
     /// Takes up which elements are whole and where their points stand. Call when a point has moved.
     void take_up(const State& state);
-    void drop(int element);   ///< it broke
+    void drop(int element);   ///< it broke, or rests
+    void raise(int element);  ///< it no longer rests
 
     /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; what resists), writes p of each element to `force`,
     /// and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes nothing in it.
