@@ -67,12 +67,12 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
         seen_ = false;
         return 0;
     }
-    if (first_sight || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
+    if (first_sight || !settings_.sleep || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
 
     end_touches();
     nearest_ = {};
     int bound = 0;
-    const double horizon = travelled_ + foreseen;
+    const double horizon = settings_.sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < look_at_.size(); ++i)
         if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
     return bound;

@@ -39,6 +39,8 @@ enum class ContactRuleKind : int { gap, surface };
 struct ContactSettings {
     ContactRuleKind rule = ContactRuleKind::gap;
 
+    bool sleep = true;               ///< pairs are looked at when they could have met; false: all of them, at every step
+
     // surface
     double stiffness = 0;            ///< N/m; 0: of the two members, see touch_stiffness
     double friction = 0;             ///< Coulomb's coefficient

@@ -77,6 +77,7 @@ int contact_rule(lua_State* L) {
     c.flatness = o.number("flatness", "m^3", Range::positive, c.flatness);
     c.binding_time = o.number("binding_time", "s", Range::positive, c.binding_time);
     c.letter = o.flag("letter", c.letter);
+    c.sleep = o.flag("sleep", c.sleep);
     c.hold_until_parting = o.word("release", {"parting", "time"}, c.letter ? "time" : "parting") == "parting";
     for (const char* field : {"stiffness", "friction"})
         if (gap && o.has(field)) o.complain(field, "given", "belongs to rule 'surface'; rule is 'gap'");

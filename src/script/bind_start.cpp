@@ -106,11 +106,11 @@ void require_density(const Structure& structure) {
 }
 
 /// The field dt. Explicit steps may not be longer than stability allows, and can be left to it: dt = "auto".
-double step_of(Options& o, const Structure& structure, bool in_explicit_steps, double duration) {
-    if (!in_explicit_steps) return o.number("dt", "s", Range::positive);
-    const StableStep limit = stable_step(structure);
-    const bool automatic = o.push_field("dt") == LUA_TSTRING && std::string(lua_tostring(o.L(), -1)) == "auto";
+double step_of(Options& o, const Structure& structure, bool in_explicit_steps, double duration, bool& automatic) {
+    automatic = o.push_field("dt") == LUA_TSTRING && std::string(lua_tostring(o.L(), -1)) == "auto";
     lua_pop(o.L(), 1);
+    if (!in_explicit_steps) return automatic ? Dynamics::shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
+    const StableStep limit = stable_step(structure);
     if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model().contact().has_value()));
     const double dt = o.number("dt", "s", Range::positive);
     if (dt > limit.dt)
@@ -130,7 +130,9 @@ int dynamic_run(lua_State* L) {
     require_density(*structure);
     DynamicSettings s;
     s.duration = o.number("duration", "s", Range::positive);
-    s.dt = step_of(o, *structure, in_explicit_steps, s.duration);
+    bool automatic = false;
+    s.dt = step_of(o, *structure, in_explicit_steps, s.duration, automatic);
+    s.automatic = automatic && !in_explicit_steps;
     if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
     if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
     s.beta = in_explicit_steps ? 0 : o.number("beta", "", Range::positive, s.beta);

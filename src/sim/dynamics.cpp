@@ -43,8 +43,15 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
 
 double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
 
-/// How far the axial wave comes in a step against the shortest element; where hinges may chatter, the shear vibration's phase as well.
-double crossing(const Structure& structure, double dt) {
+Mat3 frame_of(const beam::Placement<double>& p) {
+    Mat3 m;
+    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
+    return m;
+}
+
+}  // namespace
+
+double Dynamics::crossing(const Structure& structure, double dt) {
     double most = 0;
     for (const Element& e : structure.elements()) {
         const beam::Rigidity& c = e.rigidity;
@@ -54,17 +61,9 @@ double crossing(const Structure& structure, double dt) {
     return most;
 }
 
-Mat3 frame_of(const beam::Placement<double>& p) {
-    Mat3 m;
-    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
-    return m;
-}
-
-}  // namespace
-
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start)), settings_(settings),
-      planned_(long(std::llround(settings.duration / settings.dt))), team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+      pace_{settings.dt, std::llround(settings.duration / settings.dt)}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
     from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
     if (!explicit_steps())
         operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),
@@ -75,22 +74,23 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (!model.contact()) state_.contact.reset();
 
     stages_.push_back({"loads", "loads", &Dynamics::loads});
-    if (state_.contact) stages_.push_back({"contact", "contact", &Dynamics::contact});
-    if (state_.contact || !model.fracture().empty()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
+    if (with_contact()) stages_.push_back({"contact", "contact", &Dynamics::contact});
+    if (with_contact() || with_fracture()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
     stages_.push_back({"predict", "inertia", &Dynamics::predict});
     stages_.push_back({"recover stresses", "large displacement", &Dynamics::recover});
     if (explicit_steps()) {
         stages_.push_back({"accelerate", "inertia", &Dynamics::accelerate});
     } else {
-        if (structure_->can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
+        if (can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
         stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
         stages_.push_back({"solve", "inertia", &Dynamics::solve});
         stages_.push_back({"correct", "inertia", &Dynamics::correct});
     }
-    if (state_.contact) stages_.push_back({"part", "contact", &Dynamics::part});
-    if (!model.fracture().empty()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
+    if (with_contact()) stages_.push_back({"part", "contact", &Dynamics::part});
+    if (with_fracture()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
     stages_.push_back({"commit", "inertia", &Dynamics::commit});
 
+    pace_.start = state_.time;
     trial_ = pose_of(state_);
     increment_.assign(nodes, Vec3::Zero());
     for (auto* v : {&external_, &nodal_, &change_}) v->assign(nodes, Vec6::Zero());
@@ -113,7 +113,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
     if (settings_.iterations == 0) {
-        const bool newton = from_rest_ && structure_->can_yield();
+        const bool newton = from_rest_ && can_yield();
         settings_.iterations = newton ? 30 : 1;
         if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
     }
@@ -141,15 +141,16 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     find_acceleration();
     for (Loaded& l : loaded_) l.before = l.now;
     if (settings_.rest) let_rest();
-    if (!explicit_steps() && !state_.contact && model.fracture().empty()) mass_.reset();  // nothing can vanish at once
+    if (!explicit_steps() && !with_contact() && !with_fracture()) mass_.reset();  // nothing can vanish at once
 }
 
 bool Dynamics::advance() {
     if (verdict_ != Verdict::running) return false;
-    if (steps_done() >= planned_) {
+    if (over()) {
         verdict_ = Verdict::completed;
         return false;
     }
+    if (settings_.automatic) choose_step();
     std::size_t recover_at = 0;
     iteration_ = 0;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
@@ -170,11 +171,11 @@ bool Dynamics::advance() {
         } else if (from_rest_) {  // the stresses so far are those the last solve started from
             const auto settling = std::chrono::steady_clock::now();
             recover();
-            if (structure_->can_yield()) yield();
+            if (can_yield()) yield();
             stages_[recover_at].seconds += seconds_since(settling);
         }
     }
-    if (steps_done() >= planned_) verdict_ = Verdict::completed;
+    if (over()) verdict_ = Verdict::completed;
     return true;
 }
 
@@ -224,8 +225,8 @@ void Dynamics::recover() {
     for (Vec6& n : nodal_) n.setZero();
     sweep_.run(state_, trial_, nodal_, force_, yielding_);
     if (from_rest_ && iteration_ == 0) yielding_ = hinges_;  // nothing has moved yet: what flowed is taken to flow on
-    if (!state_.hung.empty()) add_hung_inertia();
-    if (state_.contact && !state_.contact->idle()) {
+    if (built::fracture && !state_.hung.empty()) add_hung_inertia();
+    if (in_contact()) {
         place_contact(trial_.displacement);
         state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
         if (!state_.contact->touches().empty()) renew_couplings(trial_.rotation);
@@ -311,6 +312,7 @@ void Dynamics::solve() {
         return sum;
     });
     note_fastest();
+    motion_ = motion;
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
     const SolveReport report = operator_->solve(right, change_, settings_.solver);
     if (!report.converged)
@@ -353,10 +355,15 @@ void Dynamics::correct() {
         if (!by_spin) move_to_increment(first, end);
         return sum;
     });
+    if (settings_.automatic) {
+        double jump = 0;
+        for (std::size_t i = 0; i < change_.size(); ++i) jump += lumped_mass_[i] * change_[i].head<3>().squaredNorm();
+        jump_ = motion_ > 0 ? dt * std::sqrt(jump / motion_) : 0;
+    }
     ++iteration_;
     if (iteration_ == 1) first_change_ = size;
     again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
-    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && state_.contact && !state_.contact->touches().empty()) {
+    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && in_contact() && !state_.contact->touches().empty()) {
         place_contact(trial_.displacement);
         again_ = state_.contact->unsettled(contact_position_, trial_.rotation);
     }
@@ -430,7 +437,7 @@ void Dynamics::commit() {
         take_up_ = true;
         wants_rebuild(e);
     }
-    if (!to_break_.empty())
+    if (built::fracture && !to_break_.empty())
         right_.assign(nodal_.size(), Vec6::Zero());  // what breaking asks of the nodes
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
@@ -445,7 +452,7 @@ void Dynamics::commit() {
                 for (Loaded& l : loaded_)
                     if (l.node == n) l.gravity.head<3>() -= weight;
             }
-        if (state_.contact) {
+        if (with_contact()) {
             state_.booked.contact_released += state_.contact->drop(element);
             bars_changed_ = true;
         }
@@ -458,10 +465,10 @@ void Dynamics::commit() {
     }
     if (take_up_) sweep_.take_up(state_);
     take_up_ = false;
-    if (!to_break_.empty()) {
+    if (built::fracture && !to_break_.empty()) {
         renew_mass(pose_of(state_));
         pass_on(state_, *mass_, right_);
-        if (state_.contact) {
+        if (with_contact()) {
             list_bars();
             place_contact(state_.displacement);
             state_.contact->hang_on(bars_, contact_position_, state_.rotation);
@@ -472,7 +479,9 @@ void Dynamics::commit() {
     }
     watch_effects();
     ++state_.step;
-    state_.time += settings_.dt;
+    pace_.done += pace_.length;
+    if (settings_.automatic) state_.time = pace_.start + double(pace_.done) * pace_.shortest;
+    else state_.time += settings_.dt;
 }
 
 // ---- what the stages use ------------------------------------------------------------------------------------------

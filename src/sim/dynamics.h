@@ -15,6 +15,7 @@
 #include <functional>
 #include <unordered_map>
 
+#include "core/built.h"
 #include "sim/mass.h"
 #include "sim/operator.h"
 #include "sim/run.h"
@@ -28,6 +29,7 @@ enum class Predictor : std::uint8_t { by_step, acceleration, displacement };
 struct DynamicSettings {
     double dt = 0;                  ///< s
     double duration = 0;            ///< s
+    bool automatic = false;         ///< dt is the shortest step (Dynamics::shortest_step); longer ones where nothing happens
     double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
     int iterations = 0;             ///< 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to
                                     ///< 1e-6) where hinges form in steps too long for one, which then would not hold
@@ -46,7 +48,11 @@ public:
     Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings);
 
     bool advance() override;
-    long planned_steps() const override { return planned_; }
+    long planned_steps() const override { return steps_done() + (pace_.whole - pace_.done) / pace_.length; }
+    /// How far the axial wave comes in a step, against the shortest element; where hinges may chatter, the shear vibration's phase too.
+    static double crossing(const Structure& structure, double dt);
+    /// The step of an impact, s: see dynamics_pace.cpp; a whole part of the duration.
+    static double shortest_step(const Structure& structure, double duration);
     const char* kind() const override { return "dynamic"; }
     std::vector<StageTime> stage_times() const override;
     std::vector<Effect> effects() const override;
@@ -62,6 +68,10 @@ public:
 
 private:
     struct Stage { const char* name; const char* effect; void (Dynamics::*run)(); double seconds = 0; };
+    bool with_contact() const { return built::contact && state_.contact.has_value(); }
+    bool in_contact() const { return with_contact() && !state_.contact->idle(); }
+    bool with_fracture() const { return built::fracture && !structure_->model().fracture().empty(); }
+    bool can_yield() const { return built::plasticity && structure_->can_yield(); }
     void loads();
     void contact();
     void restart();
@@ -104,7 +114,12 @@ private:
     void watch_effects();
 
     DynamicSettings settings_;
-    long planned_;
+    struct Pace { double shortest; long whole, done = 0, length = 1; int calm = 0; double start = 0; };   ///< all but calm counted in shortest steps
+    Pace pace_;
+    double jump_ = 0, motion_ = 0;               ///< of the last step: dt |da| / |v|; sum of m v^2
+    bool over() const { return pace_.done >= pace_.whole; }
+    void choose_step();
+    void take_steps_of(long length);
     std::vector<Stage> stages_;
     Team team_;
     Sweep sweep_;

@@ -16,7 +16,15 @@ void Dynamics::contact() {
     place_contact(state_.displacement);
     for (std::size_t i = 0; i < contact_velocity_.size(); ++i)
         contact_velocity_[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    std::optional<contact::Contact> before;
+    if (pace_.length > 1) before = state_.contact;
     const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, contact_velocity_}, settings_.dt, state_.time);
+    if (before && !state_.contact->idle()) {  // too long a step to touch in
+        state_.contact = std::move(before);
+        take_steps_of(1);
+        loads();
+        return contact();
+    }
     bars_changed_ = false;
     note_contacts();
     wake_bodies();

@@ -107,7 +107,7 @@ void Dynamics::watch(Sleeper& s, bool busy, Why why) {
 }
 
 void Dynamics::watch_effects() {
-    if (state_.contact) {
+    if (with_contact()) {
         const contact::Contact& c = *state_.contact;
         const contact::Nearest& nearest = c.nearest();
         const bool looked = nearest.element[0] >= 0;
@@ -118,7 +118,7 @@ void Dynamics::watch_effects() {
             return text + structure_->element_name(nearest.element[0]) + " and " + structure_->element_name(nearest.element[1]);
         });
     }
-    if (structure_->can_yield())
+    if (can_yield())
         watch(plasticity_sleeper_, !yielding_.empty(), [&] { return std::to_string(yielding_.size()) + (yielding_.size() == 1 ? " element flows: " : " elements flow: ") + structure_->element_name(yielding_[0].element); });
 }
 

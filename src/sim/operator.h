@@ -28,6 +28,8 @@ public:
     /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null: elastic).
     void build(const std::vector<int>& elements, const State& state, const Pose& pose, const std::vector<const Mat6*>& tangents);
     void remove(int element);
+    /// Another k: every element must be built anew, and couplings set.
+    void set_stiffness_factor(double k) { stiffness_factor_ = k; }
     /// Replaces everything that joins nodes beside the elements: bonds (12x12, already a stiffness) and hung masses.
     void set_couplings(std::vector<Coupling> couplings);
     void set_hung(int node, const Mat6& mass);

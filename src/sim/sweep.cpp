@@ -5,6 +5,7 @@
 #include <map>
 
 #include "beam/mass.h"
+#include "core/built.h"
 #include "sim/hinges.h"
 
 namespace hinge {
@@ -210,7 +211,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                       kind.k[3] * d[2] + kind.k[4] * d[3], kind.k[4] * d[2] + kind.k[5] * d[3], kind.k[6] * d[4], kind.k[7] * d[5]};
 
         // yield: return to the surface of eq 14
-        if (kind.can_yield) {
+        if (built::plasticity && kind.can_yield) {
             Lanes f[2];
             const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
             for (int s = 0; s < section_count; ++s) {

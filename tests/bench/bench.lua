@@ -1,92 +1,217 @@
 -- What a step costs, beside what it gets right: ratios within one run, since machines are noisy.
 --
--- Run     hinge run tests/bench/bench.lua               (quick=true: shorter; largest=100000: frames up to that many elements)
+-- Run     cmake --build build --target bench
+--         or, without the effects compiled out: hinge run tests/bench/bench.lua (quick=true: shorter; largest=1000000: bigger frames)
 -- Shows   Case I of the ten-storey impact stage by stage, in microseconds and in products of its own operator (6x6 blocks, one
---         vector), with the energy remainder; frames of growing size: time per element and step, memory per element
--- Writes  case.csv, growth.csv and growth.png in its output folder
+--         vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes; an effect that is
+--         off against an engine without it; frames of growing size: time and memory; threads
+-- Writes  a CSV of each table and growth.png in its output folder
 local hinge  = require "hinge"
 local core   = require "hinge.core"
 local impact = require "hinge.models.ten_storey_impact"
 local paper  = require "hinge.paper"
 
-local function csv(job, name, head, rows)
-  local file = assert(io.open(job.out .. "/" .. name, "w"))
+-- Prints a table under its title and keeps it as name.csv.
+local function show(job, name, title, head, rows)
+  paper.table(title, head, rows)
+  local file = assert(io.open(job.out .. "/" .. name .. ".csv", "w"))
   file:write(table.concat(head, ","), "\n")
   for _, row in ipairs(rows) do file:write(table.concat(row, ","), "\n") end
   file:close()
 end
 
-local function case_one(p, job)
+local function text(format, value) return format:format(value) end
+local function remainder(run) return run.energy.remainder / run.energy.initial end
+
+-- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact.
+local function case_one(options, rule)
   local q = impact.parameters { dt = 1e-5 }
   local model = hinge.model {}
   local _, plane = impact.add(model, q)
+  if rule then model:contact(rule) end
   local loaded = model:static { hold = plane, record = false }
   loaded:finish()
-  local run = model:dynamic { from = loaded, dt = q.dt, duration = p.quick and 0.02 or p.duration, beta = 0.4, record = false }
+  local all = { from = loaded, dt = q.dt, record = false }
+  if options.integrator ~= "explicit" then all.beta = 0.4 end
+  for name, value in pairs(options) do all[name] = value end
+  return model:dynamic(all), model
+end
+
+local function stages(job, name, what, run)
   local product = math.huge
   for step in run:steps() do -- the yardstick now and then, as the machine's pace changes
-    if step.index % math.max(1, run.planned_steps // 20) == 0 then product = math.min(product, core.time_product(run, 5)) end
+    if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then product = math.min(product, core.time_product(run, 5)) end
   end
   local rows, sum, n = {}, 0, run.index
   for i, stage in ipairs(run.stages) do
     local us = 1e6 * stage.seconds / n
-    sum, rows[i] = sum + us, { stage.name, ("%.1f"):format(us), ("%.2f"):format(us * 1e-6 / product) }
+    sum, rows[i] = sum + us, { stage.name, text("%.1f", us), name == "case" and text("%.2f", us * 1e-6 / product) or "" }
   end
-  rows[#rows + 1] = { "step", ("%.1f"):format(sum), ("%.2f"):format(sum * 1e-6 / product) }
-  local energy, counts = run.energy, run.counts
-  paper.table(("Case I, %d steps: a product takes %.1f us; per step %.2f iterations, %.2f elements rebuilt; energy remainder %.2g %%")
-    :format(n, 1e6 * product, counts.cg_iterations / n, counts.element_builds / n, 100 * energy.remainder / energy.initial),
-    { "stage", "us", "products" }, rows)
-  csv(job, "case.csv", { "stage", "us", "products" }, rows)
-  return { steps = n, step_us = sum, product_us = 1e6 * product, products = sum * 1e-6 / product,
-    remainder = energy.remainder / energy.initial, iterations = counts.cg_iterations / n, builds = counts.element_builds / n }
+  rows[#rows + 1] = { "step", text("%.1f", sum), name == "case" and text("%.2f", sum * 1e-6 / product) or "" }
+  local counts = run.counts
+  show(job, name, what .. (": %d steps of %.3g us; %.2f iterations, %.2f elements rebuilt a step; energy remainder %.2g %%%s")
+    :format(n, 1e6 * run.time / n, counts.cg_iterations / n, counts.element_builds / n, 100 * remainder(run),
+      name == "case" and (", a product takes %.1f us"):format(1e6 * product) or ""), { "stage", "us", "products" }, rows)
+  return { steps = n, step_us = sum, product_us = 1e6 * product, products = sum * 1e-6 / product, remainder = remainder(run) }
 end
 
-local function resident() -- kB
+-- Runs each choice alternately, `times` times; least seconds of each, and its last run.
+local function race(times, choices)
+  local least, last = {}, {}
+  for _ = 1, times do
+    for i, choice in ipairs(choices) do
+      local run = choice()
+      run:finish()
+      least[i], last[i] = math.min(least[i] or math.huge, run.wall_seconds), run
+      collectgarbage()
+    end
+  end
+  return least, last
+end
+
+-- What is left out where nothing happens: against the same with everything computed at every step.
+local function savings(job, quick)
+  local rows = {}
+  local function compare(what, switch, lazy, full)
+    local seconds, run = race(quick and 1 or 3, { lazy, full })
+    local a, b = run[1].energy, run[2].energy
+    rows[#rows + 1] = { what, switch, text("%.3f", seconds[1] / seconds[2]),
+      run[1].hash == run[2].hash and "0 (same bits)" or text("%.1e", math.abs(a.kinetic - b.kinetic) / b.initial),
+      text("%.1e", remainder(run[1])), text("%.1e", remainder(run[2])) }
+  end
+  local short = { duration = 0.002 }
+  local function with(base, extra)
+    local t = {}
+    for k, v in pairs(base) do t[k] = v end
+    for k, v in pairs(extra) do t[k] = v end
+    return t
+  end
+  compare("bodies at rest, 2 ms of flight", "rest = false", function() return case_one(short) end, function() return case_one(with(short, { rest = false })) end)
+  local hit = { duration = quick and 0.005 or 0.01 }
+  compare("contact sleeps between looks", "model:contact { sleep = false }", function() return case_one(hit) end, function() return case_one(hit, { sleep = false }) end)
+  compare("operator kept within 0.01 rad", "turn = 1e-9", function() return case_one(hit) end, function() return case_one(with(hit, { turn = 1e-9 })) end)
+  compare("operator in single precision", "precision = 'double'", function() return case_one(hit) end, function() return case_one(with(hit, { precision = "double" })) end)
+  -- a bar thrown at a portal from 3 m away
+  local function thrown(dt)
+    local model = hinge.model {}
+    local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 250e6 }
+    local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
+    local a, b, c, d = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { 3, 0, 3 }, model:node { 3, 0, 0 }
+    model:fix(a)
+    model:fix(d)
+    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do model:member { ends[1], ends[2], section = bar, material = steel } end
+    model:member { model:node { 1.5, -3, 2 }, model:node { 1.5, -3, 4 }, section = bar, material = steel, group = "missile" }
+    model:velocity("missile", { 0, 60, 0 })
+    model:contact {}
+    return model:dynamic { dt = dt, duration = 0.1, record = false }
+  end
+  local steps = thrown("auto").planned_steps
+  compare("long steps in flight, a thrown bar", "dt = a number", function() return thrown "auto" end, function() return thrown(0.1 / steps) end)
+  show(job, "savings", "Where nothing happens, against everything computed: time as a ratio, difference of the kinetic energy, energy remainders",
+    { "what", "switch", "time", "difference", "remainder", "of all" }, rows)
+  return rows
+end
+
+-- An elastic frame by an engine with every effect compiled in, and by one without those it does not call for.
+local function compiled_out(job, build)
+  local least, hash = {}, {}
+  for _ = 1, 7 do
+    for i, name in ipairs { "step_cost", "step_cost_bare" } do
+      local pipe = assert(io.popen("'" .. build .. "/" .. name .. "'"))
+      local us, bits = pipe:read("a"):match "^(%S+) (%S+)"
+      pipe:close()
+      us = assert(tonumber(us), name .. " gave no number")
+      least[i], hash[i] = math.min(least[i] or math.huge, us), bits
+    end
+  end
+  show(job, "compiled_out", "A step of an elastic frame that calls for no contact, fracture or plasticity", { "engine", "us", "ratio", "bits" },
+    { { "all effects compiled in", text("%.2f", least[1]), text("%.3f", least[1] / least[2]), hash[1] }, { "without them", text("%.2f", least[2]), "1", hash[2] } })
+  return least[1] / least[2]
+end
+
+local function memory(kind) -- kB: VmRSS now, VmHWM the most so far
   for line in io.lines "/proc/self/status" do
-    local kB = line:match "^VmRSS:%s*(%d+)"
+    local kB = line:match("^" .. kind .. ":%s*(%d+)")
     if kB then return tonumber(kB) end
   end
 end
 
--- A frame of n x n bays and so many storeys that shakes under a sudden side load on all its joints.
-local function frame(elements)
+-- A frame of n x n bays and so many storeys that moves under its own speed; `o.impact`: with contact, fracture and yielding.
+local function frame(elements, o)
   local building = require "hinge.models.ten_storey"
   local bays = math.max(1, math.floor((elements / 2 / 30) ^ (1 / 3) + 0.5))
   local each = (bays + 1) ^ 2 + 2 * bays * (bays + 1) -- members a storey
   local storeys = math.max(1, math.floor(elements / 2 / each + 0.5))
-  local before, start = resident(), os.clock()
+  collectgarbage()
+  local before, start = memory "VmRSS" or 0, os.clock()
   local model = hinge.model {}
   building.add(model, { bays = { bays, bays }, storeys = storeys })
   model:velocity("building", { 1, 0, 0 })
-  local run = model:dynamic { dt = 1e-5, duration = 1, record = false }
-  local built, steps = os.clock() - start, math.max(5, math.floor(2e5 / elements))
-  run:step() -- the first one touches all memory
-  start = os.clock()
-  for _ = 1, steps do run:step() end
-  local seconds, count = (os.clock() - start) / steps, model:counts().elements
-  local energy = run.energy
-  return { count, ("%.0f"):format(1e9 * seconds / count), ("%.2f"):format(seconds / core.time_product(run, 5)), ("%.2f"):format(built),
-    ("%.2f"):format(((resident() or 0) - (before or 0)) / count), ("%.1e"):format(math.abs(energy.remainder) / energy.initial) }
+  if o.impact then
+    model:contact {}
+    model:fracture { curvature_x = 0.4, curvature_y = 0.4 }
+  end
+  local built = os.clock() - start
+  local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-5, duration = 1, record = false, integrator = o.integrator, threads = o.threads }
+  for _ = 1, 3 do run:step() end -- the first one touches all memory
+  local count, steps = model:counts().elements, math.max(5, math.floor(3e5 / elements))
+  local least, per_batch = math.huge, math.max(1, steps // 5)
+  for _ = 1, 5 do
+    local from = run.wall_seconds
+    for _ = 1, per_batch do run:step() end
+    least = math.min(least, (run.wall_seconds - from) / per_batch)
+  end
+  local kB = ((memory "VmRSS" or 0) - before) / count
+  local product = o.integrator == "explicit" and 0 or core.time_product(run, 3)
+  return { elements = count, ns = 1e9 * least / count, products = product > 0 and least / product or 0, product_ns = 1e9 * product / count, built = built,
+    kB = kB, remainder = math.abs(remainder(run)), hash = run.hash }
+end
+
+local function growth(job, p)
+  local rows, series = {}, {}
+  for _, kind in ipairs { { "elastic", {} }, { "impact", { impact = true } }, { "explicit", { integrator = "explicit" } } } do
+    local x, y, size = {}, {}, 1000
+    while size <= (p.quick and 3000 or p.largest) do
+      local f = frame(size, kind[2])
+      rows[#rows + 1] = { kind[1], f.elements, text("%.0f", f.ns), f.products > 0 and text("%.1f", f.products) or "", f.products > 0 and text("%.0f", f.product_ns) or "",
+        text("%.2f", f.built), text("%.2f", f.kB), text("%.1e", f.remainder) }
+      x[#x + 1], y[#y + 1] = f.elements, f.ns
+      size = size * 10
+    end
+    series[#series + 1] = { x = x, y = y, name = kind[1] }
+  end
+  show(job, "growth", "Frames of growing size, moving: a step", { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element", "remainder" }, rows)
+  job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true, series = series }, "growth.png")
+  return rows
+end
+
+local function threads(job, quick)
+  local rows = {}
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local size, first = quick and 10000 or 100000, nil
+    for n = 1, 2 do
+      local f = frame(size, { integrator = integrator, threads = n })
+      first = first or f
+      rows[#rows + 1] = { integrator, f.elements, n, text("%.0f", f.ns), text("%.2f", first.ns / f.ns), f.hash == first.hash and "the same" or "OTHER" }
+    end
+  end
+  show(job, "threads", "Threads", { "integrator", "elements", "threads", "ns an element", "speed-up", "bits" }, rows)
+  return rows
 end
 
 return hinge.scenario {
-  parameters = { duration = 0.1, largest = 30000, quick = false },
+  parameters = { duration = 0.1, largest = 100000, quick = false, build = "" },
   run = function(p, job)
     assert(os.execute("mkdir -p '" .. job.out:gsub("'", "'\\''") .. "'"))
-    local result = { case = case_one(p, job), growth = {} }
-    local rows, x, y, size = {}, {}, {}, 1000
-    while size <= (p.quick and 3000 or p.largest) do
-      rows[#rows + 1] = frame(size)
-      x[#x + 1], y[#y + 1] = tonumber(rows[#rows][1]), tonumber(rows[#rows][2])
-      collectgarbage()
-      size = size * 10 ^ 0.5
-    end
-    local head = { "elements", "ns/element/step", "products a step", "build, s", "kB/element", "remainder" }
-    paper.table("Frames of growing size, elastic, moving", head, rows)
-    csv(job, "growth.csv", head, rows)
-    job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true, series = { { x = x, y = y } } }, "growth.png")
-    result.growth = rows
+    local length = p.quick and 0.02 or p.duration
+    local result = { case = stages(job, "case", "Case I", (case_one { duration = length })) }
+    result.explicit = stages(job, "explicit", "Case I, explicit", (case_one { duration = length, integrator = "explicit", dt = 1e-5 }))
+    local run = stages(job, "explicit_auto", "Case I, explicit, dt = 'auto'", (case_one { duration = length, integrator = "explicit", dt = "auto" }))
+    result.explicit_auto = run
+    if p.build ~= "" then result.compiled_out = compiled_out(job, p.build) end
+    result.savings = savings(job, p.quick)
+    result.threads = threads(job, p.quick)
+    result.growth = growth(job, p)
     return result
   end,
 }

@@ -1,0 +1,45 @@
+// Dynamics, how long the next step is: dt = "auto" of Newmark's method.
+//
+// The shortest step lets an axial wave cross the shortest element in twelve; it is the step of an impact. In free flight, and
+// while nothing yields, breaks or touches, steps are eight times that, as long as the accelerations change little within one: where
+// something vibrates, they do not. A touch is foreseen: a long step in which one would
+// begin is not taken.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/dynamics.h"
+
+namespace hinge {
+namespace {
+
+constexpr long long_step = 8;       ///< of the shortest
+constexpr int calm_steps = 20;      ///< before steps are long: K anew costs as much as ten steps
+constexpr double jump_limit = 1e-3; ///< dt |da| against |v|, weighted by mass: its error is a twelfth of that
+
+}  // namespace
+
+double Dynamics::shortest_step(const Structure& structure, double duration) {
+    double waves = 0;  // crossings a second
+    for (const Element& e : structure.elements()) waves = std::max(waves, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    return duration / std::ceil(duration * std::max(12 * waves, crossing(structure, 1) / 0.9));
+}
+
+void Dynamics::choose_step() {
+    const bool calm = !in_contact() && yielding_.empty() && !restart_ && jump_ <= jump_limit;
+    pace_.calm = calm ? pace_.calm + 1 : 0;
+    const bool fits = pace_.done + long_step <= pace_.whole;
+    take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) ? long_step : 1);
+}
+
+void Dynamics::take_steps_of(long length) {
+    if (length == pace_.length) return;
+    note_waking("long steps", length > 1, length > 1 ? "nothing yields, breaks or touches" : "back to the shortest");
+    pace_.length = length;
+    settings_.dt = pace_.shortest * double(length);
+    operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
+    for (int e = 0; e < int(state_.broken.size()); ++e)
+        if (!state_.broken[e]) wants_rebuild(e);
+    if (in_contact()) place_contact(state_.displacement), renew_couplings(state_.rotation);
+}
+
+}  // namespace hinge
