@@ -107,8 +107,10 @@ void require_density(const Structure& structure) {
 
 /// The field dt. Explicit steps may not be longer than stability allows, and can be left to it: dt = "auto".
 double step_of(Options& o, const Structure& structure, bool in_explicit_steps, double duration, bool& automatic) {
-    automatic = o.push_field("dt") == LUA_TSTRING && std::string(lua_tostring(o.L(), -1)) == "auto";
+    const std::string word = o.push_field("dt") == LUA_TSTRING ? lua_tostring(o.L(), -1) : "";
     lua_pop(o.L(), 1);
+    automatic = word == "auto";
+    if (!word.empty() && !automatic) o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!in_explicit_steps) return automatic ? Dynamics::shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
     const StableStep limit = stable_step(structure);
     if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model().contact().has_value()));

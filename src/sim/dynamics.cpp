@@ -7,6 +7,7 @@
 
 #include "beam/lanes.h"
 #include "beam/mass.h"
+#include "core/errors.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
 #include "sim/turning.h"
@@ -64,6 +65,8 @@ double Dynamics::crossing(const Structure& structure, double dt) {
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start)), settings_(settings),
       pace_{settings.dt, std::llround(settings.duration / settings.dt)}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+    if (explicit_steps() != structure_->lumped())
+        throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
     if (!explicit_steps())
         operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),

@@ -229,7 +229,7 @@ local explicit = "integrator = 'explicit', which solves nothing; leave it out"
 wrong("model:dynamic: field 'dt' is 0.001 s; explicit steps stay stable up to 1.386...e-05 s here (element 1 of member 1 (arms), nodes 1-2 has the highest frequency); give a shorter one, or dt = 'auto'",
   function(s) s.model:dynamic { integrator = "explicit", dt = 1e-3, duration = 1 } end)
 wrong("model:dynamic: field 'dt' is missing; give a number in s", function(s) s.model:dynamic { integrator = "explicit", duration = 1 } end)
-wrong("model:dynamic: field 'dt' is 'auto'; must be a number in s", function(s) s.model:dynamic { dt = "auto", duration = 1 } end)
+wrong("model:dynamic: field 'dt' is 'atuo'; must be a number in s, or 'auto' (did you mean 'auto'?)", function(s) s.model:dynamic { dt = "atuo", duration = 1 } end)
 wrong("model:dynamic: field 'beta' has no meaning with " .. explicit,
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, beta = 0.25 } end)
 wrong("model:dynamic: field 'solver' has no meaning with " .. explicit,
