@@ -359,6 +359,8 @@ int write_summary(lua_State* L) {
             j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
             if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
         }
+        j["wakings"] = Json::array();
+        for (const Run::Waking& w : run.wakings()) j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run.energy());

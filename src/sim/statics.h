@@ -29,6 +29,7 @@ public:
     const char* kind() const override { return "static"; }
     std::vector<StageTime> stage_times() const override { return times_; }
     std::vector<Effect> effects() const override;
+    long element_updates() const { return sweep_.updates(); }
     Operator::Counts operator_counts() const { return operator_->counts(); }
 
 private:

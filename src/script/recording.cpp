@@ -1,0 +1,141 @@
+// What a run keeps as it goes: probes, rows of history.csv, and what a user sees meanwhile.
+#include "script/recording.h"
+
+#include <algorithm>
+#include <cstring>
+#include <unistd.h>
+
+#include "core/files.h"
+
+namespace hinge::script {
+
+double value_of(const Run& run, const Probe& p) {
+    switch (p.quantity) {
+        case Probe::Quantity::velocity: return run.state().velocity[p.node][p.component];
+        case Probe::Quantity::acceleration: return run.state().acceleration[p.node][p.component];
+        case Probe::Quantity::reaction: return run.reaction(p.node)[p.component];
+        default: return p.component < 3 ? run.state().displacement[p.node][p.component] : run.displacement(p.node)[p.component];
+    }
+}
+
+double abscissa(const Run& run) { return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time; }
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+void sample(RunRecord& r) {
+    for (auto& p : r.probes) {
+        p->time.push_back(abscissa(*r.run));
+        p->value.push_back(value_of(*r.run, *p));
+    }
+}
+
+void write_rows(RunRecord& r) {
+    if (r.rows.empty() || r.history_path.empty()) return;
+    append(r.history_path, r.rows);
+    r.rows.clear();
+}
+
+void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+    RunRecord& r = *record;
+    r.started = true;
+    r.start = r.last_progress = r.last_write = Clock::now();
+    if (!c->out_dir.empty() && r.every > 0) {
+        make_folder(c->out_dir);
+        // the last run's history is history.csv; those before it keep theirs by number
+        r.history_path = c->out_dir + "/history.csv";
+        if (c->writer) {
+            write_rows(*c->writer);
+            c->writer->history_path = c->out_dir + "/history-" + std::to_string(++c->histories) + ".csv";
+            std::rename(r.history_path.c_str(), c->writer->history_path.c_str());
+        }
+        else std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
+        c->writer = record;
+        std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,work,remainder";
+        for (const auto& p : r.probes) header += "," + p->name;
+        write_whole(r.history_path, header + "\n");
+    }
+}
+
+void add_row(RunRecord& r) {
+    const Energy e = r.run->energy();
+    r.initial = e.initial;
+    r.last_remainder = e.remainder;
+    r.worst_remainder = std::max(r.worst_remainder, std::abs(e.remainder));
+    if (r.history_path.empty()) return;
+    char text[400];
+    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time, r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.work, e.remainder);
+    r.rows += text;
+    for (const auto& p : r.probes) {
+        std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));
+        r.rows += text;
+    }
+    r.rows += '\n';
+}
+
+void show_progress(const Context& c, RunRecord& r, bool last) {
+    if (!c.progress) return;
+    const double wall = seconds(Clock::now() - r.start);
+    if (last && wall < 2) return;
+    const bool screen = isatty(2);
+    const long done = r.run->steps_done(), all = r.run->planned_steps();
+    const double share = std::min(1.0, double(done) / double(std::max(1L, all)));
+    const double left = share > 0 ? wall * (1 - share) / share : 0;
+    std::string bar(24, '-');
+    for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
+    char remainder[48] = "";
+    if (r.initial != 0) std::snprintf(remainder, sizeof remainder, "  remainder %+.2g %%", 100 * r.last_remainder / std::abs(r.initial));
+    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "", r.run->kind(), bar.c_str(), 100 * share, done, all, double(done) / std::max(wall, 1e-9),
+                 last ? "took " : "left ", last ? wall : left, remainder, screen && !last ? "" : "\n");
+    std::fflush(stderr);
+}
+
+}  // namespace
+
+bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
+    RunRecord& r = *record;
+    const auto c = context(L);
+    c->running = L;
+    if (r.closed || c->planning) return false;
+    if (!r.started) {
+        begin_history(c, record);
+        add_row(r);
+    }
+    const auto before = Clock::now();
+    bool more;
+    try {
+        more = r.run->advance();
+    } catch (...) {
+        write_rows(r);
+        throw;
+    }
+    const auto now = Clock::now();
+    r.wall += seconds(now - before);
+    if (more) {
+        sample(r);
+        if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(r);
+    }
+    const bool over = !more || r.run->verdict() != Verdict::running;
+    r.closed = over;
+    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
+    if (over || seconds(now - r.last_write) > 0.5) {
+        write_rows(r);
+        r.last_write = now;
+    }
+    for (const auto& list = r.run->wakings(); r.wakings_shown < list.size(); ++r.wakings_shown)
+        if (c->progress) {
+            const Run::Waking& w = list[r.wakings_shown];
+            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", isatty(2) ? "\r\033[K" : "", w.time, w.effect.c_str(), w.awake ? "awake" : "asleep", w.why.c_str());
+        }
+    const double pause = isatty(2) ? 0.2 : 10;
+    if (seconds(now - r.start) > (isatty(2) ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
+        show_progress(*c, r, false);
+        r.last_progress = now;
+    }
+    if (over) show_progress(*c, r, true);
+    return more;
+}
+
+}  // namespace hinge::script
