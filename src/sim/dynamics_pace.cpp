@@ -14,7 +14,7 @@ namespace {
 
 constexpr long long_step = 8;       ///< of the shortest
 constexpr int calm_steps = 20;      ///< before steps are long: K anew costs as much as ten steps
-constexpr double jump_limit = 1e-3; ///< dt |da| against |v|, weighted by mass: its error is a twelfth of that
+constexpr double jump_limit = 1e-3; ///< dt |da| against |v| in a long step, weighted by mass: its error is a twelfth of that
 
 }  // namespace
 
@@ -25,7 +25,8 @@ double Dynamics::shortest_step(const Structure& structure, double duration) {
 }
 
 void Dynamics::choose_step() {
-    const bool calm = !in_contact() && yielding_.empty() && !restart_ && jump_ <= jump_limit;
+    const double longer = long_step / double(pace_.length);  // da grows with dt: what a short step says of a long one
+    const bool calm = !in_contact() && yielding_.empty() && !restart_ && jump_ * longer * longer <= jump_limit;
     pace_.calm = calm ? pace_.calm + 1 : 0;
     const bool fits = pace_.done + long_step <= pace_.whole;
     take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) ? long_step : 1);
