@@ -1,0 +1,327 @@
+-- Effects that act only where and when they can, each against the full computation: bodies at rest, contact between looks, long
+-- steps in flight, an operator that is kept, single precision.
+--
+-- Run: lua5.4 tests/script/sleep_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local impact = require "hinge.models.ten_storey_impact"
+local checks = support.checks "sleep"
+local expect, equal = checks.expect, checks.equal
+
+local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }
+local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
+
+local function with(base, changes) return impact.with(base or {}, changes or {}) end
+
+-- A portal 3 m wide and high at each of the places `at` (m along y), and a bar thrown along y at its beam from `gap` before it.
+-- Returns the model, a corner of each portal, and a node of the bar.
+local function thrown(o)
+  local model, corners = hinge.model {}, {}
+  for i, y in ipairs(o.at or { 0 }) do
+    local a, b, c, d = model:node { 0, y, 0 }, model:node { 0, y, 3 }, model:node { 3, y, 3 }, model:node { 3, y, 0 }
+    model:fix(a)
+    model:fix(d)
+    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do model:member { ends[1], ends[2], section = bar, material = steel } end
+    corners[i] = b
+  end
+  local low = model:node { 1.5, -o.gap, 2 }
+  model:member { low, model:node { 1.5, -o.gap, 4 }, section = bar, material = steel, group = "missile" }
+  model:velocity("missile", { 0, o.speed or 60, 0 }, o.spin)
+  if o.gravity then model:gravity { 0, 0, -9.80665 } end
+  if o.fracture then model:fracture { curvature_x = o.fracture, curvature_y = o.fracture, axial_strain = 0.3 } end
+  model:contact(o.contact or {})
+  if o.declare then o.declare(model, corners) end
+  return model, corners, low
+end
+
+-- The first waking (or, awake = false, falling asleep) of an effect.
+local function waking(run, effect, awake)
+  for _, w in ipairs(run.wakings) do
+    if w.effect == effect and w.awake == awake then return w end
+  end
+end
+
+local function completed(run, what)
+  run:finish()
+  equal(run.verdict, "completed", what .. ": verdict " .. run.reason)
+  return run
+end
+
+-- The difference of the energies of two runs, as a part of what there was at the start.
+local function difference(a, b)
+  local most = 0
+  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact" } do
+    most = math.max(most, math.abs(a.energy[name] - b.energy[name]) / b.energy.initial)
+  end
+  return most
+end
+
+-- Bodies at rest ----------------------------------------------------------------------------------------------------------
+
+-- Goes through a run and notes when a pair first touched, when each corner first moved, and when a hinge first formed.
+local function observe(run, corners)
+  local seen, start = { moved = {} }, {}
+  for i, n in ipairs(corners) do start[i] = { run:displacement(n) } end
+  while run:step() do
+    if not seen.touched and run.contacts.bound > 0 then seen.touched = run.time end
+    if not seen.hinge and run:count { state = "yielded" } > 0 then seen.hinge = run.time end
+    for i, n in ipairs(corners) do
+      local now = { run:displacement(n) }
+      for c = 1, 6 do
+        if not seen.moved[i] and now[c] ~= start[i][c] then seen.moved[i] = run.time end
+      end
+    end
+  end
+  equal(run.verdict, "completed", "at rest: verdict " .. run.reason)
+  return seen
+end
+
+for what, o in pairs {
+  ["surfaces"] = {},
+  ["gaps"] = { contact = { rule = "gap" } },
+  ["explicit"] = { run = { integrator = "explicit" } },
+  ["two bodies"] = { at = { 0, 2 } },
+  ["two bodies, explicit"] = { at = { 0, 2 }, run = { integrator = "explicit" } },
+} do
+  local model, corners = thrown(with(o, { gap = 0.41, gravity = true }))
+  local loaded = completed(model:static { hold = "missile", record = false }, what)
+  local base = with(o.run, { from = loaded, dt = 5e-6, duration = 0.015, record = false })
+  local lazy, full = model:dynamic(base), model:dynamic(with(base, { rest = false }))
+  local a, b = observe(lazy, corners), observe(full, corners)
+  expect(a.touched and a.touched == b.touched, "%s: touched at %s s, all awake at %s s", what, a.touched, b.touched)
+  expect(a.moved[1] and a.moved[1] >= a.touched and a.moved[1] <= a.touched + 2 * base.dt, "%s: the frame moves from %s s, touched at %s s", what,
+    a.moved[1], a.touched)
+  expect(b.moved[1] and b.moved[1] < a.touched, "%s: with rest = false it is computed from the start", what)
+  local apart = difference(lazy, full)
+  print(("at rest, %s: energies differ by %.1e; %d element updates, %d with rest = false"):format(what, apart, lazy.counts.element_updates,
+    full.counts.element_updates))
+  expect(apart < 1e-10, "%s: energies differ by %g of the initial", what, apart)
+  expect(lazy.energy.plastic > 0.1 * lazy.energy.initial, "%s: no impact to speak of", what)
+  for i in ipairs(corners) do
+    local x, y = { lazy:displacement(corners[i]) }, { full:displacement(corners[i]) }
+    for c = 1, 6 do expect(math.abs(x[c] - y[c]) < 1e-8, "%s: displacement %d of portal %d is %g, %g", what, c, i, x[c], y[c]) end
+  end
+
+  local slept = waking(lazy, #corners == 1 and "body" or "2 bodies", false)
+  expect(slept and slept.time == 0 and slept.why:find("^" .. 6 * #corners .. " elements at rest"), "%s: asleep from the start", what)
+  local woke = waking(lazy, "body", true)
+  expect(woke and math.abs(woke.time - a.touched) < 1.001 * base.dt and woke.why:find "reached at element %d of member 2,", "%s: woke at %s s, touched at %s s", what,
+    woke and woke.time, a.touched)
+  if corners[2] then
+    equal(a.moved[2], nil, what .. ": the portal that nothing reaches moves")
+    expect(lazy.counts.element_updates < 0.6 * full.counts.element_updates, "%s: %d element updates, %d with rest = false", what,
+      lazy.counts.element_updates, full.counts.element_updates)
+    local again = 0
+    for _, w in ipairs(lazy.wakings) do again = again + (w.effect == "body" and w.awake and 1 or 0) end
+    equal(again, 1, what .. ": bodies woken")
+  end
+  expect(not waking(full, "body", false) and not waking(full, "2 bodies", false) and not waking(full, "body", true), "%s: rest = false lets bodies rest", what)
+
+  local hinge_woke = waking(lazy, "plasticity", true)
+  expect(a.hinge and hinge_woke and math.abs(hinge_woke.time - a.hinge) < 1.001 * base.dt and hinge_woke.why:find " flows?: element ",
+    "%s: the first hinge at %s s, plasticity awake at %s s", what, a.hinge, hinge_woke and hinge_woke.time)
+end
+
+-- One after the other: the bar drives the first portal into a second one close behind it.
+do
+  local model, corners = thrown { gap = 0.41, gravity = true, at = { 0, 0.2 } }
+  local loaded = completed(model:static { hold = "missile", record = false }, "one after the other")
+  local base = { from = loaded, dt = 5e-6, duration = 0.02, record = false }
+  local lazy, full = model:dynamic(base), model:dynamic(with(base, { rest = false }))
+  local a, b = observe(lazy, corners), observe(full, corners)
+  local times = {}
+  for _, w in ipairs(lazy.wakings) do
+    if w.effect == "body" and w.awake then times[#times + 1] = w.time end
+  end
+  print(("at rest, one after the other: woken at %s s, energies differ by %.1e"):format(table.concat(times, ", "), difference(lazy, full)))
+  expect(#times == 2 and times[1] < times[2], "one after the other: %d wakings", #times)
+  expect(times[2] and a.moved[2] and a.moved[2] > times[2] and a.moved[2] < times[2] + 3 * base.dt, "one after the other: the second moves from %s s", a.moved[2])
+  expect(difference(lazy, full) < 1e-9, "one after the other: energies differ by %g", difference(lazy, full))
+  expect(a.touched == b.touched, "one after the other: touched at %s, %s s", a.touched, b.touched)
+end
+
+-- What is not at rest: under a load with a history, out of balance, or under way.
+for what, o in pairs {
+  ["a load with a history"] = { static = true, declare = function(m, corners) m:load { node = corners[1], force = { 0, 0, 1 }, history = function() return 1 end } end },
+  ["gravity, not brought to equilibrium"] = { gravity = true },
+  ["a load, not brought to equilibrium"] = { declare = function(m, corners) m:load { node = corners[1], force = { 0, 10, 0 } } end },
+  ["a frame under way"] = { declare = function(m, corners) m:velocity(corners[1], { 1e-6, 0, 0 }) end },
+} do
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local model, corners = thrown(with(o, { gap = 1 }))
+    local loaded = o.static and completed(model:static { hold = "missile", record = false }, what) or nil
+    local run = model:dynamic { from = loaded, dt = 5e-6, duration = 5e-4, integrator = integrator, record = false }
+    local start = { run:displacement(corners[1]) }
+    completed(run, what)
+    local moved = false
+    for c, u in ipairs { run:displacement(corners[1]) } do moved = moved or u ~= start[c] end
+    expect(not waking(run, "body", false), "%s, %s: the frame is left at rest", what, integrator)
+    if not o.static then expect(moved, "%s, %s: the frame does not move", what, integrator) end
+  end
+end
+
+-- Contact between looks ---------------------------------------------------------------------------------------------------
+
+-- Case I of the ten-storey impact, from its rest; `rule` goes to model:contact.
+local function case_one(options, rule)
+  local p = impact.parameters()
+  p.contact, p.contact_limits = rule and rule.rule or "gap", rule and { sleep = rule.sleep } or {}
+  local model = hinge.model {}
+  local _, plane = impact.add(model, p)
+  local loaded = completed(model:static { hold = plane, record = false }, "Case I at rest")
+  return completed(model:dynamic(with({ from = loaded, dt = 1e-5, duration = 6e-3, beta = 0.4, record = false }, options)), "Case I")
+end
+
+-- `saves`: how many times fewer pairs are looked at, at least; bodies that stay near each other are looked at whenever they move.
+for what, c in pairs {
+  ["surfaces, two portals"] = { rule = "surface", saves = 8, duration = 0.06, at = { 0, 2 }, gap = 0.41 },
+  ["surfaces, with friction"] = { rule = "surface", friction = 0.3, saves = 5, duration = 0.03, gap = 0.41, spin = { 5, 0, 3 } },
+  ["gaps, bound most of the time"] = { rule = "gap", saves = 1.2, duration = 0.06, at = { 0, 2 }, gap = 0.41 },
+  ["gaps, debris"] = { rule = "gap", saves = 2, duration = 0.06, at = { 0, 2 }, gap = 1, spin = { 20, 0, 10 }, fracture = 0.6, debris = true },
+  ["surfaces, Case I"] = { rule = "surface", saves = 20, case = true },
+  ["gaps, Case I"] = { rule = "gap", saves = 20, case = true, debris = true },
+} do
+  local function go(sleep)
+    local rule = { rule = c.rule, friction = c.friction, sleep = sleep }
+    if c.case then return case_one({}, rule) end
+    return completed(thrown(with(c, { contact = rule })):dynamic { dt = 1e-5, duration = c.duration, record = false }, what)
+  end
+  local lazy, full = go(nil), go(false)
+  local fewer = full.counts.pair_tests / lazy.counts.pair_tests
+  print(("contact, %s: %d touches, %d let go, %d broken; %.1f times fewer pair tests"):format(what, lazy.contacts.bound, lazy.contacts.released,
+    lazy:count { state = "broken" }, fewer))
+  equal(lazy.hash, full.hash, what .. ": hash")
+  expect(lazy.contacts.bound > 0 and lazy.contacts.released > 0, "contact, %s: %d touches, %d let go", what, lazy.contacts.bound, lazy.contacts.released)
+  if c.debris then expect(lazy:count { state = "broken" } > 0, "contact, %s: nothing breaks", what) end
+  expect(fewer >= c.saves, "contact, %s: only %.1f times fewer pair tests than with sleep = false", what, fewer)
+end
+
+-- Wakes when bodies come near, sleeps when they have parted.
+do
+  local run = completed(thrown { gap = 0.41 }:dynamic { dt = 1e-5, duration = 0.02, record = false }, "contact's wakings")
+  local woke, slept = waking(run, "contact", true), waking(run, "contact", false)
+  local touched = waking(run, "body", true)
+  expect(woke and woke.why:find "^2 bodies within [%d.]+ m: element %d of member %d.* and element %d of member 4 %(missile%)", "contact wakes: %s",
+    woke and woke.why)
+  expect(woke and touched and slept and woke.time > 0 and woke.time < touched.time and touched.time < slept.time, "contact wakes, touches and sleeps: %s, %s, %s s",
+    woke and woke.time, touched and touched.time, slept and slept.time)
+  local last
+  for _, w in ipairs(run.wakings) do
+    if w.effect == "contact" then
+      expect(w.awake ~= last, "contact: twice %s", w.awake and "awake" or "asleep")
+      last = w.awake
+    end
+  end
+end
+
+-- dt = "auto" --------------------------------------------------------------------------------------------------------------
+
+do
+  local duration = 0.1
+  local run = thrown { gap = 3 }:dynamic { dt = "auto", duration = duration, record = false }
+  local planned = run.planned_steps
+  local shortest = duration / planned
+  local last, bound, longest, touched = 0, 0, 0, nil
+  while run:step() do
+    local step = run.time - last
+    longest = math.max(longest, step)
+    if run.contacts.bound > bound then
+      touched = touched or run.time
+      expect(step < 1.001 * shortest, "auto: a touch began in a step of %g s at %g s", step, run.time)
+    end
+    last, bound = run.time, run.contacts.bound
+  end
+  equal(run.verdict, "completed", "auto: verdict " .. run.reason)
+  equal(run.time, duration, "auto: time at the end")
+  expect(longest > 7.9 * shortest and longest < 8.1 * shortest, "auto: the longest step is %g of the shortest", longest / shortest)
+  local woke, slept = waking(run, "long steps", true), waking(run, "long steps", false)
+  expect(woke and slept and touched and woke.time < slept.time and slept.time <= touched, "auto: long steps from %s to %s s, touched at %s s", woke and woke.time,
+    slept and slept.time, touched)
+
+  local fine = thrown { gap = 3 }:dynamic { dt = shortest / 4, duration = duration, record = false }
+  local fine_touched
+  while fine:step() do
+    if not fine_touched and fine.contacts.bound > 0 then fine_touched = fine.time end
+  end
+  local apart, remainder = difference(run, fine), math.abs(run.energy.remainder) / run.energy.initial
+  print(("auto: %d steps of %d planned, energies differ by %.3f %% from a quarter of the step, remainder %.4f %%, touched %.2f steps apart")
+    :format(run.index, planned, 100 * apart, 100 * remainder, math.abs(touched - fine_touched) / shortest))
+  expect(run.index < 0.7 * planned, "auto: %d steps of %d planned", run.index, planned)
+  expect(apart < 0.005, "auto: energies differ by %.3f %%", 100 * apart)
+  expect(remainder < 0.0002, "auto: remainder %.4f %%", 100 * remainder)
+  expect(math.abs(touched - fine_touched) < 2 * shortest, "auto: touched at %g s, with finer steps at %g s", touched, fine_touched)
+end
+
+-- Contact is on, and nothing is near: the flight is that of a rigid body.
+do
+  local model, _, low = thrown { gap = 50 }
+  local run = completed(model:dynamic { dt = "auto", duration = 0.1, record = false }, "flight")
+  local x, y, z, rx, ry, rz = run:displacement(low)
+  expect(math.abs(y - 6) < 1e-12 and x == 0 and z == 0 and rx == 0 and ry == 0 and rz == 0, "flight: displacement %g %g %g", x, y, z)
+  equal(run.energy.kinetic, run.energy.initial, "flight: kinetic energy")
+  equal(#run.wakings, 2, "flight: the frame sleeps, steps become long, and nothing else")
+end
+
+-- A cantilever that vibrates has no use for long steps.
+for _, displacement in ipairs { "small", "large" } do
+  local function cantilever(dt)
+    local model = hinge.model { displacement = displacement }
+    local last = model:node { 0, 0, 0 }
+    model:fix(last)
+    for i = 1, 4 do
+      local next = model:node { 0.5 * i, 0, 0 }
+      model:member { last, next, section = bar, material = elastic }
+      last = next
+    end
+    model:load { node = last, force = { 0, 0, -5000 } }
+    local run = model:dynamic { dt = dt, duration = 0.1, record = false }
+    local tip, planned = run:probe { node = last, "uz" }, run.planned_steps
+    return completed(run, "cantilever"), tip, planned
+  end
+  local run, tip, planned = cantilever "auto"
+  local _, even = cantilever(0.1 / planned)
+  local values, worst = even.value, 0
+  local value = tip.value
+  for i, t in ipairs(tip.time) do worst = math.max(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1])) end
+  print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing"):format(displacement, run.index, planned, #run.wakings,
+    worst / -even.min))
+  expect(even.min < -0.01, "cantilever: it swings to %g m", even.min)
+  expect(worst < -1e-3 * even.min, "cantilever, %s displacement: tip off by %g of its swing", displacement, worst / -even.min)
+  expect(#run.wakings < 20, "cantilever, %s displacement: the step changed %d times", displacement, #run.wakings)
+end
+
+-- The operator: kept while elements turn little; in single precision -----------------------------------------------------------
+
+-- An elastic corner that flies, turns and bends.
+local function corner(options)
+  local model = hinge.model {}
+  local a, b, c = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }, model:node { 1, 0, 1 }
+  local thin = hinge.section.solid { width = 0.05, depth = 0.05 }
+  model:member { a, b, section = thin, material = elastic, group = "corner" }
+  model:member { b, c, section = thin, material = elastic, group = "corner" }
+  model:velocity("corner", { 0, 3, 0 }, { 10, 20, 30 })
+  local run = model:dynamic(with({ dt = 1e-5, duration = 0.02, record = false }, options))
+  local tip = run:probe { node = c, "uz" }
+  return completed(run, "corner"), tip
+end
+
+for what, go in pairs { ["Case I"] = case_one, ["a corner that turns"] = corner } do
+  local usual, fresh, double = go {}, go { turn = 1e-9 }, go { precision = "double" }
+  local apart, fewer, rounding = difference(usual, fresh), fresh.counts.element_builds / usual.counts.element_builds, difference(usual, double)
+  print(("%s: with turn = 1e-9 energies differ by %.1e, %.0f times as many builds; in double precision by %.1e"):format(what, apart, fewer, rounding))
+  expect(apart < 1e-7, "%s: turn = 1e-9 changes the energies by %g", what, apart)
+  expect(fewer > 5, "%s: turn = 1e-9 builds only %.1f times as many elements", what, fewer)
+  expect(rounding < 1e-8, "%s: double precision changes the energies by %g", what, rounding)
+end
+do
+  local single, tip = corner {}
+  local double, exact = corner { precision = "double" }
+  expect(single.hash ~= double.hash, "precision = 'double' changes nothing")
+  local a, b, worst = tip.value, exact.value, 0
+  for i = 1, #a do worst = math.max(worst, math.abs(a[i] - b[i])) end
+  print(("a corner that turns: in double precision its tip differs by %.1e m"):format(worst))
+  expect(exact.max - exact.min > 0.1 and worst < 1e-6, "double precision: the tip differs by %g m, moving by %g m", worst, exact.max - exact.min)
+end
+checks.done()
