@@ -1,4 +1,4 @@
--- The program: exit statuses, what it says about wrong input, what a run leaves in its folder, how fast it starts.
+-- The program: exit statuses, what it says about wrong input, what a run leaves in its folder.
 --
 -- Run: lua5.4 tests/script/program_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -211,13 +211,5 @@ for _, name in ipairs { "frame.png", "upper_storeys.png" } do
 end
 equal(run(hinge .. " render " .. quote(path "impact")), 0, "render")
 expect(support.is_there(path "impact/frames/frame_00002.png"), "render draws the frames")
-
--- Start-up ------------------------------------------------------------------------------------------------------------
-
-for what, command in pairs { ["hinge --help"] = hinge .. " --help", ["a two-node script"] = hinge .. " run " .. two_nodes .. " --out " .. quote(path "quick") } do
-  local least = support.milliseconds(command, 20)
-  print(("%s: %.1f ms"):format(what, least))
-  expect(least < 50, "%s takes %.1f ms", what, least)
-end
 
 checks.done()
