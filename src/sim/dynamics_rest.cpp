@@ -9,6 +9,7 @@ namespace hinge {
 namespace {
 
 /// A body is at rest if what is out of balance in it is less than this part of what holds it: a static run leaves 1e-8 or so.
+/// Moments count as forces at the ends of its longest element.
 constexpr double balanced = 1e-6;
 
 /// Steps without anything to do after which an effect is said to sleep.
@@ -21,14 +22,21 @@ constexpr long quiet_steps = 100;
 void Dynamics::let_rest() {
     const Bodies bodies = find_bodies(*structure_, state_);
     std::vector<char> rests(bodies.count, 1);
-    std::vector<double> out(bodies.count, 0), holding(bodies.count, 0);
+    std::vector<double> out(bodies.count, 0), holding(bodies.count, 0), arm(bodies.count, 0);
+    for (std::size_t e = 0; e < structure_->elements().size(); ++e)
+        if (!state_.broken[e]) {
+            const Element& element = structure_->elements()[e];
+            double& longest = arm[bodies.of_node[element.node[0]]];
+            longest = std::max(longest, element.length);
+        }
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n) {
         const int b = bodies.of_node[n];
         if (b < 0) continue;
         if (!state_.velocity[n].isZero(0) || (!state_.hung.empty() && state_.hung[n].mass > 0)) rests[b] = 0;
-        out[b] += nodal_[n].head<3>().squaredNorm();
-        holding[b] += external_[n].head<3>().squaredNorm();
-        if (const auto r = reaction_.find(int(n)); r != reaction_.end()) holding[b] += r->second.head<3>().squaredNorm();
+        const auto size = [&](const Vec6& f) { return f.head<3>().squaredNorm() + f.tail<3>().squaredNorm() / (arm[b] * arm[b]); };
+        out[b] += size(nodal_[n]);
+        holding[b] += size(external_[n]);
+        if (const auto r = reaction_.find(int(n)); r != reaction_.end()) holding[b] += size(r->second);
     }
     for (const NodalLoad& load : structure_->model().loads())
         if (load.history && bodies.of_node[load.node] >= 0) rests[bodies.of_node[load.node]] = 0;

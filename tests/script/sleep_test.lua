@@ -147,6 +147,7 @@ for what, o in pairs {
   ["a load with a history"] = { static = true, declare = function(m, corners) m:load { node = corners[1], force = { 0, 0, 1 }, history = function() return 1 end } end },
   ["gravity, not brought to equilibrium"] = { gravity = true },
   ["a load, not brought to equilibrium"] = { declare = function(m, corners) m:load { node = corners[1], force = { 0, 10, 0 } } end },
+  ["a moment, not brought to equilibrium"] = { declare = function(m, corners) m:load { node = corners[1], moment = { 0, 10, 0 } } end },
   ["a frame under way"] = { declare = function(m, corners) m:velocity(corners[1], { 1e-6, 0, 0 }) end },
 } do
   for _, integrator in ipairs { "newmark", "explicit" } do
@@ -160,6 +161,17 @@ for what, o in pairs {
     expect(not waking(run, "body", false), "%s, %s: the frame is left at rest", what, integrator)
     if not o.static then expect(moved, "%s, %s: the frame does not move", what, integrator) end
   end
+end
+
+-- A frame whose only load is a moment rests once a static run has brought it to equilibrium.
+do
+  local model, corners = thrown { gap = 1, declare = function(m, at) m:load { node = at[1], moment = { 0, 1000, 0 } } end }
+  local loaded = completed(model:static { hold = "missile", record = false }, "a moment")
+  local start = { loaded:displacement(corners[1]) }
+  local run = completed(model:dynamic { from = loaded, dt = 5e-6, duration = 5e-4, record = false }, "a moment")
+  expect(waking(run, "body", false), "a moment in equilibrium: the frame does not rest")
+  for c, u in ipairs { run:displacement(corners[1]) } do equal(u, start[c], "a moment in equilibrium: displacement " .. c) end
+  expect(math.abs(start[5]) > 1e-5, "a moment in equilibrium: the corner has turned by %g", start[5])
 end
 
 -- Contact between looks ---------------------------------------------------------------------------------------------------
