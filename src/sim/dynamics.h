@@ -119,6 +119,7 @@ private:
     double jump_ = 0, motion_ = 0;               ///< of the last step: dt |da| / |v|; sum of m v^2
     bool over() const { return pace_.done >= pace_.whole; }
     void choose_step();
+    bool loads_change() const;
     void take_steps_of(long length);
     std::vector<Stage> stages_;
     Team team_;

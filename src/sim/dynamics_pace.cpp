@@ -2,8 +2,8 @@
 //
 // The shortest step lets an axial wave cross the shortest element in twelve; it is the step of an impact. In free flight, and
 // while nothing yields, breaks or touches, steps are eight times that, as long as the accelerations change little within one: where
-// something vibrates, they do not. A touch is foreseen: a long step in which one would
-// begin is not taken.
+// something vibrates, they do not. Touches and loads are foreseen: a long step in which a touch would begin, or a load changes, is
+// not taken.
 #include <algorithm>
 #include <cmath>
 
@@ -24,12 +24,23 @@ double Dynamics::shortest_step(const Structure& structure, double duration) {
     return duration / std::ceil(duration * std::max(12 * waves, crossing(structure, 1) / 0.9));
 }
 
+/// Whether a load of the script changes in the coming long step, looked at as often as the shortest steps would.
+bool Dynamics::loads_change() const {
+    for (const NodalLoad& load : structure_->model().loads()) {
+        if (!load.history || state_.gone[load.node]) continue;
+        const double now = load.history(state_.time);
+        for (int i = 1; i <= int(long_step); ++i)
+            if (load.history(state_.time + i * pace_.shortest) != now) return true;
+    }
+    return false;
+}
+
 void Dynamics::choose_step() {
     const double longer = long_step / double(pace_.length);  // da grows with dt: what a short step says of a long one
     const bool calm = !in_contact() && yielding_.empty() && !restart_ && jump_ * longer * longer <= jump_limit;
     pace_.calm = calm ? pace_.calm + 1 : 0;
     const bool fits = pace_.done + long_step <= pace_.whole;
-    take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) ? long_step : 1);
+    take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) && !loads_change() ? long_step : 1);
 }
 
 void Dynamics::take_steps_of(long length) {

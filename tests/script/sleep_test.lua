@@ -276,6 +276,29 @@ do
   equal(#run.wakings, 2, "flight: the frame sleeps, steps become long, and nothing else")
 end
 
+-- Something stands still, or flies, until a load comes: no long step is taken across its beginning or its end.
+for what, c in pairs { ["standing"] = { width = 1e-3 }, ["flying"] = { width = 1e-3, flies = true }, ["flying, a tap"] = { width = 2e-5, flies = true } } do
+  local function pushed(dt)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 0.5, 0, 0 }
+    local tip = model:node { 1, 0, 0 }
+    model:member { a, b, section = bar, material = elastic, group = "rod" }
+    model:member { b, tip, section = bar, material = elastic, group = "rod" }
+    if c.flies then model:velocity("rod", { 0, 10, 0 }) else model:fix(a) end
+    model:load { node = tip, force = { 0, 0, -5000 }, history = function(t) return t >= 0.01 and t < 0.01 + c.width and 1 or 0 end }
+    local run = model:dynamic { dt = dt, duration = 0.02, record = false }
+    local planned = run.planned_steps
+    return completed(run, what), select(3, run:displacement(tip)), planned
+  end
+  local run, z, planned = pushed "auto"
+  local even, wanted = pushed(0.02 / planned)
+  print(("a load comes, %s: %d steps of %d, work differs by %.1e, displacement by %.1e, of %g m"):format(what, run.index, planned,
+    run.energy.work / even.energy.work - 1, z / wanted - 1, wanted))
+  expect(run.index < 0.7 * planned, "a load comes, %s: %d steps of %d", what, run.index, planned)
+  expect(math.abs(run.energy.work / even.energy.work - 1) < 5e-3, "a load comes, %s: work %g J, in short steps %g J", what, run.energy.work, even.energy.work)
+  expect(math.abs(z / wanted - 1) < 2e-2, "a load comes, %s: the tip is at %g m, in short steps at %g m", what, z, wanted)
+end
+
 -- A cantilever that vibrates has no use for long steps.
 for _, displacement in ipairs { "small", "large" } do
   local function cantilever(dt)
