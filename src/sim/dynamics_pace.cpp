@@ -47,6 +47,7 @@ void Dynamics::take_steps_of(long length) {
     if (length == pace_.length) return;
     note_waking("long steps", length > 1, length > 1 ? "nothing yields, breaks or touches" : "back to the shortest");
     pace_.length = length;
+    if (length == 1) pace_.calm = 0;  // what ended the long steps is still ahead, or has just happened
     settings_.dt = pace_.shortest * double(length);
     operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
     for (int e = 0; e < int(state_.broken.size()); ++e)

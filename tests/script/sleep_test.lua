@@ -266,6 +266,15 @@ do
   expect(math.abs(touched - fine_touched) < 2 * shortest, "auto: touched at %g s, with finer steps at %g s", touched, fine_touched)
 end
 
+-- Before a touch the long steps end once, and are not tried again at every step up to it.
+for _, rule in ipairs { "surface", "gap" } do
+  local run, changes = thrown { gap = 3, contact = { rule = rule } }:dynamic { dt = "auto", duration = 0.06, record = false }, 0
+  while run.contacts.bound == 0 and run:step() do end
+  expect(run.contacts.bound > 0, "auto, %s: nothing touches", rule)
+  for _, w in ipairs(run.wakings) do changes = changes + (w.effect == "long steps" and 1 or 0) end
+  equal(changes, 2, "auto, " .. rule .. ": changes of step up to the first touch")
+end
+
 -- Contact is on, and nothing is near: the flight is that of a rigid body.
 do
   local model, _, low = thrown { gap = 50 }
