@@ -25,8 +25,9 @@ local function cantilever()
 end
 ]]
 
--- The whole process, from the shell to its end. What another process costs it only adds, so that the least counts; twenty
--- tries more if the machine was busy.
+-- The whole process, from the shell to its end, with its files on the disk (fsync). What other processes cost it only adds, so that
+-- the least counts; three times twenty tries more, seconds apart, while the machine looks busy. Seen: 4 ms, and 8 to 14 beside
+-- three compilers on two cores.
 local limit = 20 -- ms
 for what, command in pairs {
   ["hinge --help"] = hinge .. " --help",
@@ -34,7 +35,12 @@ for what, command in pairs {
 } do
   equal(support.run(command), 0, what .. ": status")
   local least = support.milliseconds(command, 10)
-  if least >= limit then least = math.min(least, support.milliseconds(command, 20)) end
+  for _ = 1, 3 do
+    if least >= limit then
+      support.run "sleep 2"
+      least = math.min(least, support.milliseconds(command, 20))
+    end
+  end
   print(("%s: %.1f ms"):format(what, least))
   expect(least < limit, "%s takes %.1f ms; at most %d", what, least, limit)
 end
