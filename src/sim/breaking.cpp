@@ -142,7 +142,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     return report;
 }
 
-double pass_on(State& state, const Mass& mass, std::vector<Vec6>& impulse) {
+double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
     for (std::size_t i = 0; i < impulse.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (state.held[i] >> c & 1) impulse[i][c] = 0;  // the support takes it
@@ -160,7 +160,7 @@ double pass_on(State& state, const Mass& mass, std::vector<Vec6>& impulse) {
 BreakReport break_element(const Structure& structure, State& state, int index, int end) {
     std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
     BreakReport report = break_off(structure, state, index, end, impulse);
-    const Mass mass(structure, state);
+    Mass mass(structure, state);
     report.kinetic += pass_on(state, mass, impulse);
     return report;
 }

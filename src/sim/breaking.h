@@ -21,7 +21,7 @@ BreakReport break_off(const Structure& structure, State& state, int element, int
 /// It keeps both momenta, and as a projection it cannot gain energy. (When the carrier's velocity alone was made to keep the
 /// momenta, debris with little inertia was flung about: 51 MJ out of nothing in one impact of 112 MJ.)
 /// Books and returns the kinetic energy that takes, J.
-double pass_on(State& state, const Mass& mass, std::vector<Vec6>& impulse);
+double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse);
 
 /// Both, for one element.
 BreakReport break_element(const Structure& structure, State& state, int element, int end);

@@ -30,7 +30,7 @@ Lanes second_three(const Lanes& row) {
 constexpr int some_nodes = 1024;
 
 /// Part of the elastic stiffness by which a plastic tangent may differ from the one in the operator.
-constexpr double same_tangent = 0.05;
+constexpr double same_tangent = 0.2;
 
 /// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
 bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {

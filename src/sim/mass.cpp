@@ -1,6 +1,7 @@
 #include "sim/mass.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -81,6 +82,12 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
         heavy_.push_back(h);
     }
     turn_stubs(state, pose);
+    if (!blocks_) return;
+    for (int index : elements) {
+        blocks_->parts.set(index, matrix(index));
+        for (int node : structure_.elements()[index].node) mark(node);
+    }
+    for (const Heavy& h : heavy_) blocks_->parts.set_hung(h.node, h.stubs), mark(h.node);
 }
 
 void Mass::turn_stubs(const State& state, const Pose& pose) {
@@ -121,13 +128,68 @@ void Mass::multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const {
     for (const Heavy& h : heavy_) y[h.node].noalias() += h.stubs.lazyProduct(x[h.node]);
 }
 
-void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) const {
-    const std::size_t n = impulse.size();
-    change.resize(n);
-    std::vector<Vec6> r = impulse;
-    hold(r, state);
-    if (structure_.lumped()) return by_node(r, change, state);
-    // conjugate gradients, each node's own block as preconditioner
+/// The element's part of M, 12 x 12 in space.
+Mat12 Mass::matrix(int element) const {
+    const Part& p = part_[element];
+    const Mat3 J = whole(p.rotary);
+    Mat12 M = Mat12::Zero();
+    for (int i : {0, 1})
+        for (int j : {0, 1}) {
+            const double share = i == j ? 2 : 1;
+            M.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(share * p.mass);
+            M.block<3, 3>(6 * i + 3, 6 * j + 3) = share * J;
+        }
+    return M;
+}
+
+void Mass::mark(int node) {
+    if (!blocks_->is_dirty[node]) blocks_->is_dirty[node] = 1, blocks_->dirty.push_back(node);
+}
+
+void Mass::keep_blocks(const State& state) {
+    const int nodes = int(inverse_.size());
+    blocks_.reset(new Blocks{Parts(structure_, false, true), Condensed<double>(structure_, alone_), {}, std::vector<char>(nodes, 0)});
+    for (std::size_t e = 0; e < part_.size(); ++e) blocks_->parts.set(int(e), matrix(int(e)));
+    for (const Heavy& h : heavy_) blocks_->parts.set_hung(h.node, h.stubs);
+    blocks_->parts.set_held(state.held);
+    for (int node = 0; node < nodes; ++node) mark(node);
+}
+
+/// Freedoms that are held since the last solution: of nodes that nothing is left of.
+void Mass::take_up_held(const State& state) {
+    const std::vector<std::uint8_t>& before = blocks_->parts.held();
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == state.held[i]) continue;
+        mark(int(i));
+        for (int e : structure_.elements_at(int(i)))
+            for (int node : structure_.elements()[e].node) mark(node);
+    }
+    blocks_->parts.set_held(state.held);
+}
+
+void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) {
+    change.resize(impulse.size());
+    std::vector<Vec6> right = impulse;
+    hold(right, state);
+    if (structure_.lumped()) return by_node(right, change, state);
+    if (!solved_) {
+        solved_ = true;
+        return solve_over_elements(std::move(right), change, state, tolerance);
+    }
+    if (!blocks_) keep_blocks(state);
+    take_up_held(state);
+    std::sort(blocks_->dirty.begin(), blocks_->dirty.end());
+    blocks_->condensed.renew(blocks_->dirty, blocks_->parts);
+    for (int node : blocks_->dirty) blocks_->is_dirty[node] = 0;
+    blocks_->dirty.clear();
+    SolverSettings sharp;
+    sharp.tolerance = tolerance;
+    blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
+}
+
+/// Conjugate gradients on products element by element, each node's own block as preconditioner.
+void Mass::solve_over_elements(std::vector<Vec6> r, std::vector<Vec6>& change, const State& state, double tolerance) const {
+    const std::size_t n = r.size();
     std::vector<Vec6> d(n), q(n);
     by_node(r, d, state);
     double rho = 0;

@@ -1,10 +1,13 @@
 // M by itself: what an impulse does to the nodes. Needed whenever forces begin or end at once, and in every explicit step.
 //
-// Consistent (paper, after eq 15): never put together; a product goes over the elements, and conjugate gradients need ten or so
-// of them. Lumped: half of each element on each of its nodes, the rotary inertia the section's polar one about every axis, so
+// Consistent (paper, after eq 15): the first solution, a run's start, goes over the elements and puts nothing together; a run that
+// needs more keeps M by blocks (parts.h) and solves on its joints (condensed.h). Lumped: half of each element on each of its nodes, the rotary inertia the section's polar one about every axis, so
 // that a node's spin needs no frame and no gyroscopic moment.
 #pragma once
 
+#include <memory>
+
+#include "sim/condensed.h"
 #include "sim/sweep.h"
 
 namespace hinge {
@@ -20,7 +23,7 @@ public:
     void turn_stubs(const State& state, const Pose& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the residual,
     /// relative; lumped masses need none.
-    void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) const;
+    void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
 
     /// Of a node without stubs: 1/kg, and the inverse of its rotary inertia, 1/(kg m^2); zero where no element is left.
     struct Inverse { double mass = 0; Mat3 rotary = Mat3::Zero(); };
@@ -33,6 +36,11 @@ public:
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
 private:
+    Mat12 matrix(int element) const;
+    void keep_blocks(const State& state);
+    void take_up_held(const State& state);
+    void mark(int node);
+    void solve_over_elements(std::vector<Vec6> r, std::vector<Vec6>& change, const State& state, double tolerance) const;
     void multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const;
     void by_node(const std::vector<Vec6>& r, std::vector<Vec6>& z, const State& state) const;
 
@@ -41,6 +49,10 @@ private:
     std::vector<Part> part_;                                    ///< consistent, of each element
     std::vector<Inverse> inverse_;                              ///< lumped: M^-1; consistent: of its blocks on the diagonal
     std::vector<Vec6> lumped_inverse_;
+    struct Blocks { Parts parts; Condensed<double> condensed; std::vector<int> dirty; std::vector<char> is_dirty; };
+    Team alone_;
+    std::unique_ptr<Blocks> blocks_;
+    bool solved_ = false;
     std::vector<Heavy> heavy_;                                  ///< in order of their nodes
 };
 
