@@ -159,6 +159,7 @@ function model:contact(rule) end
 ---@field release? "parting"|"time" gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is let go
 ---@field reach? number gap: C_l of eq 18, default 1.8
 ---@field flatness? number gap: alpha of eq 19, default 3e-4 m^3
+---@field sleep? boolean default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at several times the cost
 ---@field letter? boolean gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other; release is then "time"
 
 ---A group that members were put into by name.
@@ -174,8 +175,9 @@ function model:counts() end
 ---@return hinge.run
 function model:static(options) end
 
----A dynamic run by Newmark's beta method (eq 15), without damping.
----@param options { dt: number, duration: number, beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, predictor?: "auto"|"acceleration"|"displacement", geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer|false } dt, duration s; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 is the paper's one solve a step, more is Newton until the correction is below tolerance (default 1e-10) of the step's first, 0 (default) is one solve, or Newton where hinges form in steps longer than the fastest vibration allows for one; predictor: where a step is solved from, the acceleration held or the displacement held (eq 15 to the letter); auto: the first while dt is shorter than an axial wave needs for the shortest element; geometric: initial stress in the operator, default true; turn: an element's part of the operator is rebuilt when it has turned by this, default 0.01 rad; solver_tolerance: of the residual, default 1e-8; record: steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
+---A dynamic run, without damping: by Newmark's beta method (eq 15), or explicit, by central differences with lumped masses (half
+---of each element on each of its nodes, the rotary inertia the section's polar one).
+---@param options { dt: number|"auto", duration: number, integrator?: "newmark"|"explicit", rest?: boolean, threads?: integer, precision?: "single"|"double", beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, predictor?: "auto"|"acceleration"|"displacement", geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer|false } dt, duration s; dt = "auto", newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change; explicit: 0.9 of what stability allows, 0.7 with contact (a number above it is an error that names the element); integrator default newmark; explicit solves nothing and takes none of beta, iterations, tolerance, predictor, geometric, turn, solver, precision; rest: bodies in equilibrium that do not move are left alone until something reaches them, default true; threads: how many share a step's work, default 1, the same bits for any number; precision: of the operator's blocks, default single (half the memory; 2e-10 of the energy in Case I), double where steps are longer than the fastest waves need; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 is the paper's one solve a step, more is Newton until the correction is below tolerance (default 1e-10) of the step's first, 0 (default) is one solve, or Newton where hinges form in steps longer than the fastest vibration allows for one; predictor: where a step is solved from, the acceleration held or the displacement held (eq 15 to the letter); auto: the first while dt is shorter than an axial wave needs for the shortest element; geometric: initial stress in the operator, default true; turn: an element's part of the operator is rebuilt when it has turned by this, default 0.01 rad; solver_tolerance: of the residual, default 1e-8; record: steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
 ---@return hinge.run
 function model:dynamic(options) end
 
@@ -196,7 +198,8 @@ function model:dynamic(options) end
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
----@field counts { element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer } work done by the solver
+---@field counts { element_updates: integer, element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer, pair_tests: integer, pair_lists: integer } work done: elements whose forces were recovered, elements whose stiffness was built, systems solved, pairs of members looked at closely, lists of near pairs made
+---@field wakings { time: number, effect: string, awake: boolean, why: string }[] what woke because it had something to do, or went to sleep; the first thousand
 local run = {}
 
 ---The energy ledger, J (eq 20 and what it leaves out). remainder = initial + work - all the others: the numerical error.

@@ -338,25 +338,25 @@ void Dynamics::correct() {
             for (Vec6& c : change_) c *= damping_;
     }
     const bool by_spin = from_rest_ && structure_->large();
+    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
+        for (std::size_t i = 0; i < change_.size(); ++i) {
+            const Vec3 before = increment_[i];
+            trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
+            increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
+            change_[i].tail<3>() = (increment_[i] - before) / to_u;
+        }
     const double size = team_.sum(int(change_.size()), some_nodes, [&](int first, int end) {
-        double sum = 0;
+        Lanes sum{};
         for (int i = first; i < end; ++i) {
-            if (by_spin) {
-                // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
-                const Vec3 before = increment_[i];
-                trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
-                increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
-                change_[i].tail<3>() = (increment_[i] - before) / to_u;
-            } else {
-                increment_[i] += to_u * change_[i].tail<3>();
-            }
-            trial_.acceleration[i] += change_[i];
-            trial_.velocity[i] += to_v * change_[i];
-            trial_.displacement[i] += to_u * change_[i].head<3>();
-            sum += change_[i].head<3>().squaredNorm();
+            const Lanes change = load_row<6>(change_[i].data());
+            store_row<6>(trial_.acceleration[i].data(), load_row<6>(trial_.acceleration[i].data()) + change);
+            store_row<6>(trial_.velocity[i].data(), load_row<6>(trial_.velocity[i].data()) + to_v * change);
+            store_row<3>(trial_.displacement[i].data(), load_row<3>(trial_.displacement[i].data()) + to_u * change);
+            if (!by_spin) store_row<3>(increment_[i].data(), load_row<3>(increment_[i].data()) + to_u * second_three(change));
+            sum += change * change;
         }
         if (!by_spin) move_to_increment(first, end);
-        return sum;
+        return sum[0] + sum[1] + sum[2];
     });
     if (settings_.automatic) {
         double jump = 0;
