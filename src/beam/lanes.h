@@ -105,7 +105,11 @@ inline void put(double* to, const int* index, int stride, const Lanes& v) {
 /// The first n of the numbers at p, zeros behind them; and back.
 template <int n>
 inline Lanes load_row(const double* p) {
-#ifdef __AVX512F__
+#ifdef __AVX512F__  // no wider than it must be: an access that crosses from one cache line to the next counts twice
+    if constexpr (n == 3) return reinterpret_cast<Lanes>(_mm512_zextpd256_pd512(_mm256_maskz_loadu_pd(7, p)));
+    if constexpr (n == 4) return reinterpret_cast<Lanes>(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)));
+    if constexpr (n == 6)
+        return reinterpret_cast<Lanes>(_mm512_insertf64x4(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)), _mm256_zextpd128_pd256(_mm_loadu_pd(p + 4)), 1));
     return reinterpret_cast<Lanes>(_mm512_maskz_loadu_pd((1 << n) - 1, p));
 #else
     Lanes v{};
@@ -116,7 +120,11 @@ inline Lanes load_row(const double* p) {
 template <int n>
 inline void store_row(double* p, const Lanes& v) {
 #ifdef __AVX512F__
-    _mm512_mask_storeu_pd(p, (1 << n) - 1, reinterpret_cast<__m512d>(v));
+    const __m512d w = reinterpret_cast<__m512d>(v);
+    if constexpr (n == 4) return _mm256_storeu_pd(p, _mm512_castpd512_pd256(w));
+    if constexpr (n == 6) return _mm256_storeu_pd(p, _mm512_castpd512_pd256(w)), _mm_storeu_pd(p + 4, _mm256_castpd256_pd128(_mm512_extractf64x4_pd(w, 1)));
+    if constexpr (n == 3) return _mm_storeu_pd(p, _mm512_castpd512_pd128(w)), _mm_store_sd(p + 2, _mm256_extractf128_pd(_mm512_castpd512_pd256(w), 1));
+    _mm512_mask_storeu_pd(p, (1 << n) - 1, w);
 #else
     for (int i = 0; i < n; ++i) p[i] = v[i];
 #endif

@@ -18,6 +18,7 @@ public:
     Mass(const Structure& structure, const State& state);
 
     /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing but as stubs.
+    /// Before the first call of it a solution takes the elements where `state` has them.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
     /// Stubs alone: where `pose` has turned them.
     void turn_stubs(const State& state, const Pose& pose);
@@ -25,35 +26,25 @@ public:
     /// relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
 
-    /// Of a node without stubs: 1/kg, and the inverse of its rotary inertia, 1/(kg m^2); zero where no element is left.
-    struct Inverse { double mass = 0; Mat3 rotary = Mat3::Zero(); };
-    const std::vector<Inverse>& inverse() const { return inverse_; }
-    /// Lumped: the same, a number for each freedom, zero where it is held.
+    /// Lumped: of each node's elements, a number for each freedom, 1/kg and 1/(kg m^2); zero where it is held or nothing is left.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space. The
+    /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space. The
     /// inverse is of the freedoms that are not held; one for those that are.
     struct Heavy { int node; Mat6 elements, stubs, inverse; };
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
 private:
-    Mat12 matrix(int element) const;
+    void renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose);
     void keep_blocks(const State& state);
     void take_up_held(const State& state);
     void mark(int node);
-    void solve_over_elements(std::vector<Vec6> r, std::vector<Vec6>& change, const State& state, double tolerance) const;
-    void multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const;
-    void by_node(const std::vector<Vec6>& r, std::vector<Vec6>& z, const State& state) const;
 
     const Structure& structure_;
-    struct Part { double mass = 0; double rotary[6] = {}; };    ///< kg and kg m^2: of rho A L/6 and rho I L/6 (xx xy xz yy yz zz), in space
-    std::vector<Part> part_;                                    ///< consistent, of each element
-    std::vector<Inverse> inverse_;                              ///< lumped: M^-1; consistent: of its blocks on the diagonal
     std::vector<Vec6> lumped_inverse_;
+    std::vector<Heavy> heavy_;                                  ///< in order of their nodes
     struct Blocks { Parts parts; Condensed<double> condensed; std::vector<int> dirty; std::vector<char> is_dirty; };
     Team alone_;
-    std::unique_ptr<Blocks> blocks_;
-    bool solved_ = false;
-    std::vector<Heavy> heavy_;                                  ///< in order of their nodes
+    std::unique_ptr<Blocks> blocks_;                            ///< consistent, from the first renew on
 };
 
 }  // namespace hinge
