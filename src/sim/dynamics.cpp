@@ -550,6 +550,11 @@ std::vector<StageTime> Dynamics::stage_times() const {
 
 std::vector<Effect> Dynamics::effects() const {
     std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
+    char how[120];
+    std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * pace_.shortest);
+    list.front().because = how;
+    for (Effect& e : list)
+        if (explicit_steps() && e.active && e.name == "geometric stiffness") e.active = false, e.because = "explicit steps form no stiffness; the forces have it";
     for (Effect& e : list)
         for (const Stage& s : stages_)
             if (e.name == s.effect) e.seconds += s.seconds;
