@@ -3,31 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
-#include "beam/lanes.h"
 #include "beam/mass.h"
-#include "core/errors.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
+#include "sim/nodes.h"
 #include "sim/turning.h"
 
 namespace hinge {
-
-using beam::Lanes;
-using beam::load_row;
-using beam::store_row;
-
 namespace {
-
-/// Numbers 3 to 5 of a row, in front.
-Lanes second_three(const Lanes& row) {
-    constexpr long __attribute__((vector_size(64))) from = {3, 4, 5, 6, 7, 0, 1, 2};
-    return __builtin_shuffle(row, from);
-}
-
-/// Nodes that one thread takes at a time; a multiple of eight.
-constexpr int some_nodes = 1024;
 
 /// Part of the elastic stiffness by which a plastic tangent may differ from the one in the operator.
 constexpr double same_tangent = 0.2;
@@ -51,101 +35,6 @@ Mat3 frame_of(const beam::Placement<double>& p) {
 }
 
 }  // namespace
-
-double Dynamics::crossing(const Structure& structure, double dt) {
-    double most = 0;
-    for (const Element& e : structure.elements()) {
-        const beam::Rigidity& c = e.rigidity;
-        most = std::max(most, dt * std::sqrt(c.EA / c.rhoA) / e.length);
-        if (!e.yield.elastic()) most = std::max(most, dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
-    }
-    return most;
-}
-
-Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
-    : Run(std::move(structure), std::move(start)), settings_(settings),
-      pace_{settings.dt, std::llround(settings.duration / settings.dt)}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
-    if (explicit_steps() != structure_->lumped())
-        throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
-    from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
-    if (!explicit_steps())
-        operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),
-                                               settings.solver.direct ? Keeping::direct : settings.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
-    const Model& model = structure_->model();
-    const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
-    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
-    if (!model.contact()) state_.contact.reset();
-
-    stages_.push_back({"loads", "loads", &Dynamics::loads});
-    if (with_contact()) stages_.push_back({"contact", "contact", &Dynamics::contact});
-    if (with_contact() || with_fracture()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
-    stages_.push_back({"predict", "inertia", &Dynamics::predict});
-    stages_.push_back({"recover stresses", "large displacement", &Dynamics::recover});
-    if (explicit_steps()) {
-        stages_.push_back({"accelerate", "inertia", &Dynamics::accelerate});
-    } else {
-        if (can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
-        stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
-        stages_.push_back({"solve", "inertia", &Dynamics::solve});
-        stages_.push_back({"correct", "inertia", &Dynamics::correct});
-    }
-    if (with_contact()) stages_.push_back({"part", "contact", &Dynamics::part});
-    if (with_fracture()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
-    stages_.push_back({"commit", "inertia", &Dynamics::commit});
-
-    pace_.start = state_.time;
-    trial_ = pose_of(state_);
-    increment_.assign(nodes, Vec3::Zero());
-    for (auto* v : {&external_, &nodal_, &change_}) v->assign(nodes, Vec6::Zero());
-    force_ = state_.force;
-    in_rebuild_.assign(elements, 0);
-    if (model.gravity())
-        for (std::size_t i = 0; i < elements; ++i) {
-            const Element& e = structure_->elements()[i];
-            if (!state_.broken[i])
-                for (int n : e.node) external_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
-        }
-    std::vector<int> place(nodes, -1);
-    for (const NodalLoad& load : model.loads()) {
-        if (place[load.node] < 0) place[load.node] = int(loaded_.size()), loaded_.push_back({load.node, external_[load.node]});
-        load_at_.push_back(place[load.node]);
-    }
-    for (std::size_t i = 0; i < nodes; ++i)
-        if (state_.held[i]) held_nodes_.push_back(int(i));
-    lumped_mass_.assign(nodes, 0);
-    for (const Element& e : structure_->elements())
-        for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
-    if (settings_.iterations == 0) {
-        const bool newton = from_rest_ && can_yield();
-        settings_.iterations = newton ? 30 : 1;
-        if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
-    }
-    sweep_.take_up(state_);
-    if (operator_) {
-        if (structure_->large()) sweep_.watch_turning(settings_.turn);
-        operator_->set_held(state_.held);
-    }
-    for (std::size_t i = 0; i < elements; ++i) {
-        if (!state_.broken[i]) wants_rebuild(int(i));
-        const Element& e = structure_->elements()[i];
-        if (e.fracture < 0) continue;
-        const FractureRule& rule = model.fracture()[e.fracture];
-        const auto limit = [](double w, double rigidity) { return w > 0 ? 1 / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
-        if (e.yield.elastic() || rule.curvature_x <= limit(e.yield.x, e.rigidity.EIx) || rule.curvature_y <= limit(e.yield.y, e.rigidity.EIy) ||
-            rule.axial_strain <= limit(e.yield.n, e.rigidity.EA))
-            fracture_candidates_.push_back(int(i));
-    }
-    if (!state_.hung.empty())
-        for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
-    for (std::size_t i = 0; i < elements; ++i) {
-        if (state_.hinge[i]) flowing_.push_back(int(i));
-        if (state_.yielded[i]) ever_yielded_.push_back(int(i));
-    }
-    find_acceleration();
-    for (Loaded& l : loaded_) l.before = l.now;
-    if (settings_.rest) let_rest();
-    if (!explicit_steps() && !with_contact() && !with_fracture()) mass_.reset();  // nothing can vanish at once
-}
 
 bool Dynamics::advance() {
     if (verdict_ != Verdict::running) return false;
@@ -375,47 +264,6 @@ void Dynamics::correct() {
                    std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
 }
 
-/// Explicit: a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
-void Dynamics::accelerate() {
-    const double half = 0.5 * settings_.dt;
-    const std::vector<Vec6>& inverse = mass_->lumped_inverse();
-    const auto move = [&](int i, const Lanes& a, Fastest& most) {
-        const Lanes v = load_row<6>(state_.velocity[i].data()) + half * (load_row<6>(state_.acceleration[i].data()) + a);
-        store_row<6>(trial_.acceleration[i].data(), a);
-        store_row<6>(trial_.velocity[i].data(), v);
-        if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};
-    };
-    const int nodes = int(nodal_.size());
-    fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
-    const double check = team_.sum(nodes, some_nodes, [&](int first, int end) {
-        Lanes sum{};
-        for (int i = first; i < end; ++i) {
-            const Lanes f = load_row<6>(external_[i].data()) - load_row<6>(nodal_[i].data());
-            sum += f;
-            move(i, load_row<6>(inverse[i].data()) * f, fastest_of_[first / some_nodes]);
-        }
-        return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
-    });
-    if (!std::isfinite(check)) {
-        failure_ = name_the_culprit();
-        return;
-    }
-    for (int n : held_nodes_) {
-        Vec6& r = reaction_[n];
-        r.setZero();
-        for (int c = 0; c < 6; ++c)
-            if (state_.held[n] >> c & 1) r[c] = nodal_[n][c] - external_[n][c];
-    }
-    if (!mass_->heavy().empty()) mass_->turn_stubs(state_, trial_);
-    for (const Mass::Heavy& h : mass_->heavy()) {
-        Vec6 a = h.inverse * (external_[h.node] - nodal_[h.node]);
-        for (int c = 0; c < 6; ++c)
-            if (state_.held[h.node] >> c & 1) a[c] = 0;
-        move(h.node, load_row<6>(a.data()), fastest_of_.back());
-    }
-    note_fastest();
-}
-
 /// What was tried becomes the state.
 void Dynamics::commit() {
     for (Loaded& l : loaded_) {
@@ -540,25 +388,6 @@ std::string Dynamics::name_the_culprit() const {
     for (std::size_t i = 0; i < nodal_.size(); ++i)
         if (nodal_[i].cwiseAbs().maxCoeff() > nodal_[most].cwiseAbs().maxCoeff()) most = i;
     return "the forces at " + structure_->node_name(int(most)) + " grow without bound";
-}
-
-std::vector<StageTime> Dynamics::stage_times() const {
-    std::vector<StageTime> times;
-    for (const Stage& s : stages_) times.push_back({s.name, s.seconds});
-    return times;
-}
-
-std::vector<Effect> Dynamics::effects() const {
-    std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
-    char how[120];
-    std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * pace_.shortest);
-    list.front().because = how;
-    for (Effect& e : list)
-        if (explicit_steps() && e.active && e.name == "geometric stiffness") e.active = false, e.because = "explicit steps form no stiffness; the forces have it";
-    for (Effect& e : list)
-        for (const Stage& s : stages_)
-            if (e.name == s.effect) e.seconds += s.seconds;
-    return list;
 }
 
 }  // namespace hinge

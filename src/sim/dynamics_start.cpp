@@ -1,0 +1,125 @@
+// Dynamics, how a run begins: which stages a step has, what is where, the first acceleration; and what it says of itself.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.h"
+#include "sim/dynamics.h"
+
+namespace hinge {
+
+double Dynamics::crossing(const Structure& structure, double dt) {
+    double most = 0;
+    for (const Element& e : structure.elements()) {
+        const beam::Rigidity& c = e.rigidity;
+        most = std::max(most, dt * std::sqrt(c.EA / c.rhoA) / e.length);
+        if (!e.yield.elastic()) most = std::max(most, dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
+    }
+    return most;
+}
+
+Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
+    : Run(std::move(structure), std::move(start)), settings_(settings),
+      pace_{settings.dt, std::llround(settings.duration / settings.dt)}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+    if (explicit_steps() != structure_->lumped())
+        throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
+    from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
+    if (!explicit_steps())
+        operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),
+                                               settings.solver.direct ? Keeping::direct : settings.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
+    const Model& model = structure_->model();
+    const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
+    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
+    if (!model.contact()) state_.contact.reset();
+
+    stages_.push_back({"loads", "loads", &Dynamics::loads});
+    if (with_contact()) stages_.push_back({"contact", "contact", &Dynamics::contact});
+    if (with_contact() || with_fracture()) stages_.push_back({"restart", "fracture", &Dynamics::restart});
+    stages_.push_back({"predict", "inertia", &Dynamics::predict});
+    stages_.push_back({"recover stresses", "large displacement", &Dynamics::recover});
+    if (explicit_steps()) {
+        stages_.push_back({"accelerate", "inertia", &Dynamics::accelerate});
+    } else {
+        if (can_yield()) stages_.push_back({"yield", "plasticity", &Dynamics::yield});
+        stages_.push_back({"operator", "inertia", &Dynamics::renew_operator});
+        stages_.push_back({"solve", "inertia", &Dynamics::solve});
+        stages_.push_back({"correct", "inertia", &Dynamics::correct});
+    }
+    if (with_contact()) stages_.push_back({"part", "contact", &Dynamics::part});
+    if (with_fracture()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
+    stages_.push_back({"commit", "inertia", &Dynamics::commit});
+
+    pace_.start = state_.time;
+    trial_ = pose_of(state_);
+    increment_.assign(nodes, Vec3::Zero());
+    for (auto* v : {&external_, &nodal_, &change_}) v->assign(nodes, Vec6::Zero());
+    force_ = state_.force;
+    in_rebuild_.assign(elements, 0);
+    if (model.gravity())
+        for (std::size_t i = 0; i < elements; ++i) {
+            const Element& e = structure_->elements()[i];
+            if (!state_.broken[i])
+                for (int n : e.node) external_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
+        }
+    std::vector<int> place(nodes, -1);
+    for (const NodalLoad& load : model.loads()) {
+        if (place[load.node] < 0) place[load.node] = int(loaded_.size()), loaded_.push_back({load.node, external_[load.node]});
+        load_at_.push_back(place[load.node]);
+    }
+    for (std::size_t i = 0; i < nodes; ++i)
+        if (state_.held[i]) held_nodes_.push_back(int(i));
+    lumped_mass_.assign(nodes, 0);
+    for (const Element& e : structure_->elements())
+        for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
+    if (settings_.iterations == 0) {
+        const bool newton = from_rest_ && can_yield();
+        settings_.iterations = newton ? 30 : 1;
+        if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
+    }
+    sweep_.take_up(state_);
+    if (operator_) {
+        if (structure_->large()) sweep_.watch_turning(settings_.turn);
+        operator_->set_held(state_.held);
+    }
+    for (std::size_t i = 0; i < elements; ++i) {
+        if (!state_.broken[i]) wants_rebuild(int(i));
+        const Element& e = structure_->elements()[i];
+        if (e.fracture < 0) continue;
+        const FractureRule& rule = model.fracture()[e.fracture];
+        const auto limit = [](double w, double rigidity) { return w > 0 ? 1 / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
+        if (e.yield.elastic() || rule.curvature_x <= limit(e.yield.x, e.rigidity.EIx) || rule.curvature_y <= limit(e.yield.y, e.rigidity.EIy) ||
+            rule.axial_strain <= limit(e.yield.n, e.rigidity.EA))
+            fracture_candidates_.push_back(int(i));
+    }
+    if (!state_.hung.empty())
+        for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
+    for (std::size_t i = 0; i < elements; ++i) {
+        if (state_.hinge[i]) flowing_.push_back(int(i));
+        if (state_.yielded[i]) ever_yielded_.push_back(int(i));
+    }
+    find_acceleration();
+    for (Loaded& l : loaded_) l.before = l.now;
+    if (settings_.rest) let_rest();
+    if (!explicit_steps() && !with_contact() && !with_fracture()) mass_.reset();  // nothing can vanish at once
+}
+
+std::vector<StageTime> Dynamics::stage_times() const {
+    std::vector<StageTime> times;
+    for (const Stage& s : stages_) times.push_back({s.name, s.seconds});
+    return times;
+}
+
+std::vector<Effect> Dynamics::effects() const {
+    std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
+    char how[120];
+    std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * pace_.shortest);
+    list.front().because = how;
+    for (Effect& e : list)
+        if (explicit_steps() && e.active && e.name == "geometric stiffness") e.active = false, e.because = "explicit steps form no stiffness; the forces have it";
+    for (Effect& e : list)
+        for (const Stage& s : stages_)
+            if (e.name == s.effect) e.seconds += s.seconds;
+    return list;
+}
+
+}  // namespace hinge

@@ -1,0 +1,21 @@
+// Loops over nodes: how they are shared out, and a node's six numbers as one vector.
+#pragma once
+
+#include "beam/lanes.h"
+
+namespace hinge {
+
+using beam::Lanes;
+using beam::load_row;
+using beam::store_row;
+
+/// Nodes that one thread takes at a time; a multiple of eight.
+inline constexpr int some_nodes = 1024;
+
+/// Numbers 3 to 5 of a row, in front.
+inline Lanes second_three(const Lanes& row) {
+    constexpr long __attribute__((vector_size(64))) from = {3, 4, 5, 6, 7, 0, 1, 2};
+    return __builtin_shuffle(row, from);
+}
+
+}  // namespace hinge
