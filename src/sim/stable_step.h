@@ -10,8 +10,13 @@ namespace hinge {
 struct StableStep { double dt; int element; };
 StableStep stable_step(const Structure& structure);
 
-/// The part of it that a run takes of itself: room for what contact adds (a touch is as stiff as its softer element, which takes
-/// a node's frequency up by the root of 3/2) and for large rotations.
-inline double usual_step(const StableStep& limit, bool contact) { return (contact ? 0.7 : 0.9) * limit.dt; }
+/// The part of it that a run takes of itself: room for large rotations and for what contact adds. A touch is as stiff as its softer
+/// element, which takes a node's frequency up by the root of 3/2; gap elements are four springs of half an element's length each,
+/// which take it up three times (Case I of the ten-storey impact holds its energy to 0.1 % at 0.22 of the limit, to 0.35 % at 0.37,
+/// and not at all at 0.7).
+inline double usual_step(const StableStep& limit, const Model& model) {
+    if (!model.contact()) return 0.9 * limit.dt;
+    return (model.contact()->settings.rule == contact::ContactRuleKind::gap ? 0.22 : 0.7) * limit.dt;
+}
 
 }  // namespace hinge

@@ -154,25 +154,42 @@ local function frame(elements, o)
   local built = os.clock() - start
   local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-5, duration = 1, record = false, integrator = o.integrator, threads = o.threads }
   for _ = 1, 3 do run:step() end -- the first one touches all memory
-  local count, steps = model:counts().elements, math.max(5, math.floor(3e5 / elements))
+  local count, steps = model:counts().elements, math.max(25, math.floor(3e5 / elements))
   local least, per_batch = math.huge, math.max(1, steps // 5)
   for _ = 1, 5 do
     local from = run.wall_seconds
     for _ = 1, per_batch do run:step() end
     least = math.min(least, (run.wall_seconds - from) / per_batch)
   end
-  local kB = ((memory "VmRSS" or 0) - before) / count
+  local kB = ((memory "VmHWM" or 0) - before) / count
   local product = o.integrator == "explicit" and 0 or core.time_product(run, 3)
   return { elements = count, ns = 1e9 * least / count, products = product > 0 and least / product or 0, product_ns = 1e9 * product / count, built = built,
     kB = kB, remainder = math.abs(remainder(run)), hash = run.hash }
 end
 
+local kinds = { elastic = {}, impact = { impact = true }, explicit = { integrator = "explicit" } }
+local fields = { "elements", "ns", "products", "product_ns", "built", "kB", "remainder" }
+
+-- The same in a process of its own, whose memory is this frame's alone.
+local function alone(kind, size)
+  local script = debug.getinfo(1, "S").source:match "^@(.*)"
+  local pipe = assert(io.popen(("exe=$(readlink /proc/$PPID/exe); \"$exe\" run '%s' one=%s size=%d 2>/dev/null"):format(script, kind, size)))
+  local line = pipe:read("a"):match "frame: ([^\n]*)"
+  pipe:close()
+  local f, i = {}, 0
+  for word in assert(line, "the frame of " .. size .. " elements gave no result"):gmatch "%S+" do
+    i = i + 1
+    f[fields[i]] = tonumber(word)
+  end
+  return f
+end
+
 local function growth(job, p)
   local rows, series = {}, {}
-  for _, kind in ipairs { { "elastic", {} }, { "impact", { impact = true } }, { "explicit", { integrator = "explicit" } } } do
+  for _, kind in ipairs { { "elastic" }, { "impact" }, { "explicit" } } do
     local x, y, size = {}, {}, 1000
     while size <= (p.quick and 3000 or p.largest) do
-      local f = frame(size, kind[2])
+      local f = alone(kind[1], size)
       rows[#rows + 1] = { kind[1], f.elements, text("%.0f", f.ns), f.products > 0 and text("%.1f", f.products) or "", f.products > 0 and text("%.0f", f.product_ns) or "",
         text("%.2f", f.built), text("%.2f", f.kB), text("%.1e", f.remainder) }
       x[#x + 1], y[#y + 1] = f.elements, f.ns
@@ -180,7 +197,7 @@ local function growth(job, p)
     end
     series[#series + 1] = { x = x, y = y, name = kind[1] }
   end
-  show(job, "growth", "Frames of growing size, moving: a step", { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element", "remainder" }, rows)
+  show(job, "growth", "Frames of growing size, moving: a step", { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element, peak", "remainder" }, rows)
   job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true, series = series }, "growth.png")
   return rows
 end
@@ -200,8 +217,14 @@ local function threads(job, quick)
 end
 
 return hinge.scenario {
-  parameters = { duration = 0.1, largest = 100000, quick = false, build = "" },
+  parameters = { duration = 0.25, largest = 100000, quick = false, build = "", one = "", size = 1000 },
   run = function(p, job)
+    if p.one ~= "" then -- called by `alone`
+      local f, words = frame(p.size, kinds[p.one]), {}
+      for i, name in ipairs(fields) do words[i] = text("%.9g", f[name]) end
+      print("frame: " .. table.concat(words, " "))
+      return {}
+    end
     assert(os.execute("mkdir -p '" .. job.out:gsub("'", "'\\''") .. "'"))
     local length = p.quick and 0.02 or p.duration
     local result = { case = stages(job, "case", "Case I", (case_one { duration = length })) }
