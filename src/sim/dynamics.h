@@ -98,6 +98,7 @@ private:
     void add_missed(const std::vector<Vec6>& impulse, double work);
     double give_back(const contact::LetGo& bond);
     void list_bars();
+    void begin_operator();
     void wants_rebuild(int element);
     void move_to_increment(int first, int end);
     void note_fastest();

@@ -24,9 +24,6 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
-    if (!explicit_steps())
-        operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings.beta * settings.dt * settings.dt, settings.geometric && structure_->large(),
-                                               settings.solver.direct ? Keeping::direct : settings.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
     if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
@@ -77,12 +74,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
     }
     sweep_.take_up(state_);
-    if (operator_) {
-        if (structure_->large()) sweep_.watch_turning(settings_.turn);
-        operator_->set_held(state_.held);
-    }
     for (std::size_t i = 0; i < elements; ++i) {
-        if (!state_.broken[i]) wants_rebuild(int(i));
         const Element& e = structure_->elements()[i];
         if (e.fracture < 0) continue;
         const FractureRule& rule = model.fracture()[e.fracture];
@@ -91,16 +83,27 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
             rule.axial_strain <= limit(e.yield.n, e.rigidity.EA))
             fracture_candidates_.push_back(int(i));
     }
-    if (!state_.hung.empty())
-        for (std::size_t i = 0; i < nodes; ++i) renew_hung_operator(i);
+    if (!state_.hung.empty()) hung_built_ = state_.rotation;
     for (std::size_t i = 0; i < elements; ++i) {
         if (state_.hinge[i]) flowing_.push_back(int(i));
         if (state_.yielded[i]) ever_yielded_.push_back(int(i));
     }
     find_acceleration();
     for (Loaded& l : loaded_) l.before = l.now;
+    if (!explicit_steps()) begin_operator();  // not before: the first acceleration needs room too
     if (settings_.rest) let_rest();
     if (!explicit_steps() && !with_contact() && !with_fracture()) mass_.reset();  // nothing can vanish at once
+}
+
+void Dynamics::begin_operator() {
+    operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings_.beta * settings_.dt * settings_.dt, settings_.geometric && structure_->large(),
+                                           settings_.solver.direct ? Keeping::direct : settings_.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
+    operator_->set_held(state_.held);
+    if (structure_->large()) sweep_.watch_turning(settings_.turn);
+    for (int e = 0; e < int(state_.broken.size()); ++e)
+        if (!state_.broken[e]) wants_rebuild(e);
+    for (std::size_t i = 0; i < state_.hung.size(); ++i) renew_hung_operator(i);
+    if (in_contact()) renew_couplings(state_.rotation);
 }
 
 std::vector<StageTime> Dynamics::stage_times() const {
