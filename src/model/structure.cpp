@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -37,7 +38,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
     position_.reserve(m.nodes().size() + inner);
     fixed_.reserve(m.nodes().size() + inner);
     elements_.reserve(pieces);
-    std::map<std::tuple<const Section*, const Material*, double, double>, const Kind*> alike;
+    std::map<std::tuple<const Section*, const Material*, double, double, std::array<double, 4>>, const Kind*> alike;
     for (std::size_t index = 0; index < m.members().size(); ++index) {
         const MemberData& member = m.members()[index];
         const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
@@ -46,6 +47,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         axes << x, y, z;
         const Material& mat = *member.material;
         const Section& sec = *member.section;
+        const Quat turn = Quat(axes).normalized();
         const double length = span.norm() / member.elements;
         int fracture = -1;
         for (std::size_t r = 0; r < m.fracture().size(); ++r) {
@@ -66,19 +68,19 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                 fixed_.push_back(0);
             }
             const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-            const auto [at, fresh] = alike.try_emplace({&sec, &mat, length, s}, nullptr);
+            const auto [at, fresh] = alike.try_emplace({&sec, &mat, length, s, {turn.w(), turn.x(), turn.y(), turn.z()}}, nullptr);
             if (fresh) {
                 const beam::Rigidity rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
                                                  mat.density * sec.area, mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix), mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-                kinds_.push_back({rigidity, beam::stiffness(rigidity, length, s), m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
+                kinds_.push_back({turn, rigidity, beam::stiffness(rigidity, length, s), m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
                 at->second = &kinds_.back();
                 can_yield_ |= !kinds_.back().yield.elastic();
             }
             const Kind& kind = *at->second;
             const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
             const double radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
-            elements_.push_back({{left, right}, int(index), partner, length, span / member.elements, Quat(axes).normalized(), s,
-                                 kind.rigidity, kind.stiffness, kind.yield, radius, fracture, touches});
+            elements_.push_back({{left, right}, int(index), partner, length, span / member.elements, s,
+                                 kind.axes, kind.rigidity, kind.stiffness, kind.yield, radius, fracture, touches});
             left = right;
         }
     }

@@ -19,9 +19,9 @@ struct Element {
     int partner;                 ///< the other element of its pair, -1 if it has none
     double length;               ///< m
     Vec3 chord;                  ///< from node 1 to node 2 at the start, m
-    Quat axes;                   ///< local axes at the start (columns x y z)
     double s;                    ///< normal position of the integration point
     // the same for all elements that are alike; they stand in the structure
+    const Quat& axes;                   ///< local axes at the start (columns x y z)
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;   ///< k(s)
     const beam::YieldSurface& yield;
@@ -59,7 +59,7 @@ private:
     std::vector<Vec3> position_;
     std::vector<std::uint8_t> fixed_;
     std::vector<Element> elements_;
-    struct Kind { beam::Rigidity rigidity; beam::Stiffness stiffness; beam::YieldSurface yield; };
+    struct Kind { Quat axes; beam::Rigidity rigidity; beam::Stiffness stiffness; beam::YieldSurface yield; };
     std::deque<Kind> kinds_;
     std::vector<int> first_at_, at_;   // elements of each node
     bool can_yield_ = false;

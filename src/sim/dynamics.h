@@ -154,7 +154,6 @@ private:
     std::string failure_;
     std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator
     std::vector<Vec3> contact_position_;
-    std::vector<Vec6> contact_velocity_;
     std::vector<int> fracture_candidates_;       ///< elements that can break without ever yielding
     std::vector<int> ever_yielded_, flowing_, looked_at_;
     std::vector<int> resting_;                   ///< of each node: the body at rest that it belongs to, -1; empty when there is none

@@ -12,13 +12,12 @@ namespace hinge {
 /// Eqs 17-19: who comes into contact over this step.
 void Dynamics::contact() {
     if (bars_changed_) list_bars();
-    contact_velocity_.resize(state_.velocity.size());
     place_contact(state_.displacement);
-    for (std::size_t i = 0; i < contact_velocity_.size(); ++i)
-        contact_velocity_[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    std::vector<Vec6>& foreseen = nodal_;  // free until stresses are recovered
+    for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
     std::optional<contact::Contact> before;
     if (pace_.length > 1) before = state_.contact;
-    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, contact_velocity_}, settings_.dt, state_.time);
+    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen}, settings_.dt, state_.time);
     if (before && !state_.contact->idle()) {  // too long a step to touch in
         state_.contact = std::move(before);
         take_steps_of(1);

@@ -20,14 +20,14 @@ using beam::Triple;
 /// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
     int node[2][lane_count];
-    Lanes chord[3], axes[4];           // axes: w x y z
+    Lanes chord[3];
     const Kind* kind;
     unsigned whole;                    // a bit for each that is not broken
 };
 
-/// What blocks of the same eight sections and lengths share: in a regular frame, nearly all of them.
+/// What blocks of the same eight sections, lengths and directions share: in a regular frame, nearly all of them.
 struct Sweep::Kind {
-    Lanes length;
+    Lanes length, axes[4];             // w x y z
     Lanes k[8];                        // x11 x12 x22 y11 y12 y22 axial twist
     Lanes yield[4];                    // x y n z
     Lanes mass, rotary[3];             // rho A L/6, rho I L/6
@@ -82,8 +82,6 @@ void Sweep::take_up(const State& state) {
             b.node[0][i] = e.node[0];
             b.node[1][i] = e.node[1];
             for (int c = 0; c < 3; ++c) b.chord[c][i] = e.chord[c];
-            const double q[4] = {e.axes.w(), e.axes.x(), e.axes.y(), e.axes.z()};
-            for (int c = 0; c < 4; ++c) b.axes[c][i] = q[c];
             if (block * lane_count + i < count && !state.broken[index[i]]) b.whole |= 1u << i;
         }
         if (as_declared) {
@@ -104,6 +102,8 @@ const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
         const Element& e = structure_.elements()[index[i]];
         const beam::Stiffness k = stiffness_now(structure_, state, index[i]);
         kind.length[i] = e.length;
+        const double q[4] = {e.axes.w(), e.axes.x(), e.axes.y(), e.axes.z()};
+        for (int c = 0; c < 4; ++c) kind.axes[c][i] = q[c];
         const double ks[8] = {k.x11, k.x12, k.x22, k.y11, k.y12, k.y22, k.axial, k.twist};
         for (int c = 0; c < 8; ++c) kind.k[c][i] = ks[c];
         const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
@@ -191,7 +191,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         const Kind& kind = *b.kind;
         const int element = block * lane_count;
         const Triple<Lanes> u1 = gather(pose.displacement, b.node[0]), u2 = gather(pose.displacement, b.node[1]);
-        const Quadruple<Lanes> axes = {b.axes[0], b.axes[1], b.axes[2], b.axes[3]};
+        const Quadruple<Lanes> axes = {kind.axes[0], kind.axes[1], kind.axes[2], kind.axes[3]};
         Placement<Lanes> place;
         Lanes d[6];
         if constexpr (large) {
