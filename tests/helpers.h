@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "sim/breaking.h"
 #include "sim/dynamics.h"
 #include "sim/statics.h"
 
@@ -207,6 +208,23 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
         if (!(state.held[i / 6] >> (i % 6) & 1)) free.push_back(i);
     if (freedoms) *freedoms = free;
     return whole(free, free);
+}
+
+/// Runs a body's free flight to its end: the largest deviations, as parts of what there was at the start.
+struct Flight { double energy = 0, linear = 0, angular = 0; };
+inline Flight worst_of_flight(Dynamics& run) {
+    const Momentum before = momentum(run.structure(), run.state());
+    Flight worst;
+    while (run.advance()) {
+        if (run.steps_done() % 10) continue;
+        const Energy e = run.energy();
+        const Momentum now = momentum(run.structure(), run.state());
+        worst.energy = std::max(worst.energy, std::abs(e.remainder) / e.initial);
+        worst.linear = std::max(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
+        worst.angular = std::max(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
+    }
+    REQUIRE(run.verdict() == Verdict::completed);
+    return worst;
 }
 
 }  // namespace hinge::test

@@ -7,8 +7,6 @@ using namespace hinge::test;
 
 namespace {
 
-struct Flight { double energy, linear, angular; };
-
 /// A beam of two members, skew in space, in flight with spin `w` about an axis across it; 3000 steps. Largest deviations.
 Flight fly(const Vec3& v, double spin, double dt, int steps = 3000) {
     Frame frame;
@@ -21,18 +19,7 @@ Flight fly(const Vec3& v, double spin, double dt, int steps = 3000) {
     s.dt = dt;
     s.duration = steps * dt;
     Dynamics run(structure, initial_state(*structure), s);
-    const Momentum before = momentum(*structure, run.state());
-    Flight worst{0, 0, 0};
-    while (run.advance()) {
-        if (run.steps_done() % 10) continue;
-        const Energy e = run.energy();
-        const Momentum now = momentum(*structure, run.state());
-        worst.energy = std::max(worst.energy, std::abs(e.remainder) / e.initial);
-        worst.linear = std::max(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
-        worst.angular = std::max(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
-    }
-    REQUIRE(run.verdict() == Verdict::completed);
-    return worst;
+    return worst_of_flight(run);
 }
 
 }  // namespace
