@@ -182,7 +182,9 @@ template <class Number>
 void Condensed<Number>::renew_between(Between& m, const Parts& parts) const {
     const Mat6 inverse = inverse_by_halves(parts.own(m.node));
     put(m.inverse, inverse);
-    for (int s = 0; s < m.count; ++s) put(m.pull[s], inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
+    for (int s = 0; s < m.count; ++s)
+        if (parts.empty(m.element[s])) put(m.pull[s], Mat6::Zero());
+        else put(m.pull[s], inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
 }
 
 template <class Number>
@@ -193,6 +195,10 @@ void Condensed<Number>::renew_row(int place, const Parts& parts) {
         const int element = structure_.elements_at(node)[k - 1];
         const Element& e = structure_.elements()[element];
         const int next = other_node(e, node);
+        if (parts.empty(element)) {
+            put(&value_[36 * std::size_t(begin + k)], Mat6::Zero());
+            continue;
+        }
         Mat6 block = parts.across(element, end_at(e, node));
         if (place_[next] < 0) {
             const Between& m = between_[which_[next]];

@@ -154,6 +154,7 @@ void Dynamics::yield() {
 /// Rebuilds M + beta dt^2 K for the elements that turned, yielded or broke.
 void Dynamics::renew_operator() {
     if (!rebuild_.empty()) {
+        std::erase_if(rebuild_, [&](int e) { return state_.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
         std::vector<const Mat6*> given(rebuild_.size(), nullptr);
         for (std::size_t i = 0; i < yielding_.size(); ++i) {

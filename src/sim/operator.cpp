@@ -59,7 +59,7 @@ void Operator::build(const std::vector<int>& elements, const State& state, const
 }
 
 void Operator::remove(int element) {
-    parts_.set(element, Mat12::Zero());
+    parts_.clear(element);
     for (int node : structure_.elements()[element].node) mark(node);
 }
 

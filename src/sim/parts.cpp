@@ -10,6 +10,7 @@ constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
 Parts::Parts(const Structure& structure, bool narrow, bool symmetric)
     : structure_(structure), narrow_(narrow), symmetric_(symmetric), stride_(symmetric ? packed : full), held_(structure.fixed()) {
     const std::size_t numbers = stride_ * structure.elements().size();
+    empty_.assign(structure.elements().size(), 0);
     if (narrow) narrow_part_.assign(numbers, 0);
     else wide_part_.assign(numbers, 0);
 }
@@ -29,6 +30,11 @@ void Parts::set(int element, const Mat12& A) {
     };
     if (narrow_) fill(&narrow_part_[stride_ * std::size_t(element)]);
     else fill(&wide_part_[stride_ * std::size_t(element)]);
+}
+
+void Parts::clear(int element) {
+    set(element, Mat12::Zero());
+    empty_[element] = 1;
 }
 
 template <class Number>
@@ -89,6 +95,7 @@ Mat6 Parts::masked(int a, int b, const Mat6& m) const {
 Mat6 Parts::own(int node) const {
     Mat6 sum = Mat6::Zero();
     for (int e : structure_.elements_at(node)) {
+        if (empty_[e]) continue;
         const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
         sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end) : own_of(&wide_part_[stride_ * std::size_t(e)], end);
     }

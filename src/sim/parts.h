@@ -15,6 +15,8 @@ public:
     Parts(const Structure& structure, bool narrow, bool symmetric);
 
     void set(int element, const Mat12& A);
+    void clear(int element);                                     ///< it broke
+    bool empty(int element) const { return empty_[element]; }    ///< cleared: its blocks are zero
     Mat12 whole(int element) const;
     void set_hung(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
@@ -38,6 +40,7 @@ private:
     int stride_;                        // numbers a part: two halves of own blocks and the block across, or all 144
     LargeVector<double> wide_part_;
     LargeVector<float> narrow_part_;
+    std::vector<char> empty_;
     std::vector<Mat6> hung_;            // of each node, empty if none
     std::vector<std::uint8_t> held_;
 };
