@@ -283,12 +283,12 @@ void Dynamics::commit() {
         for (Yielding& y : hinges_)
             for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;  // the next step's D_p is that of a beginning
     }
-    for (const Yielding& y : yielding_)
-        if (!state_.yielded[y.element]) ever_yielded_.push_back(y.element);
     for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
         take_up_ = true;
         wants_rebuild(e);
     }
+    if (with_fracture())
+        for (const Yielding& y : yielding_) heed_fracture(y.element);
     if (built::fracture && !to_break_.empty())
         right_.assign(nodal_.size(), Vec6::Zero());  // what breaking asks of the nodes
     for (const auto& [element, end] : to_break_) {
@@ -312,7 +312,6 @@ void Dynamics::commit() {
         if (report.orphaned)
             for (int n : e.node)
                 if (state_.gone[n]) held_nodes_.push_back(n);
-        std::erase(ever_yielded_, element);
         std::erase(fracture_candidates_, element);
     }
     if (take_up_) sweep_.take_up(state_);

@@ -103,6 +103,7 @@ private:
     void move_to_increment(int first, int end);
     void note_fastest();
     void take_reactions(std::vector<Vec6>& right);
+    void heed_fracture(int element);
     bool breaks(int element, const beam::Flow* flow, int& end) const;
     void renew_hung_operator(std::size_t node);
     std::string name_the_culprit() const;
@@ -154,8 +155,9 @@ private:
     std::string failure_;
     std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator
     std::vector<Vec3> contact_position_;
-    std::vector<int> fracture_candidates_;       ///< elements that can break without ever yielding
-    std::vector<int> ever_yielded_, flowing_, looked_at_;
+    std::vector<int> fracture_candidates_;       ///< elements that could break without flowing in the step
+    std::vector<char> in_candidates_;
+    std::vector<int> flowing_, looked_at_;
     std::vector<int> resting_;                   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
     std::unordered_map<int, Vec6> weight_at_rest_;  ///< F of those nodes
     Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};

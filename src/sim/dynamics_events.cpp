@@ -1,6 +1,7 @@
 // Dynamics, the stages that change who is connected to whom: what touches (eqs 17-19) and what breaks (eq 16).
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "beam/fracture.h"
 #include "sim/bodies.h"
@@ -139,12 +140,27 @@ void Dynamics::list_bars() {
     }
 }
 
-/// Eq 16, element by element, where it can be met: those that have yielded, and those that can break without.
+/// Whether the element could meet eq 16 without flowing on: its plastic strains and the most that it can strain elastically reach
+/// the limit. (Elastic curvature is a mean of the two end moments over EI, and neither is above the fully plastic one.)
+void Dynamics::heed_fracture(int index) {
+    const Element& e = structure_->elements()[index];
+    if (e.fracture < 0 || in_candidates_[index] || state_.broken[index]) return;
+    const FractureRule& rule = structure_->model().fracture()[e.fracture];
+    const auto elastic = [](double w, double rigidity) { return w > 0 ? (1 + 1e-6) / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
+    const beam::FractureStrains plastic = beam::fracture_strains(state_.plastic[index], e.length);
+    if (e.yield.elastic() || rule.curvature_x <= std::abs(plastic.curvature_x) + elastic(e.yield.x, e.rigidity.EIx) ||
+        rule.curvature_y <= std::abs(plastic.curvature_y) + elastic(e.yield.y, e.rigidity.EIy) ||
+        rule.axial_strain <= std::abs(plastic.axial) + elastic(e.yield.n, e.rigidity.EA)) {
+        in_candidates_[index] = 1;
+        fracture_candidates_.push_back(index);
+    }
+}
+
+/// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
 void Dynamics::fracture() {
     to_break_.clear();
     std::vector<int>& look = looked_at_;
     look.assign(fracture_candidates_.begin(), fracture_candidates_.end());
-    look.insert(look.end(), ever_yielded_.begin(), ever_yielded_.end());
     for (const Yielding& y : yielding_) look.push_back(y.element);
     std::sort(look.begin(), look.end());
     look.erase(std::unique(look.begin(), look.end()), look.end());

@@ -52,6 +52,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (auto* v : {&external_, &nodal_, &change_}) v->assign(nodes, Vec6::Zero());
     force_ = state_.force;
     in_rebuild_.assign(elements, 0);
+    in_candidates_.assign(elements, 0);
     if (model.gravity())
         for (std::size_t i = 0; i < elements; ++i) {
             const Element& e = structure_->elements()[i];
@@ -74,19 +75,11 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
     }
     sweep_.take_up(state_);
-    for (std::size_t i = 0; i < elements; ++i) {
-        const Element& e = structure_->elements()[i];
-        if (e.fracture < 0) continue;
-        const FractureRule& rule = model.fracture()[e.fracture];
-        const auto limit = [](double w, double rigidity) { return w > 0 ? 1 / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
-        if (e.yield.elastic() || rule.curvature_x <= limit(e.yield.x, e.rigidity.EIx) || rule.curvature_y <= limit(e.yield.y, e.rigidity.EIy) ||
-            rule.axial_strain <= limit(e.yield.n, e.rigidity.EA))
-            fracture_candidates_.push_back(int(i));
-    }
+    if (with_fracture())
+        for (std::size_t i = 0; i < elements; ++i) heed_fracture(int(i));
     if (!state_.hung.empty()) hung_built_ = state_.rotation;
     for (std::size_t i = 0; i < elements; ++i) {
         if (state_.hinge[i]) flowing_.push_back(int(i));
-        if (state_.yielded[i]) ever_yielded_.push_back(int(i));
     }
     find_acceleration();
     for (Loaded& l : loaded_) l.before = l.now;
