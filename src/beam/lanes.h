@@ -61,29 +61,6 @@ inline bool any_not_below(const Lanes& a, double limit) {
     return any;
 }
 
-/// One number of each of eight nodes or elements, `stride` numbers apart. A gather, where the processor has one: numbers put one by
-/// one into a vector go through memory, and the vector waits for all of them.
-inline Lanes pick(const double* from, const int* index, int stride) {
-#ifdef __AVX512F__
-    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
-    return reinterpret_cast<Lanes>(_mm512_i32gather_pd(at, from, 8));
-#else
-    Lanes v;
-    for (int i = 0; i < lane_count; ++i) v[i] = from[index[i] * stride];
-    return v;
-#endif
-}
-
-/// Puts them back.
-inline void put(double* to, const int* index, int stride, const Lanes& v) {
-#ifdef __AVX512F__
-    const __m256i at = _mm256_mullo_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), _mm256_set1_epi32(stride));
-    _mm512_i32scatter_pd(to, at, reinterpret_cast<__m512d>(v), 8);
-#else
-    for (int i = 0; i < lane_count; ++i) to[index[i] * stride] = v[i];
-#endif
-}
-
 /// Rows and columns of eight vectors change places.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
     using Index = long __attribute__((vector_size(sizeof(Lanes))));
@@ -139,8 +116,8 @@ inline void add_six(double* p, const Lanes& v) {
     *reinterpret_cast<Two*>(p + 4) += Two{v[4], v[5]};
 }
 
-/// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes. Whole rows are read and turned:
-/// a third of the time of n gathers.
+/// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes: whole
+/// rows are read and turned.
 template <int n>
 [[gnu::always_inline]] inline void pick_rows(const double* from, const int* index, int stride, Lanes (&out)[lane_count]) {
     Lanes row[lane_count];

@@ -170,10 +170,6 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     for (const auto& list : {coupled_, nodes}) changed.insert(changed.end(), list.begin(), list.end());
     couplings_ = couplings;
     if (nodes == coupled_) return;
-    for (const auto& list : {coupled_, nodes})
-        for (int i : list)
-            if (which_[i] >= 0)
-                for (int s = 0; s < between_[which_[i]].count; ++s) changed.push_back(between_[which_[i]].side[s]);
     coupled_ = std::move(nodes);
     lay_out();
 }

@@ -2,7 +2,7 @@
 //
 // A member's inner nodes hang between two neighbours each. Every other one of them (`between`) is taken out exactly,
 //   S = A_kk - A_km A_mm^-1 A_mk,   x_m = A_mm^-1 (r_m - A_mk x_k),
-// which leaves, at two elements a member, the joints alone. Of those, `red` are as many as can be without two being neighbours,
+// which leaves, at two elements a member, the joints alone. Of those, `red` are as many as a walk finds without two being neighbours,
 // the rest `black`. Every vector is held where the red rows are zero, d_r = -D_r^-1 S_rb d_b, so that the iteration is one on the
 // black nodes: it costs the same product and takes half as many steps (Reid 1972), each time for half of the vectors.
 #pragma once

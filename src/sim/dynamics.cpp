@@ -169,7 +169,7 @@ void Dynamics::renew_operator() {
         for (int e : rebuild_) {
             sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
             in_rebuild_[e] = 0;
-            if (!structure_->lumped() && mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
+            if (mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
         }
         rebuild_.clear();
     }

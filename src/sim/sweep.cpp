@@ -11,7 +11,6 @@
 namespace hinge {
 
 using beam::Lanes;
-using beam::pick;
 using beam::lane_count;
 using beam::Placement;
 using beam::Quadruple;
