@@ -49,12 +49,12 @@ std::uint8_t parse_freedoms(const std::string& what, const std::string& text) {
     return mask;
 }
 
-History read_history(Options& o) {
+History read_history(Options& o, const Model& model) {
     const int type = o.push_field("history");
     lua_State* L = o.L();
     if (type == LUA_TNIL) return lua_pop(L, 1), History{};
     if (type == LUA_TFUNCTION) {
-        LuaFunction f(L, -1);
+        LuaFunction f(L, -1, model);
         lua_pop(L, 1);
         return [f, who = o.function()](double t) {
             lua_State* L = f.running();
@@ -119,7 +119,8 @@ int model(lua_State* L) {
     o.finish();
     auto model = std::make_shared<Model>(m);
     model->ask("model", where(L));
-    push<ModelBox>(L, std::move(model));
+    push<ModelBox>(L, model);
+    hold_anchor(L, *model);
     return 1;
 }
 
@@ -127,6 +128,7 @@ int add_node(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:node").value;
     const int index = m->add_node(read_triple(L, 2, "model:node: position", "m"));
     push<NodeBox>(L, m, index);
+    hold_anchor(L, *m);
     return 1;
 }
 
@@ -204,6 +206,7 @@ int add_member(lua_State* L) {
     if (fresh.empty()) {
         const int index = accept(L, *m, std::move(data));
         push<MemberBox>(L, m, index);
+        hold_anchor(L, *m);
         return 1;
     }
     // new groups come into being only with a member that is accepted
@@ -213,6 +216,7 @@ int add_member(lua_State* L) {
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);
     push<MemberBox>(L, m, index);
+    hold_anchor(L, *m);
     return 1;
 }
 
@@ -228,7 +232,7 @@ int add_load(lua_State* L) {
     if (!force && !moment) throw InputError("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}");
     load.force = force.value_or(Vec3::Zero());
     load.moment = moment.value_or(Vec3::Zero());
-    load.history = read_history(o);
+    load.history = read_history(o, *m);
     o.finish();
     m->add_load(std::move(load));
     if (!m->asked("loads")) m->ask("loads", where(L));
@@ -268,6 +272,7 @@ int group(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:group").value;
     const int index = group_argument(L, 2, "model:group: name", *m);
     push<GroupBox>(L, m, index);
+    hold_anchor(L, *m);
     return 1;
 }
 
@@ -310,7 +315,7 @@ int member_fields(lua_State* L) {
     if (key == "index") lua_pushinteger(L, m.index + 1);
     else if (key == "length") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm());
     else if (key == "mass") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm() * data.section->area * data.material->density);
-    else if (key == "a" || key == "b") push<NodeBox>(L, m.model, data.node[key == "b"]);
+    else if (key == "a" || key == "b") push<NodeBox>(L, m.model, data.node[key == "b"]), hold_anchor(L, *m.model);
     else if (key == "group") data.groups.empty() ? lua_pushnil(L) : (void)lua_pushstring(L, m.model->groups()[data.groups[0]].c_str());
     else throw InputError("member has no field '" + key + "'" + did_you_mean(key, {"index", "length", "mass", "a", "b", "group"}) + "; it has index, length (m), mass (kg), a, b and group");
     return 1;

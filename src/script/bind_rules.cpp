@@ -8,7 +8,7 @@ namespace hinge::script {
 namespace {
 
 FractureHook read_fracture_hook(lua_State* L, int index, const std::shared_ptr<Model>& m) {
-    LuaFunction f(L, index);
+    LuaFunction f(L, index, *m);
     std::weak_ptr<Model> model = m;
     return [f, model](const SectionView& s) {
         lua_State* L = f.running();

@@ -23,6 +23,8 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> mode
             std::printf("%s\n", plan.c_str());
         }
     push<RunBox>(L, record);
+    hold_anchor(L, *record->model);
+    tell_collector(L, 2000 * record->run->structure().elements().size());
     return 1;
 }
 
@@ -240,6 +242,7 @@ int run_momentum(lua_State* L) {
 int run_still(lua_State* L) {
     const auto& run = self<RunBox>(L, "run:still").value->run;
     push<StillBox>(L, make_still(*run), run->share_structure());
+    tell_collector(L, 200 * run->structure().elements().size());
     return 1;
 }
 

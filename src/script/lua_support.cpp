@@ -16,7 +16,6 @@ std::string library_folder(lua_State* L) {
     return folder;
 }
 
-
 }  // namespace
 
 void set_library_folder(lua_State* L, const std::string& folder) {

@@ -59,9 +59,10 @@ T* push(lua_State* L, Args&&... args) {
     return object;
 }
 
+/// Leaves an empty object: a finalizer of the script's own may still bring the userdata back.
 template <class T>
 int collect(lua_State* L) {
-    if (T* object = find<T>(L, 1)) object->~T();
+    if (T* object = find<T>(L, 1)) *object = T{};
     return 0;
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "script/lua_support.h"
+#include "script/anchor.h"
 #include "sim/dynamics.h"
 #include "sim/statics.h"
 
@@ -31,27 +31,13 @@ struct Context {
     int runs = 0;                         ///< made so far
     std::string described;                ///< all plans printed so far: a loop's runs are described once
     int histories = 0;                    ///< kept by number so far
+    std::size_t unseen = 0;               ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);
 void set_context(lua_State* L, std::shared_ptr<Context> c);
 
-/// A Lua function kept from collection while C++ holds it.
-class LuaFunction {
-public:
-    LuaFunction(lua_State* L, int index);  ///< takes the function at index
-    void push(lua_State* L) const;
-    lua_State* running() const { return context_->running; }
-    const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
-
-private:
-    struct Slot;
-    std::shared_ptr<Slot> slot_;
-    std::shared_ptr<Context> context_;
-    std::string place_;
-};
-
-/// Calls the function on top of its `n` arguments; a Lua error becomes HookError with the message it had.
-void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results);
+/// Lua's collector sees a handle, not the megabytes behind it: each 16 MB that new objects took outside Lua make it collect all.
+void tell_collector(lua_State* L, std::size_t bytes);
 
 struct MaterialBox { static constexpr const char* lua_name = "hinge.material"; std::shared_ptr<const Material> value; };
 struct SectionBox { static constexpr const char* lua_name = "hinge.section"; std::shared_ptr<const Section> value; };

@@ -1,0 +1,93 @@
+#include "script/anchor.h"
+
+#include "script/objects.h"
+
+namespace hinge::script {
+namespace {
+
+const char anchors_key = 0;
+
+/// Pushes the model's anchor, or nil when no object of the script holds one.
+bool find_anchor(lua_State* L, const Model* model) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) lua_rawgetp(L, -1, model), lua_remove(L, -2);
+    return lua_istable(L, -1);
+}
+
+/// Pushes the table of all anchors, which does not keep them.
+void push_anchors(lua_State* L) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "v");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &anchors_key);
+}
+
+}  // namespace
+
+void push_anchor(lua_State* L, const Model& model) {
+    if (find_anchor(L, &model)) return;
+    lua_pop(L, 1);
+    push_anchors(L);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, -3, &model);
+    lua_remove(L, -2);
+}
+
+void hold_anchor(lua_State* L, const Model& model) {
+    push_anchor(L, model);
+    lua_setiuservalue(L, -2, 1);
+}
+
+/// The function's place in the anchor: its own address is the key.
+struct LuaFunction::Slot {
+    lua_State* main;
+    const Model* model;
+    Slot(lua_State* main, const Model* model) : main(main), model(model) {}
+    Slot(const Slot&) = delete;
+    /// The model may be gone by now and its address another's: then that one's anchor knows nothing of this key.
+    ~Slot() {
+        const int top = lua_gettop(main);
+        if (find_anchor(main, model) && lua_rawgetp(main, -1, this) != LUA_TNIL) {
+            lua_pushnil(main);
+            lua_rawsetp(main, -3, this);
+        }
+        lua_settop(main, top);
+    }
+};
+
+LuaFunction::LuaFunction(lua_State* L, int index, const Model& model) : context_(context(L)) {
+    index = lua_absindex(L, index);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
+    slot_ = std::make_shared<Slot>(lua_tothread(L, -1), &model);
+    push_anchor(L, model);
+    lua_pushvalue(L, index);
+    lua_rawsetp(L, -2, slot_.get());
+    lua_pop(L, 2);
+    lua_Debug about;
+    lua_pushvalue(L, index);
+    lua_getinfo(L, ">S", &about);
+    place_ = std::string(about.short_src) + ":" + std::to_string(about.linedefined);
+}
+
+void LuaFunction::push(lua_State* L) const {
+    find_anchor(L, slot_->model);
+    lua_rawgetp(L, -1, slot_.get());
+    lua_remove(L, -2);
+}
+
+lua_State* LuaFunction::running() const { return context_->running; }
+
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results) {
+    if (lua_pcall(L, arguments, results, 0) == LUA_OK) return;
+    const char* text = lua_tostring(L, -1);
+    std::string message = text ? text : function.place() + ": the function raised a value that is not a string";
+    lua_pop(L, 1);
+    throw HookError(message);
+}
+
+}  // namespace hinge::script
