@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace hinge::contact {
@@ -14,13 +15,13 @@ int best_axis(const std::vector<Box>& boxes) {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-        double low = boxes[0].low[axis], high = low;
+        float low = boxes[0].low[axis], high = low;
         for (const Box& box : boxes) {
             low = std::min(low, box.low[axis]);
             high = std::max(high, box.low[axis]);
         }
-        const double scale = high > low ? (bins - 1) / (high - low) : 0.0;
-        const auto bin = [&](double x) { return static_cast<int>(std::min(std::max((x - low) * scale, 0.0), bins - 1.0)); };
+        const float scale = high > low ? (bins - 1) / (high - low) : 0.0f;
+        const auto bin = [&](float x) { return static_cast<int>(std::min(std::max((x - low) * scale, 0.0f), bins - 1.0f)); };
         std::array<int, bins + 1> begun{};
         for (const Box& box : boxes) ++begun[bin(box.low[axis]) + 1];
         for (int i = 0; i < bins; ++i) begun[i + 1] += begun[i];
@@ -34,16 +35,14 @@ int best_axis(const std::vector<Box>& boxes) {
     return best;
 }
 
-}  // namespace
-
-std::vector<IndexPair> overlapping(const std::vector<Box>& boxes) {
+/// The pairs in the order in which a sweep along the best axis comes upon them.
+std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<bool(int, int)>& wanted) {
     std::vector<IndexPair> pairs;
-    if (boxes.size() < 2) return pairs;
     const int n = static_cast<int>(boxes.size());
     const int x = best_axis(boxes), y = (x + 1) % 3, z = (x + 2) % 3;
 
     struct Begin {
-        double at;
+        float at;
         int box;
     };
     std::vector<Begin> begin(n);
@@ -52,7 +51,7 @@ std::vector<IndexPair> overlapping(const std::vector<Box>& boxes) {
 
     // The other two axes lie side by side in the order of the sweep, so that the inner loop runs through memory.
     struct Face {
-        double begins, low_y, high_y, low_z, high_z;
+        float begins, low_y, high_y, low_z, high_z;
     };
     std::vector<Face> face(n);
     for (int i = 0; i < n; ++i) {
@@ -63,7 +62,7 @@ std::vector<IndexPair> overlapping(const std::vector<Box>& boxes) {
     std::vector<int> hit(n);
     for (int i = 0; i < n; ++i) {
         const Face here = face[i];
-        const double end = boxes[begin[i].box].high[x];
+        const float end = boxes[begin[i].box].high[x];
         int hits = 0;
         for (int j = i + 1; j < n && face[j].begins <= end; ++j) {
             const Face& other = face[j];
@@ -71,8 +70,26 @@ std::vector<IndexPair> overlapping(const std::vector<Box>& boxes) {
             hits += static_cast<int>(other.low_y <= here.high_y) & static_cast<int>(other.high_y >= here.low_y) &
                     static_cast<int>(other.low_z <= here.high_z) & static_cast<int>(other.high_z >= here.low_z);
         }
-        for (int k = 0; k < hits; ++k) pairs.push_back({std::min(begin[i].box, hit[k]), std::max(begin[i].box, hit[k])});
+        for (int k = 0; k < hits; ++k)
+            if (wanted(begin[i].box, hit[k])) pairs.push_back({std::min(begin[i].box, hit[k]), std::max(begin[i].box, hit[k])});
     }
+    return pairs;
+}
+
+}  // namespace
+
+Box::Box(const Vec3& low, const Vec3& high) {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    for (int c = 0; c < 3; ++c) {
+        this->low[c] = std::nextafter(static_cast<float>(low[c]), -far);
+        this->high[c] = std::nextafter(static_cast<float>(high[c]), far);
+    }
+}
+
+std::vector<IndexPair> overlapping(const std::vector<Box>& boxes, const std::function<bool(int, int)>& wanted) {
+    if (boxes.size() < 2) return {};
+    const std::vector<IndexPair> pairs = swept(boxes, wanted);
+    const int n = static_cast<int>(boxes.size());
 
     // Sorted by a in one pass over counts, then each short run by b: cheaper than one long sort.
     std::vector<int> first(n + 1, 0);

@@ -4,14 +4,18 @@
 // self-query, so it finds every pair twice and every bar with itself).
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/types.h"
 
 namespace hinge::contact {
 
+/// In single precision, rounded outwards: half the memory, and what it holds lies inside.
 struct Box {
-    Vec3 low, high;
+    Eigen::Vector3f low, high;
+    Box() = default;
+    Box(const Vec3& low, const Vec3& high);
 };
 
 struct IndexPair {
@@ -20,7 +24,7 @@ struct IndexPair {
     auto operator<=>(const IndexPair&) const = default;
 };
 
-/// All pairs of boxes that overlap or touch, each once, sorted by (a, b).
-std::vector<IndexPair> overlapping(const std::vector<Box>& boxes);
+/// All pairs of boxes that overlap or touch and that are `wanted`, each once, sorted by (a, b).
+std::vector<IndexPair> overlapping(const std::vector<Box>& boxes, const std::function<bool(int, int)>& wanted);
 
 }  // namespace hinge::contact

@@ -30,12 +30,11 @@ Vec3 velocity(const End& end, const Motion& motion) {
 }
 
 Two place(const Bar& a, const Bar& b, const Motion& motion) {
-    return {{point(a.end[0], motion), point(a.end[1], motion)}, {point(b.end[0], motion), point(b.end[1], motion)}};
+    return {{point(a.end(0), motion), point(a.end(1), motion)}, {point(b.end(0), motion), point(b.end(1), motion)}};
 }
 
 bool share_node(const Bar& a, const Bar& b) {
-    return a.end[0].node == b.end[0].node || a.end[0].node == b.end[1].node || a.end[1].node == b.end[0].node ||
-           a.end[1].node == b.end[1].node;
+    return a.node[0] == b.node[0] || a.node[0] == b.node[1] || a.node[1] == b.node[0] || a.node[1] == b.node[1];
 }
 
 double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
@@ -82,7 +81,7 @@ void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
     nodes_.clear();
     arms_.clear();
     for (const Bar& bar : bars)
-        for (const End& end : bar.end) {
+        for (const End& end : {bar.end(0), bar.end(1)}) {
             if (has_arm(end))
                 arms_.push_back({end, point(end, motion)});
             else
@@ -127,37 +126,29 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     for (int i = 0; i < n; ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](int p, int q) { return bars[p].element < bars[q].element; });
 
-    struct Ends {
-        Vec3 p, q;
-    };
-    std::vector<Ends> ends(n);
     double total = 0;
-    for (int i = 0; i < n; ++i) {
-        const Bar& bar = bars[order[i]];
-        ends[i] = {point(bar.end[0], motion), point(bar.end[1], motion)};
-        total += length(ends[i].p, ends[i].q);
-    }
+    for (const Bar& bar : bars) total += length(point(bar.end(0), motion), point(bar.end(1), motion));
     const double mean = n > 0 ? total / n : 0.0;
     margin_ = std::max(2 * foreseen, std::min(std::max(100 * foreseen, 0.05 * mean), 0.5 * mean));
     listed_at_ = travelled_;
 
     std::vector<Box> boxes(n);
     for (int i = 0; i < n; ++i) {
+        const Bar& bar = bars[order[i]];
+        const Vec3 p = point(bar.end(0), motion), q = point(bar.end(1), motion);
         // By eq 18 the axes are no further apart than C_l (L_c + L_i) / 4.
-        const double pad =
-            margin_ + (settings_.letter ? 0.25 * std::min(settings_.reach, 1e9) * length(ends[i].p, ends[i].q) : bars[order[i]].radius);
-        boxes[i] = {ends[i].p.cwiseMin(ends[i].q).array() - pad, ends[i].p.cwiseMax(ends[i].q).array() + pad};
+        const double pad = margin_ + (settings_.letter ? 0.25 * std::min(settings_.reach, 1e9) * length(p, q) : bar.radius);
+        boxes[i] = {p.cwiseMin(q).array() - pad, p.cwiseMax(q).array() + pad};
     }
 
     std::vector<Candidate> kept;
     kept.swap(candidates_);
     look_at_.clear();
     auto old = kept.begin();
-    for (const IndexPair& pair : overlapping(boxes)) {
+    for (const IndexPair& pair : overlapping(boxes, [&](int a, int b) { return !share_node(bars[order[a]], bars[order[b]]); })) {
         const Bar &a = bars[order[pair.a]], &b = bars[order[pair.b]];
-        if (share_node(a, b)) continue;
         Candidate candidate{{a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, a.radius + b.radius};
-        const Two two{{ends[pair.a].p, ends[pair.a].q}, {ends[pair.b].p, ends[pair.b].q}};
+        const Two two = place(a, b, motion);
         const Closest closest = closest_points(two);
         const double far = farness(candidate, two, closest);
         if (far > 2 * margin_) continue;
@@ -230,8 +221,8 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
     if (const double apart = closest.distance - pair.touch; a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
         nearest_ = {{pair.element[0], pair.element[1]}, apart};
 
-    const Moving moving{two, {{dt * velocity(a.end[0], motion), dt * velocity(a.end[1], motion)},
-                              {dt * velocity(b.end[0], motion), dt * velocity(b.end[1], motion)}}};
+    const Moving moving{two, {{dt * velocity(a.end(0), motion), dt * velocity(a.end(1), motion)},
+                              {dt * velocity(b.end(0), motion), dt * velocity(b.end(1), motion)}}};
     if (settings_.rule == ContactRuleKind::surface) {
         if (closest.distance - moving.closing_bound() > pair.touch) return false;
         if (far > 0 && !first_meeting(moving, closest, pair.side, {never, never, pair.touch}).found) return false;
@@ -260,9 +251,8 @@ void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& mo
     bond.at[1] = meeting.t;
     Vec3 at[4];
     for (int i = 0; i < 4; ++i) {
-        const End& end = i < 2 ? a.end[i] : b.end[i - 2];
-        bond.end[i] = {end.node, end.arm};
-        at[i] = point(end, motion);
+        bond.end[i] = i < 2 ? a.end(i) : b.end(i - 2);
+        at[i] = point(bond.end[i], motion);
     }
     const double shortest = settings_.shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
     for (int g = 0; g < 4; ++g) {
@@ -306,7 +296,7 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
     for (int i = 0; i < 2; ++i) {
         touch.element[i] = bars[i]->element;
         touch.radius[i] = bars[i]->radius;
-        for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end[e];
+        for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end(e);
     }
     touch.stiffness = settings_.stiffness > 0 ? settings_.stiffness : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
     touch.friction = settings_.friction;
@@ -366,7 +356,7 @@ void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& pos
     for (Touch& touch : touches_) {
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
-                if (bar.element == touch.element[i]) std::copy(bar.end, bar.end + 2, touch.end + 2 * i);
+                if (bar.element == touch.element[i]) touch.end[2 * i] = bar.end(0), touch.end[2 * i + 1] = bar.end(1);
         const Vec3 slip = touch.slip_before;
         contact::look(touch, position, rotation);
         touch.slip = slip;

@@ -21,10 +21,13 @@ struct Meeting;
 /// An element (or the stub of a broken one) as contact sees it. At most one bar per element.
 struct Bar {
     int element = -1;
-    End end[2];
-    double radius = 0;      ///< m, half the depth of the member
-    double stiffness = 0;   ///< EA of the member, N
-    int body = 0;           ///< which body it belongs to
+    int body = 0;             ///< which body it belongs to
+    int node[2] = {-1, -1};   ///< on which its two ends hang
+    Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: a stub's free end
+    double radius = 0;        ///< m, half the depth of the member
+    double stiffness = 0;     ///< EA of the member, N
+
+    End end(int i) const { return {node[i], i == 1 ? arm : Vec3::Zero()}; }
 };
 
 /// Nodes now, and their motion foreseen over the coming step.

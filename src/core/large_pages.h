@@ -17,12 +17,10 @@ struct LargePages {
 
     T* allocate(std::size_t n) {
         constexpr std::size_t page = std::size_t(1) << 21;
-        std::size_t bytes = n * sizeof(T);
-        const std::size_t align = bytes < 4 * page ? 64 : page;
-        bytes = (bytes + align - 1) / align * align;
-        void* p = std::aligned_alloc(align, bytes);
-        if (!p) throw std::bad_alloc();
-        if (align == page) madvise(p, bytes, MADV_HUGEPAGE);  // a wish: small pages do as well
+        const std::size_t bytes = n * sizeof(T), align = bytes < 4 * page ? 64 : page;
+        void* p = nullptr;
+        if (posix_memalign(&p, align, bytes)) throw std::bad_alloc();
+        if (align == page) madvise(p, bytes / page * page, MADV_HUGEPAGE);  // a wish: small pages do as well, and what is left over has them
         return static_cast<T*>(p);
     }
     void deallocate(T* p, std::size_t) { std::free(p); }

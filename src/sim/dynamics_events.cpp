@@ -130,11 +130,10 @@ void Dynamics::list_bars() {
         bar.body = bodies.of_node[e.node[state_.broken[i] == 1 ? 1 : 0]];
         if (state_.broken[i]) {
             const int carrier = e.node[state_.broken[i] == 2 ? 0 : 1];
-            bar.end[0] = {carrier, Vec3::Zero()};
-            bar.end[1] = {carrier, state_.stub[i]};
+            bar.node[0] = bar.node[1] = carrier;
+            bar.arm = state_.stub[i];
         } else {
-            bar.end[0] = {e.node[0], Vec3::Zero()};
-            bar.end[1] = {e.node[1], Vec3::Zero()};
+            for (int end : {0, 1}) bar.node[end] = e.node[end];
         }
         bars_.push_back(bar);
     }

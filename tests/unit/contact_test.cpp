@@ -75,8 +75,8 @@ struct Scene {
     Bar& bar(int a, int b, double radius = 0.025, double stiffness = 5e8) {
         Bar bar;
         bar.element = static_cast<int>(bars.size());
-        bar.end[0].node = a;
-        bar.end[1].node = b;
+        bar.node[0] = a;
+        bar.node[1] = b;
         bar.radius = radius;
         bar.stiffness = stiffness;
         bars.push_back(bar);
@@ -516,21 +516,25 @@ TEST_CASE("contact: overlapping boxes agree with testing every pair", "[contact]
     for (int round = 0; round < 60; ++round) {
         std::vector<Box> boxes(round < 3 ? round : 120);
         for (Box& box : boxes) {
-            box.low = dice.vector(1).cwiseProduct(Vec3(round % 3 == 0 ? 0 : 3, 1, round % 2 ? 8 : 0.1));
-            box.high = box.low + (round % 5 ? dice(0, 0.6) : 0) * Vec3::Ones() + (dice.vector(0.3) + 0.3 * Vec3::Ones());
+            const Vec3 low = dice.vector(1).cwiseProduct(Vec3(round % 3 == 0 ? 0 : 3, 1, round % 2 ? 8 : 0.1));
+            const Vec3 high = low + (round % 5 ? dice(0, 0.6) : 0) * Vec3::Ones() + (dice.vector(0.3) + 0.3 * Vec3::Ones());
+            box = Box(low, high);
+            CHECK((box.low.cast<double>().array() <= low.array()).all());
+            CHECK((box.high.cast<double>().array() >= high.array()).all());
         }
         if (boxes.size() > 10) {
             boxes[5] = boxes[4];                       // the same box twice
             boxes[7].low = boxes[6].high;              // touching in a corner
-            boxes[7].high = boxes[7].low + Vec3::Ones();
+            boxes[7].high = boxes[7].low + Eigen::Vector3f::Ones();
             boxes[9].high = boxes[9].low;              // a point
         }
         std::vector<IndexPair> expected;
+        const auto wanted = [&](int a, int b) { return round % 4 != 0 || (a + b) % 3 != 0; };
         for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
             for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j)
-                if ((boxes[i].low.array() <= boxes[j].high.array()).all() && (boxes[j].low.array() <= boxes[i].high.array()).all())
+                if (wanted(i, j) && (boxes[i].low.array() <= boxes[j].high.array()).all() && (boxes[j].low.array() <= boxes[i].high.array()).all())
                     expected.push_back({i, j});
-        CHECK(overlapping(boxes) == expected);
+        CHECK(overlapping(boxes, wanted) == expected);
     }
 }
 
@@ -786,7 +790,8 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
     settings.reach = infinite;
     Contact contact(settings);
     contact.detect(s.bars, false, s.motion(), 1e-4, 0);
-    s.bars[0].end[1] = {n0, Vec3(1, 0, 0)};
+    s.bars[0].node[1] = n0;
+    s.bars[0].arm = Vec3(1, 0, 0);
     s.v[n0].head<3>() = Vec3(1, 0, 0);
     for (int i = 0; i < 50; ++i) {
         CHECK(contact.detect(s.bars, i == 0, s.motion(), 1e-4, i * 1e-4) == 0);
@@ -1075,7 +1080,9 @@ TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact
     CHECK(held.contact.counts().dropped == 2);
     CHECK(held.contact.drop(2) == 0);
     // What is left of element 2 hangs on node 4 (its far end went): it is bound again while it presses on.
-    held.s.bars[2].end[0] = {4, held.s.x[3] - held.s.x[4]};
+    contact::Bar& stub = held.s.bars[2];
+    stub.node[0] = stub.node[1] = 4;
+    stub.arm = held.s.x[3] - held.s.x[4];
     CHECK(held.contact.detect(held.s.bars, true, held.s.motion(), 1e-5, 0.1e-3) == 2);
     CHECK(held.contact.bonds().back().side.z() == Approx(1));
 }
