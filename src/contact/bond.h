@@ -28,6 +28,7 @@ struct Gap {
 /// bond. Two free bars passed through each other at 95 % of their speed, and any plastic hinge lets go likewise.
 struct Bond {
     int element[2] = {-1, -1};
+    int rule = 0;                ///< of the Contact's
     double since = 0;            ///< s
     End end[4];              ///< A1, A2, B1, B2
     Gap gap[4];                  ///< A1B1, A1B2, A2B1, A2B2

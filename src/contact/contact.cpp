@@ -40,7 +40,7 @@ bool share_node(const Bar& a, const Bar& b) {
 double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
 
 LetGo held_by(const Bond& bond) {
-    LetGo held{bond.energy, {}, {}, {}};
+    LetGo held{bond.energy, false, {}, {}, {}};
     for (int i = 0; i < 4; ++i) {
         const double at = bond.at[i / 2], share = i % 2 == 0 ? 1 - at : at;
         held.end[i] = bond.end[i];
@@ -52,9 +52,15 @@ LetGo held_by(const Bond& bond) {
 
 }  // namespace
 
-Contact::Contact(ContactSettings settings) : settings_(settings) {}
+int Contact::rule(const ContactSettings& settings) {
+    const auto at = std::find(rules_.begin(), rules_.end(), settings);
+    if (at != rules_.end()) return static_cast<int>(at - rules_.begin());
+    rules_.push_back(settings);
+    return static_cast<int>(rules_.size()) - 1;
+}
 
-int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time) {
+int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time, const PairRule& rule_of) {
+    const bool sleep = std::all_of(rules_.begin(), rules_.end(), [](const ContactSettings& r) { return r.sleep; });
     const bool first_sight = changed || !seen_;
     if (first_sight) list_ends(bars, motion);
     seen_ = true;
@@ -66,12 +72,12 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
         seen_ = false;
         return 0;
     }
-    if (first_sight || !settings_.sleep || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight);
+    if (first_sight || !sleep || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight, rule_of);
 
     end_touches();
     nearest_ = {};
     int bound = 0;
-    const double horizon = settings_.sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
+    const double horizon = sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < look_at_.size(); ++i)
         if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
     return bound;
@@ -119,7 +125,7 @@ double Contact::advance(const Motion& motion, double dt) {
 
 // All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the fastest
 // end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays short.
-void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight) {
+void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight, const PairRule& rule_of) {
     ++counts_.list_builds;
     const int n = static_cast<int>(bars.size());
     std::vector<int> order(n);
@@ -136,8 +142,10 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     for (int i = 0; i < n; ++i) {
         const Bar& bar = bars[order[i]];
         const Vec3 p = point(bar.end(0), motion), q = point(bar.end(1), motion);
-        // By eq 18 the axes are no further apart than C_l (L_c + L_i) / 4.
-        const double pad = margin_ + (settings_.letter ? 0.25 * std::min(settings_.reach, 1e9) * length(p, q) : bar.radius);
+        double pad = 0;
+        for (const ContactSettings& rule : rules_)  // by eq 18 the axes are no further apart than C_l (L_c + L_i) / 4
+            pad = std::max(pad, rule.letter ? 0.25 * std::min(rule.reach, 1e9) * length(p, q) : bar.radius);
+        pad += margin_;
         boxes[i] = {p.cwiseMin(q).array() - pad, p.cwiseMax(q).array() + pad};
     }
 
@@ -147,23 +155,26 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     auto old = kept.begin();
     for (const IndexPair& pair : overlapping(boxes, [&](int a, int b) { return !share_node(bars[order[a]], bars[order[b]]); })) {
         const Bar &a = bars[order[pair.a]], &b = bars[order[pair.b]];
-        Candidate candidate{{a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, a.radius + b.radius};
-        const Two two = place(a, b, motion);
-        const Closest closest = closest_points(two);
-        const double far = farness(candidate, two, closest);
-        if (far > 2 * margin_) continue;
-
+        Candidate candidate{{a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, 0, a.radius + b.radius};
         const auto before = [](const Candidate& p, const Candidate& q) {
             return p.element[0] < q.element[0] || (p.element[0] == q.element[0] && p.element[1] < q.element[1]);
         };
         while (old != kept.end() && before(*old, candidate)) ++old;
         const bool known = old != kept.end() && !before(candidate, *old);
+        if (known) candidate.rule = old->rule;
+        else if (rule_of) candidate.rule = rule_of(a.element, b.element);
+        if (candidate.rule < 0) continue;
+        const ContactSettings& rule = rules_[candidate.rule];
+        const Two two = place(a, b, motion);
+        const Closest closest = closest_points(two);
+        const double far = farness(candidate, two, closest);
+        if (far > 2 * margin_) continue;
         if (known) {
             candidate.state = old->state;
             candidate.side = old->side;
-        } else if (first_sight && far <= 0 && (settings_.rule == ContactRuleKind::surface
+        } else if (first_sight && far <= 0 && (rule.rule == ContactRuleKind::surface
                                                    ? closest.distance < (1 - 1e-6) * candidate.touch  // resting on each other is apart
-                                                   : closest.distance <= candidate.touch || flat(two, settings_.flatness))) {
+                                                   : closest.distance <= candidate.touch || flat(two, rule.flatness))) {
             candidate.state = PairState::joined;
         }
         observe(candidate, two, closest);
@@ -185,11 +196,12 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go. Negative
 // when it applies already.
 double Contact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
-    if (!settings_.letter) return closest.distance - pair.touch;
-    if (std::isinf(settings_.reach)) return -1;
+    const ContactSettings& rule = rules_[pair.rule];
+    if (!rule.letter) return closest.distance - pair.touch;
+    if (std::isinf(rule.reach)) return -1;
     const double lengths = length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]);
     // Each of the four distances and both lengths change by at most twice what an end travels.
-    const double far = (spread(two) - settings_.reach * lengths) / (4 + 2 * settings_.reach);
+    const double far = (spread(two) - rule.reach * lengths) / (4 + 2 * rule.reach);
     return far > 0 && closest.distance <= pair.touch ? 0.0 : far;  // in touch is not apart, whatever eq 18 says
 }
 
@@ -207,6 +219,7 @@ void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) c
 bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
     ++counts_.pair_tests;
     Candidate& pair = candidates_[i];
+    const ContactSettings& rule = rules_[pair.rule];
     const Bar &a = bars[pair.bar[0]], &b = bars[pair.bar[1]];
     const Two two = place(a, b, motion);
     const Closest closest = closest_points(two);
@@ -223,15 +236,15 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
 
     const Moving moving{two, {{dt * velocity(a.end(0), motion), dt * velocity(a.end(1), motion)},
                               {dt * velocity(b.end(0), motion), dt * velocity(b.end(1), motion)}}};
-    if (settings_.rule == ContactRuleKind::surface) {
+    if (rule.rule == ContactRuleKind::surface) {
         if (closest.distance - moving.closing_bound() > pair.touch) return false;
         if (far > 0 && !first_meeting(moving, closest, pair.side, {never, never, pair.touch}).found) return false;
         watch(pair, a, b, motion, two);
         look_at_[i] = never;
         return true;
     }
-    const RuleNumbers numbers{settings_.reach, settings_.flatness, pair.touch};
-    const Meeting meeting = settings_.letter ? letter_meeting(moving, closest, pair.side, numbers)
+    const RuleNumbers numbers{rule.reach, rule.flatness, pair.touch};
+    const Meeting meeting = rule.letter ? letter_meeting(moving, closest, pair.side, numbers)
                                              : first_meeting(moving, closest, pair.side, numbers);
     if (!meeting.found) return false;
     bind(pair, a, b, motion, meeting, time);
@@ -245,6 +258,7 @@ void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& mo
     Bond bond;
     bond.element[0] = a.element;
     bond.element[1] = b.element;
+    bond.rule = pair.rule;
     bond.since = time;
     bond.side = bond.side_now = meeting.direction;
     bond.at[0] = meeting.s;
@@ -254,7 +268,7 @@ void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& mo
         bond.end[i] = i < 2 ? a.end(i) : b.end(i - 2);
         at[i] = point(bond.end[i], motion);
     }
-    const double shortest = settings_.shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
+    const double shortest = rules_[pair.rule].shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
     for (int g = 0; g < 4; ++g) {
         bond.gap[g].rest = at[gap_b(g)] - at[gap_a(g)];
         bond.gap[g].stiffness = gap_stiffness(a.stiffness, b.stiffness, bond.gap[g].rest.norm(), shortest);
@@ -298,8 +312,9 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
         touch.radius[i] = bars[i]->radius;
         for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end(e);
     }
-    touch.stiffness = settings_.stiffness > 0 ? settings_.stiffness : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
-    touch.friction = settings_.friction;
+    const ContactSettings& rule = rules_[pair.rule];
+    touch.stiffness = rule.stiffness > 0 ? rule.stiffness : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
+    touch.friction = rule.friction;
     touch.side_before = pair.side;
     contact::look(touch, motion.position, motion.rotation);
     contact::settle(touch, motion.position, motion.rotation);
@@ -370,13 +385,14 @@ double Contact::release(double time, std::vector<LetGo>* let_go) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < bonds_.size(); ++i) {
         Bond& bond = bonds_[i];
-        const double age = (time - bond.since) / settings_.binding_time;
+        const ContactSettings& rule = rules_[bond.rule];
+        const double age = (time - bond.since) / rule.binding_time;
         bond.energy_peak = std::max(bond.energy_peak, bond.energy);
         bool due = age >= 1 - 1e-9;
-        if (due && settings_.hold_until_parting && age < settings_.longest_hold) {
+        if (due && rule.hold_until_parting && age < rule.longest_hold) {
             // At the bottom of a swing, a low one, and not while the bars still press on towards the other side.
             const bool turned = bond.falling && bond.energy >= bond.energy_before;
-            const bool low = bond.energy <= settings_.parting_energy * bond.energy_peak;
+            const bool low = bond.energy <= rule.parting_energy * bond.energy_peak;
             const bool spent = bond.energy <= 1e-3 * bond.energy_peak;
             const bool closing = bond.opening < bond.opening_before;
             due = ((turned && low) || spent) && !closing;
@@ -388,7 +404,7 @@ double Contact::release(double time, std::vector<LetGo>* let_go) {
             energy += bond.energy;
             ++counts_.released;
             end_bond(bond);
-            if (let_go) let_go->push_back(held_by(bond));
+            if (let_go) let_go->push_back(held_by(bond)), let_go->back().springs_back = rule.hold_until_parting;
         } else {
             if (kept != i) bonds_[kept] = bond;
             ++kept;

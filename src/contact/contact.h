@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "contact/bond.h"
@@ -65,7 +66,12 @@ struct ContactSettings {
                                      ///< impact lasts; 40 changed nothing, with 10 some bonds were cut while full
     double shortest_gap = 0.5;       ///< of the mean length of the two elements: gap elements shorter than this are as stiff as
                                      ///< this, half an element, so that no gap brings in a frequency above the elements' own
+
+    bool operator==(const ContactSettings&) const = default;
 };
+
+/// Which of a Contact's rules two elements meet by; -1: by none.
+using PairRule = std::function<int(int element_a, int element_b)>;
 
 struct ContactCounts {
     long bound = 0, released = 0, dropped = 0;   ///< bonds made, or touches begun; let go; lost with a broken element
@@ -86,6 +92,7 @@ struct ContactEvent {
 /// What a bond that was let go still held.
 struct LetGo {
     double energy = 0;       ///< J
+    bool springs_back = false;   ///< hold_until_parting
     End end[4];
     Vec3 force[4];           ///< N, that it resisted with at each end
     Vec3 opening[4];         ///< how its two bars' distance grows with a motion of each end
@@ -99,13 +106,17 @@ struct LetGo {
 /// accelerations from step to step must find them anew after a release or a drop, or it goes on pulling for half a step.
 class Contact {
 public:
-    explicit Contact(ContactSettings settings);
+    explicit Contact(ContactSettings settings) : Contact(std::vector<ContactSettings>{settings}) {}
+    explicit Contact(std::vector<ContactSettings> rules) : rules_(std::move(rules)) {}
+
+    /// The number of a rule with these settings, added if there is none.
+    int rule(const ContactSettings& settings);
 
     /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their element
     /// numbers. `bars` is the current list of bars; `changed` says that it differs from the last call (something broke).
     /// Pairs that share a node never bind; nor do pairs that touch when they are first seen, until they have parted.
-    /// Returns the number of pairs newly bound.
-    int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time);
+    /// Returns the number of pairs newly bound. `rule_of` is asked once for each pair that comes near; without it all meet by the first rule.
+    int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time, const PairRule& rule_of = {});
 
     /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go, J.
     double drop(int element);
@@ -134,7 +145,7 @@ public:
 
     double stored_energy() const { return stored_; }   ///< J, as of the last add_internal_forces
     bool idle() const { return bonds_.empty() && touches_.empty(); }
-    const ContactSettings& settings() const { return settings_; }
+    const std::vector<ContactSettings>& rules() const { return rules_; }
     const ContactCounts& counts() const { return counts_; }
     const std::vector<Bond>& bonds() const { return bonds_; }   ///< in the order in which they were made
     const std::vector<Touch>& touches() const { return touches_; }   ///< pairs that touch, or might in this step
@@ -160,6 +171,7 @@ private:
         int element[2];
         int bar[2];                  ///< places in the list of bars
         PairState state;
+        int rule;
         double touch;                ///< sum of the half depths, m
         Vec3 side = Vec3::Zero();    ///< unit direction from a to b when they last were clearly apart
     };
@@ -170,7 +182,7 @@ private:
 
     void list_ends(const std::vector<Bar>& bars, const Motion& motion);
     double advance(const Motion& motion, double dt);
-    void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight);
+    void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight, const PairRule& rule_of);
     double farness(const Candidate& pair, const Two& two, const Closest& closest) const;
     void observe(Candidate& pair, const Two& two, const Closest& closest) const;
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
@@ -183,7 +195,7 @@ private:
     template <class Io>
     void fields(Io& io);
 
-    ContactSettings settings_;
+    std::vector<ContactSettings> rules_;
     ContactCounts counts_;
     std::vector<Bond> bonds_;
     std::vector<Touch> touches_;

@@ -1,4 +1,5 @@
 // Contact's state as a record of bytes, and back.
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -67,8 +68,12 @@ void vector(Io& io, Vec3& v) {
 template <class Io>
 void Contact::fields(Io& io) {
     plain(io, counts_.bound, counts_.released, counts_.dropped, counts_.pair_tests, counts_.list_builds, counts_.energy_let_go);
+    io.list(rules_, [&](ContactSettings& r) {
+        plain(io, r.rule, r.sleep, r.stiffness, r.friction, r.reach, r.flatness, r.binding_time, r.letter, r.hold_until_parting, r.parting_energy,
+              r.longest_hold, r.shortest_gap);
+    });
     io.list(bonds_, [&](Bond& bond) {
-        plain(io, bond.element[0], bond.element[1], bond.since);
+        plain(io, bond.element[0], bond.element[1], bond.rule, bond.since);
         for (End& end : bond.end) {
             plain(io, end.node);
             vector(io, end.arm);
@@ -106,7 +111,7 @@ void Contact::fields(Io& io) {
         vector(io, arm.last);
     });
     io.list(candidates_, [&](Candidate& pair) {
-        plain(io, pair.element[0], pair.element[1], pair.bar[0], pair.bar[1], pair.state, pair.touch);
+        plain(io, pair.element[0], pair.element[1], pair.bar[0], pair.bar[1], pair.state, pair.rule, pair.touch);
         vector(io, pair.side);
     });
     io.list(look_at_, [&](double& at) { plain(io, at); });
@@ -118,9 +123,11 @@ void Contact::save(std::vector<char>& out) const {
 }
 
 std::size_t Contact::restore(const char* data, std::size_t size) {
-    Contact read(settings_);
+    Contact read(rules_);
     Reader reader{data, size};
     read.fields(reader);
+    const auto unknown = [&](const auto& of) { return of.rule < 0 || std::size_t(of.rule) >= read.rules_.size(); };
+    if (std::any_of(read.bonds_.begin(), read.bonds_.end(), unknown) || std::any_of(read.candidates_.begin(), read.candidates_.end(), unknown)) return 0;
     if (!reader.whole || read.last_.size() != read.nodes_.size() || read.look_at_.size() != read.candidates_.size()) return 0;
     *this = std::move(read);
     return size - reader.left;

@@ -26,15 +26,17 @@ void must_be_finite(const Vec3& v, const char* what, const char* unit) {
 Model::Model(ModelOptions options) : options_(options) {}
 
 int Model::add_node(const Vec3& position) {
+    check_open();
     must_be_finite(position, "position", "m");
     nodes_.push_back({position, 0});
     velocities_.push_back(Vec6::Zero());
     return int(nodes_.size()) - 1;
 }
 
-void Model::fix(int node, std::uint8_t mask) { nodes_[node].fixed |= mask; }
+void Model::fix(int node, std::uint8_t mask) { check_open(), nodes_[node].fixed |= mask; }
 
 int Model::add_member(MemberData m) {
+    check_open();
     if (m.node[0] == m.node[1])
         throw InputError("member joins node " + std::to_string(m.node[0] + 1) + " to itself; its two nodes must differ");
     const Vec3 chord = nodes_[m.node[1]].position - nodes_[m.node[0]].position;
@@ -55,33 +57,65 @@ int Model::add_member(MemberData m) {
     return int(members_.size()) - 1;
 }
 
-void Model::set_member_groups(int member, std::vector<int> groups) { members_[member].groups = std::move(groups); }
+void Model::set_member_groups(int member, std::vector<int> groups) { check_open(), members_[member].groups = std::move(groups); }
 
 void Model::add_load(NodalLoad load) {
+    check_open();
     must_be_finite(load.force, "force", "N");
     must_be_finite(load.moment, "moment", "N m");
     loads_.push_back(std::move(load));
 }
 
 void Model::set_gravity(const Vec3& g) {
+    check_open();
     must_be_finite(g, "gravity", "m/s^2");
     gravity_ = g;
 }
 
 void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
+    check_open();
     must_be_finite(linear, "velocity", "m/s");
     must_be_finite(angular, "angular velocity", "rad/s");
     velocities_[node] << linear, angular;
     has_velocity_ = true;
 }
 
-void Model::add_fracture(FractureRule rule) { fracture_.push_back(std::move(rule)); }
-void Model::set_contact(ContactRule rule) { contact_ = std::move(rule); }
-void Model::set_damping(double d) { damping_ = d; }
+void Model::add_fracture(FractureRule rule) { check_open(), fracture_.push_back(std::move(rule)); }
+void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std::move(rule)); }
+void Model::add_motion(SupportMotion motion) { fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion)); }
+void Model::set_damping(double d) { check_open(), damping_ = d; }
+
+void Model::check_open() const {
+    if (locked_) throw InputError("the model cannot be changed while a run of it is inside a step; change it between steps, or before the run is made");
+}
+
+namespace {
+
+bool in_any(const MemberData& member, const std::vector<int>& groups) {
+    return std::any_of(groups.begin(), groups.end(), [&](int g) { return std::find(member.groups.begin(), member.groups.end(), g) != member.groups.end(); });
+}
+
+}  // namespace
+
+int Model::contact_rule(int a, int b) const {
+    const MemberData &first = members_[a], &second = members_[b];
+    for (int i = int(contact_.size()) - 1; i >= 0; --i) {
+        const std::vector<int>& groups = contact_[i].groups;
+        if (groups.empty()) return i;
+        const auto across = [&](const MemberData& p, const MemberData& q) { return in_any(p, {groups[0]}) && in_any(q, {groups[1]}); };
+        if (contact_[i].between ? across(first, second) || across(second, first) : in_any(first, groups) && in_any(second, groups)) return i;
+    }
+    return -1;
+}
+
+bool Model::can_touch(int member) const {
+    return std::any_of(contact_.begin(), contact_.end(), [&](const ContactRule& r) { return r.groups.empty() || in_any(members_[member], r.groups); });
+}
 
 int Model::group(const std::string& name) {
     const int found = find_group(name);
     if (found >= 0) return found;
+    check_open();
     groups_.push_back(name);
     return int(groups_.size()) - 1;
 }

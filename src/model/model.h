@@ -12,6 +12,7 @@
 
 #include "contact/contact.h"
 #include "core/types.h"
+#include "model/fracture_rule.h"
 
 namespace hinge {
 
@@ -62,32 +63,24 @@ struct NodalLoad {
     int node;
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
     History history;
+    /// In the place of force or moment: what acts at the end of a step (time, s), given the state where it begins; dynamics only.
+    std::function<Vec3(double)> force_rule = {}, moment_rule = {};
+    bool follows_state() const { return force_rule || moment_rule; }
 };
 
-/// A section as a fracture rule sees it. Resultants N m and N, strains 1/m and -.
-struct SectionView {
-    double time, step;
-    int member, element, end;      ///< end: 1 or 2 of the element (0: its middle)
-    double curvature_x, curvature_y, axial_strain, twist;
-    double Mx, My, N, Mz, f_y;
-    double plastic_work;           ///< J, of the element so far
-    bool plastic;                  ///< fully plastic in this step
-};
-using FractureHook = std::function<bool(const SectionView&)>;
-
-/// Eq 16. A criterion left at infinity is not tested. The paper's 0.0004 is per millimetre: 0.4 1/m.
-struct FractureRule {
-    double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
-    double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
-    double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
-    bool tension_only = false;
-    FractureHook hook;
-    int group = -1;  ///< -1: all members
+/// A freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where the run begins.
+struct SupportMotion {
+    int node, component;
+    History displacement;
 };
 
+/// Of several rules the last one that applies to both members counts.
 struct ContactRule {
     contact::ContactSettings settings;
-    std::vector<int> groups;  ///< empty: all members
+    std::vector<int> groups;   ///< both members are in one of these; empty: all members
+    bool between = false;      ///< one member in the first of two groups, one in the second
+    std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)> pairs;   ///< asked once a pair of members: none, or by what numbers
+    std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_touch, on_release;
 };
 
 struct ModelOptions {
@@ -111,7 +104,10 @@ public:
     void set_gravity(const Vec3& g);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
     void add_fracture(FractureRule rule);
-    void set_contact(ContactRule rule);
+    void add_contact(ContactRule rule);
+    void add_motion(SupportMotion motion);
+    /// While locked (a run of this model is inside a step) whatever would change it raises InputError.
+    void lock(bool locked) { locked_ = locked; }
     void set_damping(double mass_proportional);
     int group(const std::string& name);              ///< finds or makes
     int find_group(const std::string& name) const;   ///< -1 when there is none
@@ -122,7 +118,10 @@ public:
     const std::vector<NodalLoad>& loads() const { return loads_; }
     const std::vector<std::string>& groups() const { return groups_; }
     const std::vector<FractureRule>& fracture() const { return fracture_; }
-    const std::optional<ContactRule>& contact() const { return contact_; }
+    const std::vector<ContactRule>& contact() const { return contact_; }
+    int contact_rule(int member_a, int member_b) const;   ///< by which the two meet, as their groups have it; -1: none
+    bool can_touch(int member) const;
+    const std::vector<SupportMotion>& motions() const { return motions_; }
     const std::optional<Vec3>& gravity() const { return gravity_; }
     /// Which line of the script asked for an effect; the first one counts. "" where none did.
     void ask(const std::string& effect, const std::string& line) { asked_.try_emplace(effect, line); }
@@ -140,7 +139,10 @@ private:
     std::vector<NodalLoad> loads_;
     std::vector<std::string> groups_;
     std::vector<FractureRule> fracture_;
-    std::optional<ContactRule> contact_;
+    std::vector<ContactRule> contact_;
+    std::vector<SupportMotion> motions_;
+    bool locked_ = false;
+    void check_open() const;
     std::optional<Vec3> gravity_;
     std::map<std::string, std::string> asked_;
     double damping_ = 0;

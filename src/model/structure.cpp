@@ -54,11 +54,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
             const int group = m.fracture()[r].group;
             if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end()) fracture = int(r);
         }
-        bool touches = m.contact().has_value();
-        if (touches && !m.contact()->groups.empty())
-            touches = std::any_of(member.groups.begin(), member.groups.end(), [&](int g) {
-                return std::find(m.contact()->groups.begin(), m.contact()->groups.end(), g) != m.contact()->groups.end();
-            });
+        const bool touches = m.can_touch(int(index));
         int left = member.node[0];
         for (int i = 0; i < member.elements; ++i) {
             int right = member.node[1];

@@ -43,8 +43,8 @@ void hold_anchor(lua_State* L, const Model& model) {
     lua_setiuservalue(L, -2, 1);
 }
 
-/// The function's place in the anchor: its own address is the key.
-struct LuaFunction::Slot {
+/// The value's place in the anchor: its own address is the key.
+struct LuaValue::Slot {
     lua_State* main;
     const Model* model;
     Slot(lua_State* main, const Model* model) : main(main), model(model) {}
@@ -60,7 +60,7 @@ struct LuaFunction::Slot {
     }
 };
 
-LuaFunction::LuaFunction(lua_State* L, int index, const Model& model) : context_(context(L)) {
+LuaValue::LuaValue(lua_State* L, int index, const Model& model) {
     index = lua_absindex(L, index);
     lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
     slot_ = std::make_shared<Slot>(lua_tothread(L, -1), &model);
@@ -68,13 +68,16 @@ LuaFunction::LuaFunction(lua_State* L, int index, const Model& model) : context_
     lua_pushvalue(L, index);
     lua_rawsetp(L, -2, slot_.get());
     lua_pop(L, 2);
+}
+
+LuaFunction::LuaFunction(lua_State* L, int index, const Model& model) : LuaValue(L, index, model), context_(context(L)) {
     lua_Debug about;
     lua_pushvalue(L, index);
     lua_getinfo(L, ">S", &about);
     place_ = std::string(about.short_src) + ":" + std::to_string(about.linedefined);
 }
 
-void LuaFunction::push(lua_State* L) const {
+void LuaValue::push(lua_State* L) const {
     find_anchor(L, slot_->model);
     lua_rawgetp(L, -1, slot_.get());
     lua_remove(L, -2);
@@ -82,11 +85,12 @@ void LuaFunction::push(lua_State* L) const {
 
 lua_State* LuaFunction::running() const { return context_->running; }
 
-void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results) {
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what) {
     if (lua_pcall(L, arguments, results, 0) == LUA_OK) return;
     const char* text = lua_tostring(L, -1);
     std::string message = text ? text : function.place() + ": the function raised a value that is not a string";
     lua_pop(L, 1);
+    if (!what.empty()) message += " (" + what + ")";
     throw HookError(message);
 }
 

@@ -20,23 +20,31 @@ void push_anchor(lua_State* L, const Model& model);
 /// Has the userdata on top of the stack hold the model's anchor. Whatever keeps a model alive for the script must.
 void hold_anchor(lua_State* L, const Model& model);
 
-/// A Lua function that C++ calls. The model's anchor keeps it, not the registry: a rule that refers to its own model is then a
-/// cycle that Lua sees and collects. It may be called as long as an object of the script holds that anchor.
-class LuaFunction {
+/// A Lua value that C++ holds. The model's anchor keeps it, not the registry: a rule that refers to its own model is then a
+/// cycle that Lua sees and collects. It may be used as long as an object of the script holds that anchor.
+class LuaValue {
 public:
-    LuaFunction(lua_State* L, int index, const Model& model);  ///< takes the function at index
+    LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index
     void push(lua_State* L) const;
-    lua_State* running() const;
-    const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
 
 private:
     struct Slot;
     std::shared_ptr<Slot> slot_;
+};
+
+/// A Lua function that C++ calls.
+class LuaFunction : public LuaValue {
+public:
+    LuaFunction(lua_State* L, int index, const Model& model);
+    lua_State* running() const;
+    const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
+
+private:
     std::shared_ptr<Context> context_;
     std::string place_;
 };
 
-/// Calls the function below its arguments; a Lua error becomes HookError with the message it had.
-void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results);
+/// Calls the function below its arguments; a Lua error becomes HookError with the message it had, and `what` failed.
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what = "");
 
 }  // namespace hinge::script

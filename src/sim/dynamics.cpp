@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "beam/mass.h"
+#include "core/errors.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
 #include "sim/nodes.h"
@@ -42,6 +43,22 @@ bool Dynamics::advance() {
         verdict_ = Verdict::completed;
         return false;
     }
+    if (!has_rules_) return take_step();
+    remember();
+    try {
+        return take_step();
+    } catch (const HookError& e) {
+        take_back();
+        char at[100];
+        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1, state_.time + settings_.dt);
+        throw HookError(e.what() + std::string(at));
+    } catch (...) {
+        take_back();
+        throw;
+    }
+}
+
+bool Dynamics::take_step() {
     if (settings_.automatic) choose_step();
     std::size_t recover_at = 0;
     iteration_ = 0;
@@ -73,11 +90,6 @@ bool Dynamics::advance() {
 
 // ---- stages ------------------------------------------------------------------------------------------------------
 
-/// F at the end of the step: gravity and the script's loads.
-void Dynamics::loads() {
-    apply_loads(state_.time + settings_.dt);
-}
-
 /// After something broke or was let go: the acceleration anew.
 void Dynamics::restart() {
     if (!restart_) return;
@@ -96,6 +108,7 @@ void Dynamics::predict() {
             trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
             trial_.velocity[i] = state_.velocity[i] + (0.5 * dt) * (state_.acceleration[i] + trial_.acceleration[i]);
         }
+        move_supports();
         return move_to_increment(0, int(increment_.size()));
     }
     const bool keep = operator_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
@@ -110,6 +123,7 @@ void Dynamics::predict() {
         }
         move_to_increment(first, end);
     });
+    move_supports();
 }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
@@ -165,6 +179,8 @@ void Dynamics::renew_operator() {
         }
         force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
         operator_->build(rebuild_, state_, trial_, given);
+        for (std::size_t i = 0; i < rebuild_.size() && !support_parts_.empty(); ++i)
+            if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end()) at->second = operator_->part(rebuild_[i], state_, trial_, given[i]);
         force_.swap(state_.force);
         for (int e : rebuild_) {
             sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
@@ -248,6 +264,7 @@ void Dynamics::correct() {
         if (!by_spin) move_to_increment(first, end);
         return sum[0] + sum[1] + sum[2];
     });
+    meet_supports();
     if (settings_.automatic) {
         double jump = 0;
         for (std::size_t i = 0; i < change_.size(); ++i) jump += lumped_mass_[i] * change_[i].head<3>().squaredNorm();
@@ -267,6 +284,8 @@ void Dynamics::correct() {
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
+    if (with_contact()) note_contacts();
+    book_supports();
     for (Loaded& l : loaded_) {
         const Vec6 mean = 0.5 * (l.now + l.before);
         state_.booked.work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) + mean.tail<3>().dot(increment_[l.node]);
@@ -335,6 +354,30 @@ void Dynamics::commit() {
     else state_.time += settings_.dt;
 }
 
+// ---- steps that are taken back --------------------------------------------------------------------------------------
+
+/// Whatever a step changes before it commits, beside what is tried.
+void Dynamics::remember() {
+    kept_before_.clear();
+    if (!undo_) undo_.emplace();
+    undo_->contact = state_.contact;
+    undo_->booked = state_.booked;
+    undo_->pace = pace_;
+    undo_->restart = restart_, undo_->bars_changed = bars_changed_, undo_->contact_age = contact_age_;
+}
+
+/// A rule of the script failed: all as it was before the step.
+void Dynamics::take_back() {
+    for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) std::copy(kept->before.begin(), kept->before.end(), kept->at);
+    take_steps_of(undo_->pace.length);
+    state_.contact = undo_->contact;
+    state_.booked = undo_->booked;
+    pace_ = undo_->pace;
+    restart_ = undo_->restart, bars_changed_ = undo_->bars_changed, contact_age_ = undo_->contact_age;
+    to_break_.clear();
+    if (with_contact()) place_contact(state_.displacement), renew_couplings(state_.rotation);
+}
+
 // ---- what the stages use ------------------------------------------------------------------------------------------
 
 /// The element's part of the operator is to be built anew.
@@ -361,20 +404,6 @@ void Dynamics::take_reactions(std::vector<Vec6>& right) {
 void Dynamics::note_fastest() {
     for (const Fastest& f : fastest_of_)
         if (f.speed > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(f.speed), f.node, state_.time + settings_.dt};
-}
-
-/// F at time t: gravity and the script's loads. Only nodes with loads change.
-void Dynamics::apply_loads(double t) {
-    for (Loaded& l : loaded_) l.now.setZero();
-    const std::vector<NodalLoad>& loads = structure_->model().loads();
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-        if (state_.gone[loads[i].node]) continue;
-        const double factor = loads[i].history ? loads[i].history(t) : 1.0;
-        loaded_[load_at_[i]].now.head<3>() += factor * loads[i].force;
-        loaded_[load_at_[i]].now.tail<3>() += factor * loads[i].moment;
-    }
-    for (const Loaded& l : loaded_)
-        if (resting_.empty() || resting_[l.node] < 0) external_[l.node] = l.gravity + l.now;
 }
 
 std::string Dynamics::name_the_culprit() const {

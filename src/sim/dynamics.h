@@ -13,6 +13,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <unordered_map>
 
 #include "core/built.h"
@@ -93,6 +94,11 @@ private:
     void renew_couplings(const std::vector<Quat>& rotation);
     void place_contact(const std::vector<Vec3>& displacement);
     void note_contacts();
+    int contact_rule(int element_a, int element_b);
+    void foresee_supports();
+    void move_supports();
+    void meet_supports();
+    void book_supports();
     struct Kick { double square = 0, linear = 0; };
     Kick kick(const std::vector<Vec6>& impulse);
     void add_missed(const std::vector<Vec6>& impulse, double work);
@@ -104,7 +110,16 @@ private:
     void note_fastest();
     void take_reactions(std::vector<Vec6>& right);
     void heed_fracture(int element);
-    bool breaks(int element, const beam::Flow* flow, int& end) const;
+    bool breaks(int element, const beam::Flow* flow, int& end);
+    int weaker_end(int element, const beam::Flow* flow) const;
+    SectionView view_of(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
+    template <class Ask>
+    void with_kept(int element, int side, SectionView& view, Ask ask);
+    class Asked;
+    void ask_batch(int rule);
+    bool take_step();
+    void remember();
+    void take_back();
     void renew_hung_operator(std::size_t node);
     std::string name_the_culprit() const;
     void let_rest();
@@ -139,6 +154,7 @@ private:
     std::vector<Vec6> external_, nodal_, right_, change_, force_;
     struct Loaded { int node; Vec6 gravity, now = Vec6::Zero(), before = Vec6::Zero(); };
     std::vector<Loaded> loaded_;                 ///< nodes with loads of the script: F is the sum of gravity and what acts now
+    std::map<std::size_t, Vec6> rule_loads_;     ///< of the loads that are functions of the state: what they said last
     std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
     std::vector<Yielding> yielding_;
     std::vector<Yielding> hinges_;               ///< of the last step, when a step is solved from du = 0
@@ -163,6 +179,19 @@ private:
     Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};
     struct Break { int element, end; };
     std::vector<Break> to_break_;
+    std::vector<std::vector<int>> rule_elements_;   ///< of each fracture rule; filled when a batch asks
+    std::map<std::pair<int, int>, std::optional<contact::ContactSettings>> pair_rules_;   ///< what the script's rule said of two members
+    /// A freedom of a support that moves: where it is now and was one and two steps ago, m; where the step takes it, m, m/s, m/s^2.
+    struct Moved { int node, component; History path; double from = 0, now = 0, before = 0, long_before = 0, next = 0, speed = 0, acceleration = 0, force = 0, next_force = 0; bool begun = false; };
+    std::vector<Moved> moved_;
+    std::unordered_map<int, Mat12> support_parts_;   ///< of the operator, whole, for the elements at moved supports
+    // for a step that is taken back because a rule of the script failed
+    bool has_rules_ = false;
+    std::size_t kept_a_section_ = 0;             ///< numbers that rules keep of a section
+    struct Kept { double* at; std::vector<double> before; };
+    std::vector<Kept> kept_before_;
+    struct Undo { std::optional<contact::Contact> contact; Booked booked; Pace pace; bool restart = false, bars_changed = false; long contact_age = 0; };
+    std::optional<Undo> undo_;
 };
 
 }  // namespace hinge

@@ -44,6 +44,8 @@ void Dynamics::accelerate() {
             if (state_.held[h.node] >> c & 1) a[c] = 0;
         move(h.node, load_row<6>(a.data()), fastest_of_.back());
     }
+    move_supports();
+    meet_supports();
     note_fastest();
 }
 

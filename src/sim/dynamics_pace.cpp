@@ -37,7 +37,7 @@ bool Dynamics::loads_change() const {
 
 void Dynamics::choose_step() {
     const double longer = long_step / double(pace_.length);  // da grows with dt: what a short step says of a long one
-    const bool calm = !in_contact() && yielding_.empty() && !restart_ && jump_ * longer * longer <= jump_limit;
+    const bool calm = !in_contact() && yielding_.empty() && !restart_ && moved_.empty() && rule_loads_.empty() && jump_ * longer * longer <= jump_limit;
     pace_.calm = calm ? pace_.calm + 1 : 0;
     const bool fits = pace_.done + long_step <= pace_.whole;
     take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) && !loads_change() ? long_step : 1);

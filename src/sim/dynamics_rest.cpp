@@ -38,8 +38,10 @@ void Dynamics::let_rest() {
         holding[b] += size(external_[n]);
         if (const auto r = reaction_.find(int(n)); r != reaction_.end()) holding[b] += size(r->second);
     }
+    for (const Moved& m : moved_)
+        if (bodies.of_node[m.node] >= 0) rests[bodies.of_node[m.node]] = 0;
     for (const NodalLoad& load : structure_->model().loads())
-        if (load.history && bodies.of_node[load.node] >= 0) rests[bodies.of_node[load.node]] = 0;
+        if ((load.history || load.follows_state()) && bodies.of_node[load.node] >= 0) rests[bodies.of_node[load.node]] = 0;
     for (const contact::Touch& t : state_.contact ? state_.contact->touches() : std::vector<contact::Touch>{})
         for (int e : t.element) rests[bodies.of_node[structure_->elements()[e].node[0]]] = 0;
     for (const contact::Bond& t : state_.contact ? state_.contact->bonds() : std::vector<contact::Bond>{})

@@ -26,8 +26,24 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size(), elements = structure_->elements().size();
-    if (model.contact() && !state_.contact) state_.contact.emplace(model.contact()->settings);
-    if (!model.contact()) state_.contact.reset();
+    if (!model.contact().empty() && !state_.contact) {
+        std::vector<contact::ContactSettings> rules;
+        for (const ContactRule& rule : model.contact()) rules.push_back(rule.settings);
+        state_.contact.emplace(std::move(rules));
+    }
+    if (model.contact().empty()) state_.contact.reset();
+    for (const ContactRule& rule : model.contact()) has_rules_ = has_rules_ || rule.pairs || rule.on_touch || rule.on_release;
+    for (const NodalLoad& load : model.loads()) has_rules_ = has_rules_ || load.follows_state() || load.history;
+    for (const SupportMotion& m : model.motions()) {
+        moved_.push_back({m.node, m.component, m.displacement});
+        for (int e : structure_->elements_at(m.node)) support_parts_[e] = Mat12::Zero();
+        has_rules_ = true;
+    }
+    for (const FractureRule& rule : model.fracture()) {
+        has_rules_ = has_rules_ || rule.hook || rule.batch;
+        kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
+    }
+    if (const std::size_t kept = 2 * elements * kept_a_section_; state_.kept.size() != kept) state_.kept.assign(kept, 0);
 
     stages_.push_back({"loads", "loads", &Dynamics::loads});
     if (with_contact()) stages_.push_back({"contact", "contact", &Dynamics::contact});
@@ -62,6 +78,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     std::vector<int> place(nodes, -1);
     for (const NodalLoad& load : model.loads()) {
         if (place[load.node] < 0) place[load.node] = int(loaded_.size()), loaded_.push_back({load.node, external_[load.node]});
+        if (load.follows_state()) rule_loads_[load_at_.size()] = Vec6::Zero();
         load_at_.push_back(place[load.node]);
     }
     for (std::size_t i = 0; i < nodes; ++i)

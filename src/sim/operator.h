@@ -49,6 +49,8 @@ public:
     /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the yardstick of a step.
     double time_product(int repeats) const;
 
+    /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
+    Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
     Mat12 element_part(int element) const { return parts_.whole(element); }
 
     struct Counts { long built = 0, iterations = 0, solves = 0, factorisations = 0; };
@@ -56,7 +58,6 @@ public:
 
 private:
     void mark(int node);
-    Mat12 part(int element, const State& state, const Pose& pose, const Mat6* tangent) const;
 
     const Structure& structure_;
     Team& team_;

@@ -15,8 +15,9 @@ StableStep stable_step(const Structure& structure);
 /// which take it up three times (Case I of the ten-storey impact holds its energy to 0.1 % at 0.22 of the limit, to 0.35 % at 0.37,
 /// and not at all at 0.7).
 inline double usual_step(const StableStep& limit, const Model& model) {
-    if (!model.contact()) return 0.9 * limit.dt;
-    return (model.contact()->settings.rule == contact::ContactRuleKind::gap ? 0.22 : 0.7) * limit.dt;
+    double part = 0.9;
+    for (const ContactRule& rule : model.contact()) part = std::min(part, rule.settings.rule == contact::ContactRuleKind::gap ? 0.22 : 0.7);
+    return part * limit.dt;
 }
 
 }  // namespace hinge

@@ -91,7 +91,7 @@ ContactRule surface() {
 /// Beam a along x, clamped; beam b above it at `angle` degrees, `off` m from the middle of a, falling at 50 m/s.
 Frame falling_beam(ContactRule rule, double angle, double off) {
     Frame frame;
-    frame.model->set_contact(rule);
+    frame.model->add_contact(rule);
     const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0), middle(off, 0, 0.25);
     const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d), b2 = frame.node(middle + 0.5 * d);
     frame.member(a1, a2);

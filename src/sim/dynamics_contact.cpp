@@ -1,12 +1,9 @@
-// Dynamics, the stages that change who is connected to whom: what touches (eqs 17-19) and what breaks (eq 16).
+// Dynamics, the stages that change who touches whom (eqs 17-19).
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "beam/fracture.h"
 #include "sim/bodies.h"
 #include "sim/dynamics.h"
-#include "sim/hinges.h"
 
 namespace hinge {
 
@@ -16,9 +13,12 @@ void Dynamics::contact() {
     place_contact(state_.displacement);
     std::vector<Vec6>& foreseen = nodal_;  // free until stresses are recovered
     for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    contact::PairRule rule_of;
+    const std::vector<ContactRule>& rules = structure_->model().contact();
+    if (rules.size() > 1 || rules[0].between || rules[0].pairs) rule_of = [this](int a, int b) { return contact_rule(a, b); };
     std::optional<contact::Contact> before;
     if (pace_.length > 1) before = state_.contact;
-    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen}, settings_.dt, state_.time);
+    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen}, settings_.dt, state_.time, rule_of);
     if (before && !state_.contact->idle()) {  // too long a step to touch in
         state_.contact = std::move(before);
         take_steps_of(1);
@@ -26,7 +26,6 @@ void Dynamics::contact() {
         return contact();
     }
     bars_changed_ = false;
-    note_contacts();
     wake_bodies();
     if (bound > 0 || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings(state_.rotation);
 }
@@ -47,9 +46,8 @@ void Dynamics::part() {
     const contact::Contact::Settled settled = contact.settle(time, settings_.dt, contact_position_, trial_.rotation, impulse);
     state_.booked.contact_released += let_go + settled.heat;
     if (settled.missed) add_missed(impulse, settled.work);
-    if (contact.settings().hold_until_parting)
-        for (const contact::LetGo& bond : parted) state_.booked.contact_released -= give_back(bond);
-    note_contacts();
+    for (const contact::LetGo& bond : parted)
+        if (bond.springs_back) state_.booked.contact_released -= give_back(bond);
     if (!parted.empty()) {
         restart_ = true;
         renew_couplings(trial_.rotation);
@@ -103,7 +101,27 @@ void Dynamics::place_contact(const std::vector<Vec3>& displacement) {
     for (std::size_t i = 0; i < displacement.size(); ++i) contact_position_[i] = structure_->position()[i] + displacement[i];
 }
 
+/// By which of contact's rules two elements meet; the script's own rule is asked once for each pair of members.
+int Dynamics::contact_rule(int element_a, int element_b) {
+    const int a = structure_->elements()[element_a].member, b = structure_->elements()[element_b].member;
+    const int declared = structure_->model().contact_rule(a, b);
+    if (declared < 0) return -1;
+    const ContactRule& rule = structure_->model().contact()[declared];
+    if (!rule.pairs) return state_.contact->rule(rule.settings);
+    const auto known = pair_rules_.find({a, b});
+    const std::optional<contact::ContactSettings>& own = known != pair_rules_.end() ? known->second : pair_rules_[{a, b}] = rule.pairs(a, b);
+    return own ? state_.contact->rule(*own) : -1;
+}
+
+/// What began and ended in the step: marked, and told to the script.
 void Dynamics::note_contacts() {
+    for (const contact::ContactEvent& event : state_.contact->events()) {
+        const int a = structure_->elements()[event.element[0]].member, b = structure_->elements()[event.element[1]].member;
+        const int declared = structure_->model().contact_rule(a, b);
+        if (declared < 0) continue;
+        const ContactRule& rule = structure_->model().contact()[declared];
+        if (const auto& tell = event.bound ? rule.on_touch : rule.on_release) tell(event, a, b);
+    }
     for (const contact::ContactEvent& event : state_.contact->events())
         for (int e : event.element) state_.touched[e] = 1;
     state_.contact->clear_events();
@@ -137,80 +155,6 @@ void Dynamics::list_bars() {
         }
         bars_.push_back(bar);
     }
-}
-
-/// Whether the element could meet eq 16 without flowing on: its plastic strains and the most that it can strain elastically reach
-/// the limit. (Elastic curvature is a mean of the two end moments over EI, and neither is above the fully plastic one.)
-void Dynamics::heed_fracture(int index) {
-    const Element& e = structure_->elements()[index];
-    if (e.fracture < 0 || in_candidates_[index] || state_.broken[index]) return;
-    const FractureRule& rule = structure_->model().fracture()[e.fracture];
-    const auto elastic = [](double w, double rigidity) { return w > 0 ? (1 + 1e-6) / (std::sqrt(w) * rigidity) : std::numeric_limits<double>::infinity(); };
-    const beam::FractureStrains plastic = beam::fracture_strains(state_.plastic[index], e.length);
-    if (e.yield.elastic() || rule.curvature_x <= std::abs(plastic.curvature_x) + elastic(e.yield.x, e.rigidity.EIx) ||
-        rule.curvature_y <= std::abs(plastic.curvature_y) + elastic(e.yield.y, e.rigidity.EIy) ||
-        rule.axial_strain <= std::abs(plastic.axial) + elastic(e.yield.n, e.rigidity.EA)) {
-        in_candidates_[index] = 1;
-        fracture_candidates_.push_back(index);
-    }
-}
-
-/// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
-void Dynamics::fracture() {
-    to_break_.clear();
-    std::vector<int>& look = looked_at_;
-    look.assign(fracture_candidates_.begin(), fracture_candidates_.end());
-    for (const Yielding& y : yielding_) look.push_back(y.element);
-    std::sort(look.begin(), look.end());
-    look.erase(std::unique(look.begin(), look.end()), look.end());
-    std::size_t next = 0;
-    for (int e : look) {
-        while (next < yielding_.size() && yielding_[next].element < e) ++next;
-        const beam::Flow* flow = next < yielding_.size() && yielding_[next].element == e ? &yielding_[next].flow : nullptr;
-        int end = 0;
-        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, flow, end)) to_break_.push_back({e, end});
-    }
-}
-
-bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) const {
-    const Element& e = structure_->elements()[index];
-    const FractureRule& rule = structure_->model().fracture()[e.fracture];
-    const beam::Stiffness k = stiffness_now(*structure_, state_, index);
-    const Vec6& p = force_[index];
-    Vec6 d = k.solve(p) + state_.plastic[index];
-    if (flow) d += flow->plastic;
-    const beam::FractureStrains strains = beam::fracture_strains(d, e.length);
-    const double f1 = beam::yield_function(p, -1, e.yield), f2 = beam::yield_function(p, 1, e.yield);
-    const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
-    // where it breaks: at the section that flows, else at the one nearer to it
-    if (flow && !structure_->conventional() && flow->lambda[0] != flow->lambda[1]) end = flow->lambda[0] > flow->lambda[1] ? 1 : 2;
-    else end = f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
-    if (!rule.hook) return beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only);
-    // a script's rule is asked where it can matter: sections that flow, or the ends of an element that cannot
-    for (int side : {end, 3 - end}) {
-        const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
-        if (!flows && !e.yield.elastic()) continue;
-        SectionView view;
-        view.time = state_.time + settings_.dt;
-        view.step = double(state_.step + 1);
-        view.member = e.member;
-        view.element = index;
-        view.end = side;
-        view.curvature_x = strains.curvature_x;
-        view.curvature_y = strains.curvature_y;
-        view.axial_strain = strains.axial;
-        view.twist = strains.twist;
-        const double r = side == 1 ? -1 : 1;
-        view.Mx = beam::moment_at(p[0], p[1], r);
-        view.My = beam::moment_at(p[2], p[3], r);
-        view.N = p[4];
-        view.Mz = p[5];
-        view.f_y = side == 1 ? f1 : f2;
-        view.plastic_work = state_.plastic_work[index] + (flow ? flow->dissipation : 0);
-        view.plastic = flows;
-        if (rule.hook(view)) return end = side, true;
-    }
-    return false;
 }
 
 }  // namespace hinge

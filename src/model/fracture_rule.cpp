@@ -1,0 +1,46 @@
+#include "model/fracture_rule.h"
+
+namespace hinge {
+
+const std::vector<std::string> section_field_names = {
+    "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_curvature_y", "plastic_axial_strain", "plastic_twist",
+    "curvature_rate_x", "curvature_rate_y", "axial_strain_rate", "twist_rate", "Mx", "My", "N", "Mz", "f_y", "plastic_work", "member", "element", "end",
+    "plastic", "broken", "time", "dt", "step"};
+
+double value_of(const SectionView& v, SectionField field) {
+    switch (field) {
+        case SectionField::curvature_x: return v.curvature_x;
+        case SectionField::curvature_y: return v.curvature_y;
+        case SectionField::axial_strain: return v.axial_strain;
+        case SectionField::twist: return v.twist;
+        case SectionField::plastic_curvature_x: return v.plastic_curvature_x;
+        case SectionField::plastic_curvature_y: return v.plastic_curvature_y;
+        case SectionField::plastic_axial_strain: return v.plastic_axial_strain;
+        case SectionField::plastic_twist: return v.plastic_twist;
+        case SectionField::curvature_rate_x: return v.curvature_rate_x;
+        case SectionField::curvature_rate_y: return v.curvature_rate_y;
+        case SectionField::axial_strain_rate: return v.axial_strain_rate;
+        case SectionField::twist_rate: return v.twist_rate;
+        case SectionField::Mx: return v.Mx;
+        case SectionField::My: return v.My;
+        case SectionField::N: return v.N;
+        case SectionField::Mz: return v.Mz;
+        case SectionField::f_y: return v.f_y;
+        case SectionField::plastic_work: return v.plastic_work;
+        case SectionField::member: return v.member + 1;
+        case SectionField::element: return v.element + 1;
+        case SectionField::end: return v.end;
+        case SectionField::plastic: return v.plastic;
+        case SectionField::broken: return 0;
+        case SectionField::time: return v.time;
+        case SectionField::dt: return v.dt;
+        case SectionField::step: return v.step;
+    }
+    return 0;
+}
+
+bool at_ends(SectionField field) {
+    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y || field == SectionField::plastic;
+}
+
+}  // namespace hinge

@@ -1,0 +1,92 @@
+// Dynamics, what comes from outside: loads, and supports that move.
+#include "sim/dynamics.h"
+
+namespace hinge {
+
+/// F at the end of the step, and where the supports are then.
+void Dynamics::loads() {
+    const std::vector<NodalLoad>& loads = structure_->model().loads();
+    for (auto& [i, acting] : rule_loads_) {
+        const double end = state_.time + settings_.dt;
+        if (state_.gone[loads[i].node]) continue;
+        if (loads[i].force_rule) acting.head<3>() = loads[i].force_rule(end);
+        if (loads[i].moment_rule) acting.tail<3>() = loads[i].moment_rule(end);
+    }
+    apply_loads(state_.time + settings_.dt);
+    foresee_supports();
+}
+
+/// F at time t: gravity and the script's loads. Only nodes with loads change.
+void Dynamics::apply_loads(double t) {
+    for (Loaded& l : loaded_) l.now.setZero();
+    const std::vector<NodalLoad>& loads = structure_->model().loads();
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        if (state_.gone[loads[i].node]) continue;
+        const double factor = loads[i].history ? loads[i].history(t) : 1.0;
+        loaded_[load_at_[i]].now.head<3>() += factor * loads[i].force;
+        loaded_[load_at_[i]].now.tail<3>() += factor * loads[i].moment;
+    }
+    for (const auto& [i, acting] : rule_loads_)
+        if (!state_.gone[loads[i].node]) loaded_[load_at_[i]].now += acting;
+    for (const Loaded& l : loaded_)
+        if (resting_.empty() || resting_[l.node] < 0) external_[l.node] = l.gravity + l.now;
+}
+
+// ---- supports that move --------------------------------------------------------------------------------------------
+
+/// Velocity and acceleration by differences backwards, of second order: a motion is asked for once a step.
+void Dynamics::foresee_supports() {
+    const double dt = settings_.dt;
+    for (Moved& m : moved_) {
+        if (state_.gone[m.node]) continue;
+        if (!m.begun) {
+            m.now = state_.displacement[m.node][m.component];
+            m.from = m.path(state_.time) - m.now;
+            m.before = m.path(state_.time - dt) - m.from;
+            m.long_before = m.path(state_.time - 2 * dt) - m.from;
+            m.force = reaction_[m.node][m.component];
+            m.begun = true;
+        }
+        m.next = m.path(state_.time + dt) - m.from;
+        m.speed = (3 * m.next - 4 * m.now + m.before) / (2 * dt);
+        m.acceleration = (2 * m.next - 5 * m.now + 4 * m.before - m.long_before) / (dt * dt);
+    }
+}
+
+/// What is tried has the supports where they are at the end of the step; their rows of the solve stay zero.
+void Dynamics::move_supports() {
+    for (const Moved& m : moved_) {
+        if (state_.gone[m.node]) continue;
+        trial_.displacement[m.node][m.component] = m.next;
+        trial_.velocity[m.node][m.component] = m.speed;
+        trial_.acceleration[m.node][m.component] = m.acceleration;
+    }
+}
+
+/// The force by which a support is moved: what was met where the step was solved from, and what the solve added.
+void Dynamics::meet_supports() {
+    for (Moved& m : moved_) {
+        double& force = reaction_[m.node][m.component];
+        if (operator_)
+            for (int e : structure_->elements_at(m.node)) {
+                const Element& element = structure_->elements()[e];
+                if (state_.broken[e]) continue;
+                Vec12 change;
+                change << change_[element.node[0]], change_[element.node[1]];
+                force += support_parts_.at(e).row((element.node[0] == m.node ? 0 : 6) + m.component).dot(change);
+            }
+        else force += lumped_mass_[m.node] * m.acceleration;
+        m.next_force = force;
+    }
+}
+
+void Dynamics::book_supports() {
+    for (Moved& m : moved_) {
+        if (state_.gone[m.node]) continue;
+        state_.booked.work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
+        m.force = m.next_force;
+        m.long_before = m.before, m.before = m.now, m.now = m.next;
+    }
+}
+
+}  // namespace hinge
