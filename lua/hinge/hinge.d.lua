@@ -100,13 +100,115 @@ function section.general(options) end
 
 -- Models -------------------------------------------------------------------------------------------------------------
 
----@class hinge.node read-only: x, y, z (m) and index (from 1)
----@class hinge.member read-only: a, b (nodes), length (m), mass (kg), group (name of the first) and index (from 1)
----@class hinge.group read-only: name, size (members), length (m) and mass (kg)
+-- Handles. Two handles to the same thing are the same value, so == compares them and they can be keys of a table. tostring
+-- says what one stands for, and of what is gone since when it is. A handle of another model is refused everywhere, and so is
+-- one of a model that was closed. Lists are arrays in the order of declaration, made anew by each call:
+-- `for _, member in ipairs(group:members()) do ... end`. What a method reads of a run is of the latest run made of the model
+-- where none is given; while none has been made, that is an error.
+
+---A joint.
+---@class hinge.node
+---@field x number as declared, m
+---@field y number
+---@field z number
+---@field index integer from 1, in the order of declaration
+---@field fixed string? what is fixed, as model:fix takes it: "all" or such as "x,y,rx"; nil: nothing
+local node = {}
+
+---@param run? hinge.run default: the latest of the model
+---@return number ux, number uy, number uz, number rx, number ry, number rz m and rotation vector, rad
+function node:displacement(run) end
+
+---@param run? hinge.run default: the latest of the model
+---@return number vx, number vy, number vz, number wx, number wy, number wz m/s and rad/s
+function node:velocity(run) end
+
+---@param run? hinge.run default: the latest of the model
+---@return number ax, number ay, number az, number bx, number by, number bz m/s^2 and rad/s^2
+function node:acceleration(run) end
+
+---@param run? hinge.run default: the latest of the model
+---@return number fx, number fy, number fz, number mx, number my, number mz what the support exerts on the node, N and N m
+function node:reaction(run) end
+
+---@param run? hinge.run default: the latest of the model
+---@return number x, number y, number z where it is now, m
+function node:position(run) end
+
+---A bar between two joints.
+---@class hinge.member
+---@field a hinge.node
+---@field b hinge.node
+---@field length number as declared, m
+---@field mass number kg
+---@field group string? name of its first group, which colours it; nil: none
+---@field section hinge.section
+---@field material hinge.material
+---@field up vec3 direction of the section's y axis, as given
+---@field elements integer how many it is divided into
+---@field index integer from 1, in the order of declaration
+local member = {}
+
+---@return hinge.node[] a_and_b
+function member:nodes() end
+
+---@return hinge.group[]
+function member:groups() end
+
+---Section resultants at its two ends; all zero once the element there is broken.
+---@param run? hinge.run default: the latest of the model
+---@return hinge.resultants at_a, hinge.resultants at_b
+function member:forces(run) end
+
+---What has become of it. A member is broken once one of its elements is.
+---@param run? hinge.run default: the latest of the model
+---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest now; of a broken member, when its first element broke (s; nil: before this run began) and which of its elements it was
+function member:state(run) end
+
+---Members that were given the same name. `#group` is their number.
+---@class hinge.group
+---@field name string
+---@field size integer its members, as #group
+---@field length number of all its members, m
+---@field mass number kg
+local group = {}
+
+---@return hinge.member[]
+function group:members() end
+
+---@return hinge.node[] nodes the joints of its members, each once
+function group:nodes() end
+
 ---@alias hinge.group_like hinge.group|string
+
+---A load on a node.
+---@class hinge.load
+---@field node hinge.node
+---@field force vec3 N
+---@field moment vec3 N m
+local load = {}
+
+---Takes it off the model. Runs made before keep it; any later use of the handle is an error that says where it was removed.
+function load:remove() end
 
 ---@class hinge.model
 local model = {}
+
+---@return hinge.node[]
+function model:nodes() end
+
+---@return hinge.member[]
+function model:members() end
+
+---@return hinge.group[]
+function model:groups() end
+
+---@return hinge.load[] loads those that were not removed
+function model:loads() end
+
+---Frees the model and its runs at once, whatever handles there are; any later use of one is an error that says where the
+---model was closed. Models that nobody refers to are freed without it. An error inside a step of one of its own runs.
+function model:close() end
 
 ---Adds a joint.
 ---@param position vec3 m
@@ -125,6 +227,7 @@ function model:member(options) end
 
 ---Adds a load on a node, fixed in direction.
 ---@param options { node: hinge.node, force?: vec3, moment?: vec3, history?: fun(time: number): number|number[][] } N and N m in space; history: its factor over time (s), a function or points { { time, factor }, ... }, default 1
+---@return hinge.load
 function model:load(options) end
 
 ---Gravity on every member's mass.
@@ -264,17 +367,25 @@ function run:position(node) end
 
 ---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number } N and N m in the section's axes; f_y of eq 14
 
+---As member:forces.
 ---@param member hinge.member
 ---@return hinge.resultants at_a, hinge.resultants at_b at its two ends
 function run:forces(member) end
 
+---As member:state.
 ---@param member hinge.member
----@return "elastic"|"yielded"|"broken" state, number f_y the largest now
+---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element
 function run:state(member) end
 
----Bulk reading: one number a member of the group, in the order they were declared.
----@param quantity "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z" f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded, touched: 1 or 0; plastic_work J; member: its index; x, y, z: its middle now, m
----@param group? hinge.group_like default: all members
+---@alias hinge.member_quantity "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z"|"N_a"|"Mx_a"|"My_a"|"Mz_a"|"Qx_a"|"Qy_a"|"f_y_a"|"N_b"|"Mx_b"|"My_b"|"Mz_b"|"Qx_b"|"Qy_b"|"f_y_b"
+---@alias hinge.node_quantity "ux"|"uy"|"uz"|"rx"|"ry"|"rz"|"vx"|"vy"|"vz"|"vrx"|"vry"|"vrz"|"ax"|"ay"|"az"|"arx"|"ary"|"arz"|"reaction_fx"|"reaction_fy"|"reaction_fz"|"reaction_mx"|"reaction_my"|"reaction_mz"|"node"|"node_x"|"node_y"|"node_z"
+
+---Bulk reading: one number a member or a joint of the group, in the order they were declared; "member" and "node" say which.
+---Of members, f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded, touched: 1 or 0;
+---plastic_work J; member: its index; x, y, z: its middle now, m; with _a and _b: the resultants at its ends, as member:forces.
+---Of nodes: what run:probe takes, reactions as reaction_fx to reaction_mz; node: its index; node_x, node_y, node_z: where it is now, m.
+---@param quantity hinge.member_quantity|hinge.node_quantity
+---@param group? hinge.group_like default: all; of nodes, the joints of the group's members
 ---@return number[]
 function run:read(quantity, group) end
 

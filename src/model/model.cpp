@@ -59,11 +59,23 @@ int Model::add_member(MemberData m) {
 
 void Model::set_member_groups(int member, std::vector<int> groups) { check_open(), members_[member].groups = std::move(groups); }
 
-void Model::add_load(NodalLoad load) {
+int Model::add_load(NodalLoad load) {
     check_open();
     must_be_finite(load.force, "force", "N");
     must_be_finite(load.moment, "moment", "N m");
+    load.number = next_load_++;
     loads_.push_back(std::move(load));
+    return load.number;
+}
+
+const NodalLoad* Model::find_load(int number) const {
+    const auto at = std::lower_bound(loads_.begin(), loads_.end(), number, [](const NodalLoad& l, int n) { return l.number < n; });
+    return at != loads_.end() && at->number == number ? &*at : nullptr;
+}
+
+void Model::remove_load(int number) {
+    check_open();
+    if (const NodalLoad* load = find_load(number)) loads_.erase(loads_.begin() + (load - loads_.data()));
 }
 
 void Model::set_gravity(const Vec3& g) {

@@ -63,6 +63,7 @@ struct NodalLoad {
     int node;
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
     History history;
+    int number = 0;  ///< its own for as long as the model lives
     /// In the place of force or moment: what acts at the end of a step (time, s), given the state where it begins; dynamics only.
     std::function<Vec3(double)> force_rule = {}, moment_rule = {};
     bool follows_state() const { return force_rule || moment_rule; }
@@ -100,7 +101,9 @@ public:
     void fix(int node, std::uint8_t mask);
     int add_member(MemberData member);
     void set_member_groups(int member, std::vector<int> groups);
-    void add_load(NodalLoad load);
+    int add_load(NodalLoad load);                    ///< returns its number
+    const NodalLoad* find_load(int number) const;    ///< nullptr once it is removed
+    void remove_load(int number);
     void set_gravity(const Vec3& g);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
     void add_fracture(FractureRule rule);
@@ -136,7 +139,8 @@ private:
     ModelOptions options_;
     std::vector<NodeData> nodes_;
     std::vector<MemberData> members_;
-    std::vector<NodalLoad> loads_;
+    std::vector<NodalLoad> loads_;  // their numbers rise
+    int next_load_ = 0;
     std::vector<std::string> groups_;
     std::vector<FractureRule> fracture_;
     std::vector<ContactRule> contact_;

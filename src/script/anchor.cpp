@@ -13,15 +13,20 @@ bool find_anchor(lua_State* L, const Model* model) {
     return lua_istable(L, -1);
 }
 
-/// Pushes the table of all anchors, which does not keep them.
-void push_anchors(lua_State* L) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) return;
-    lua_pop(L, 1);
+/// Pushes a new table that does not keep its values.
+void push_weak_table(lua_State* L) {
     lua_newtable(L);
     lua_createtable(L, 0, 1);
     lua_pushliteral(L, "v");
     lua_setfield(L, -2, "__mode");
     lua_setmetatable(L, -2);
+}
+
+/// Pushes the table of all anchors.
+void push_anchors(lua_State* L) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) return;
+    lua_pop(L, 1);
+    push_weak_table(L);
     lua_pushvalue(L, -1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &anchors_key);
 }
@@ -41,6 +46,17 @@ void push_anchor(lua_State* L, const Model& model) {
 void hold_anchor(lua_State* L, const Model& model) {
     push_anchor(L, model);
     lua_setiuservalue(L, -2, 1);
+}
+
+void push_handles(lua_State* L, const Model& model, const char* kind) {
+    push_anchor(L, model);
+    if (lua_getfield(L, -1, kind) != LUA_TTABLE) {
+        lua_pop(L, 1);
+        push_weak_table(L);
+        lua_pushvalue(L, -1);
+        lua_setfield(L, -3, kind);
+    }
+    lua_remove(L, -2);
 }
 
 /// The value's place in the anchor: its own address is the key.

@@ -1,34 +1,9 @@
-// hinge.model and what it holds: nodes, members, groups, loads, rules.
+// hinge.model, and how a script adds nodes, supports, members, loads and velocities to it.
 #include <algorithm>
 
 #include "script/objects.h"
 
 namespace hinge::script {
-
-NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model) {
-    auto* node = find<NodeBox>(L, index);
-    if (!node) throw InputError(what + " is " + show(L, index) + "; must be a node made by model:node{x, y, z}");
-    if (model && node->model.get() != model) throw InputError(what + " is node " + std::to_string(node->index + 1) + " of another model; use a node of this one");
-    return *node;
-}
-
-std::string group_names(const Model& model, const std::string& typed) {
-    std::string list;
-    for (const auto& g : model.groups()) list += (list.empty() ? "" : ", ") + ("'" + g + "'");
-    return did_you_mean(typed, model.groups()) + (list.empty() ? "; the model has no groups" : "; the model has " + list);
-}
-
-int group_argument(lua_State* L, int index, const std::string& what, const Model& model) {
-    if (const auto* group = find<GroupBox>(L, index)) {
-        if (group->model.get() != &model) throw InputError(what + " is group '" + group->model->groups()[group->index] + "' of another model");
-        return group->index;
-    }
-    if (lua_type(L, index) != LUA_TSTRING) throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
-    const std::string name = lua_tostring(L, index);
-    const int found = model.find_group(name);
-    if (found < 0) throw InputError(what + ": no group '" + name + "'" + group_names(model, name));
-    return found;
-}
 
 namespace {
 
@@ -117,7 +92,7 @@ int model(lua_State* L) {
         o.complain("elements_per_member", std::to_string(m.elements_per_member),
                    "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...); 'asi' and 'conventional' take any");
     o.finish();
-    auto model = std::make_shared<Model>(m);
+    auto model = std::make_shared<ScriptModel>(m);
     model->ask("model", where(L));
     push<ModelBox>(L, model);
     hold_anchor(L, *model);
@@ -127,8 +102,7 @@ int model(lua_State* L) {
 int add_node(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:node").value;
     const int index = m->add_node(read_triple(L, 2, "model:node: position", "m"));
-    push<NodeBox>(L, m, index);
-    hold_anchor(L, *m);
+    push_handle<NodeBox>(L, m, index);
     return 1;
 }
 
@@ -154,7 +128,7 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
     lua_State* L = o.L();
     const int type = o.push_field("group");
     const auto take = [&](int index) {
-        if (const auto* g = find<GroupBox>(L, index); g && g->model.get() == &m) return groups.push_back(g->index);
+        if (find<GroupBox>(L, index)) return groups.push_back(group_argument(L, index, o.function() + ": field 'group'", m));
         if (lua_type(L, index) != LUA_TSTRING || lua_rawlen(L, index) == 0) o.complain("group", show(L, index), "must be a name, or a table of names");
         fresh.push_back(lua_tostring(L, index));
     };
@@ -205,8 +179,7 @@ int add_member(lua_State* L) {
     o.finish(2);
     if (fresh.empty()) {
         const int index = accept(L, *m, std::move(data));
-        push<MemberBox>(L, m, index);
-        hold_anchor(L, *m);
+        push_handle<MemberBox>(L, m, index);
         return 1;
     }
     // new groups come into being only with a member that is accepted
@@ -215,8 +188,7 @@ int add_member(lua_State* L) {
     const int index = accept(L, *m, data);
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);
-    push<MemberBox>(L, m, index);
-    hold_anchor(L, *m);
+    push_handle<MemberBox>(L, m, index);
     return 1;
 }
 
@@ -234,9 +206,10 @@ int add_load(lua_State* L) {
     load.moment = moment.value_or(Vec3::Zero());
     load.history = read_history(o, *m);
     o.finish();
-    m->add_load(std::move(load));
+    const int number = m->add_load(std::move(load));
     if (!m->asked("loads")) m->ask("loads", where(L));
-    return 0;
+    push_load(L, m, number);
+    return 1;
 }
 
 int gravity(lua_State* L) {
@@ -249,12 +222,11 @@ int gravity(lua_State* L) {
 int velocity(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:velocity").value;
     std::vector<int> nodes;
-    if (auto* node = find<NodeBox>(L, 2)) {
+    if (find<NodeBox>(L, 2)) {
         nodes = {node_argument(L, 2, "model:velocity: target", m.get()).index};
-        (void)node;
-    } else if (auto* member = find<MemberBox>(L, 2)) {
-        if (member->model != m) throw InputError("model:velocity: target is a member of another model");
-        nodes = {m->members()[member->index].node[0], m->members()[member->index].node[1]};
+    } else if (find<MemberBox>(L, 2)) {
+        const MemberData& member = m->members()[member_argument(L, 2, "model:velocity: target", m.get()).index];
+        nodes = {member.node[0], member.node[1]};
     } else if (find<GroupBox>(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
         nodes = m->nodes_of_group(group_argument(L, 2, "model:velocity: target", *m));
     } else {
@@ -270,9 +242,7 @@ int velocity(lua_State* L) {
 
 int group(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:group").value;
-    const int index = group_argument(L, 2, "model:group: name", *m);
-    push<GroupBox>(L, m, index);
-    hold_anchor(L, *m);
+    push_group(L, m, group_argument(L, 2, "model:group: name", *m));
     return 1;
 }
 
@@ -288,111 +258,15 @@ int counts(lua_State* L) {
     return 1;
 }
 
-// ---- fields and text ----------------------------------------------------------------------------------------------
-
-int node_fields(lua_State* L) {
-    auto& n = self<NodeBox>(L, "node");
-    const Vec3& x = n.model->nodes()[n.index].position;
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (key == "x" || key == "y" || key == "z") lua_pushnumber(L, x[key[0] - 'x']);
-    else if (key == "index") lua_pushinteger(L, n.index + 1);
-    else throw InputError("node has no field '" + key + "'" + did_you_mean(key, {"x", "y", "z", "index"}) + "; it has x, y, z (m) and index");
-    return 1;
-}
-
-int node_text(lua_State* L) {
-    auto& n = self<NodeBox>(L, "tostring");
-    const Vec3& x = n.model->nodes()[n.index].position;
-    char text[120];
-    std::snprintf(text, sizeof text, "node %d at {%.6g, %.6g, %.6g} m", n.index + 1, x.x(), x.y(), x.z());
-    return lua_pushstring(L, text), 1;
-}
-
-int member_fields(lua_State* L) {
-    auto& m = self<MemberBox>(L, "member");
-    const MemberData& data = m.model->members()[m.index];
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (key == "index") lua_pushinteger(L, m.index + 1);
-    else if (key == "length") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm());
-    else if (key == "mass") lua_pushnumber(L, (m.model->nodes()[data.node[1]].position - m.model->nodes()[data.node[0]].position).norm() * data.section->area * data.material->density);
-    else if (key == "a" || key == "b") push<NodeBox>(L, m.model, data.node[key == "b"]), hold_anchor(L, *m.model);
-    else if (key == "group") data.groups.empty() ? lua_pushnil(L) : (void)lua_pushstring(L, m.model->groups()[data.groups[0]].c_str());
-    else throw InputError("member has no field '" + key + "'" + did_you_mean(key, {"index", "length", "mass", "a", "b", "group"}) + "; it has index, length (m), mass (kg), a, b and group");
-    return 1;
-}
-
-int member_text(lua_State* L) {
-    auto& m = self<MemberBox>(L, "tostring");
-    const MemberData& d = m.model->members()[m.index];
-    char text[120];
-    std::snprintf(text, sizeof text, "member %d, nodes %d-%d", m.index + 1, d.node[0] + 1, d.node[1] + 1);
-    return lua_pushstring(L, text), 1;
-}
-
-int group_fields(lua_State* L) {
-    auto& g = self<GroupBox>(L, "group");
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    long count = 0;
-    double mass = 0, length = 0;
-    for (const MemberData& d : g.model->members()) {
-        if (std::find(d.groups.begin(), d.groups.end(), g.index) == d.groups.end()) continue;
-        const double l = (g.model->nodes()[d.node[1]].position - g.model->nodes()[d.node[0]].position).norm();
-        ++count, length += l, mass += l * d.section->area * d.material->density;
-    }
-    if (key == "name") lua_pushstring(L, g.model->groups()[g.index].c_str());
-    else if (key == "size") lua_pushinteger(L, count);
-    else if (key == "mass") lua_pushnumber(L, mass);
-    else if (key == "length") lua_pushnumber(L, length);
-    else throw InputError("group has no field '" + key + "'" + did_you_mean(key, {"name", "size", "mass", "length"}) + "; it has name, size (members), mass (kg) and length (m)");
-    return 1;
-}
-
-int group_text(lua_State* L) {
-    auto& g = self<GroupBox>(L, "tostring");
-    return lua_pushfstring(L, "group '%s'", g.model->groups()[g.index].c_str()), 1;
-}
-
-int model_text(lua_State* L) {
-    auto& m = *self<ModelBox>(L, "tostring").value;
-    return lua_pushfstring(L, "model: %d nodes, %d members", int(m.nodes().size()), int(m.members().size())), 1;
-}
-
-template <class T>
-int same(lua_State* L) {
-    const T *a = find<T>(L, 1), *b = find<T>(L, 2);
-    return lua_pushboolean(L, a && b && a->model == b->model && a->index == b->index), 1;
-}
-
-int model_fields(lua_State* L) {
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2);
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
-    lua_pop(L, 1);
-    std::vector<std::string> names;
-    lua_pushnil(L);
-    while (lua_next(L, lua_upvalueindex(1))) {
-        lua_pop(L, 1);
-        names.push_back(lua_tostring(L, -1));
-    }
-    std::sort(names.begin(), names.end());
-    std::string list;
-    for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
-    throw InputError("model has no method '" + key + "'" + did_you_mean(key, names) + "; it has " + list);
-}
-
 }  // namespace
 
 void open_model(lua_State* L, int module) {
-    static const luaL_Reg none[] = {{nullptr, nullptr}};
     static const luaL_Reg methods[] = {{"node", guarded<add_node>},       {"fix", guarded<fix>},           {"member", guarded<add_member>},
                                        {"load", guarded<add_load>},       {"gravity", guarded<gravity>},   {"velocity", guarded<velocity>},
                                        {"fracture", guarded<fracture_rule>},   {"contact", guarded<contact_rule>}, {"group", guarded<group>},
                                        {"counts", guarded<counts>},       {"static", guarded<static_run>}, {"dynamic", guarded<dynamic_run>},
                                        {nullptr, nullptr}};
-    make_metatable(L, ModelBox::lua_name, methods, guarded<model_fields>, collect<ModelBox>, guarded<model_text>, nullptr);
-    make_metatable(L, NodeBox::lua_name, none, guarded<node_fields>, collect<NodeBox>, guarded<node_text>, same<NodeBox>);
-    make_metatable(L, MemberBox::lua_name, none, guarded<member_fields>, collect<MemberBox>, guarded<member_text>, same<MemberBox>);
-    make_metatable(L, GroupBox::lua_name, none, guarded<group_fields>, collect<GroupBox>, guarded<group_text>, same<GroupBox>);
+    add_methods(L, ModelBox::lua_name, methods);
     lua_pushcfunction(L, guarded<model>);
     lua_setfield(L, module, "model");
 }

@@ -77,7 +77,7 @@ int plan(lua_State* L) {
 
 /// core.time_product(run, repeats): the shortest time of a product of its operator with a vector, s
 int time_product(lua_State* L) {
-    const auto* d = dynamic_cast<const Dynamics*>(self<RunBox>(L, "time_product").value->run.get());
+    const auto* d = dynamic_cast<const Dynamics*>(run_argument(L, 1, "time_product: the run")->run.get());
     if (!d) throw InputError("time_product: the run is static; only a dynamic one has a yardstick");
     lua_pushnumber(L, d->time_product(int(luaL_checkinteger(L, 2))));
     return 1;
@@ -113,7 +113,8 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-output::View read_view(lua_State* L, int index, output::Still& still, const Structure& structure) {
+output::View read_view(lua_State* L, int index, output::Still& still, const StillBox& box) {
+    const Structure& structure = *box.structure;
     Options o(L, index, "picture", true);
     output::View view;
     view.width = o.integer("width", 1, view.width);
@@ -136,7 +137,7 @@ output::View read_view(lua_State* L, int index, output::Still& still, const Stru
         std::vector<int> wanted;
         for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
             lua_rawgeti(L, -1, i);
-            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), structure.model()));
+            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box.model, &structure.model()));
             lua_pop(L, 1);
         }
         std::erase_if(still.bars, [&](const output::Bar& b) {
@@ -153,7 +154,7 @@ int write_picture(lua_State* L) {
     const StillBox& box = still_argument(L, 1, "write_picture");
     if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
     output::Still still = box.value;
-    const output::View view = read_view(L, 2, still, *box.structure);
+    const output::View view = read_view(L, 2, still, box);
     const std::string path = lua_tostring(L, 3);
     if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
     char error[512] = "";
@@ -171,7 +172,7 @@ int write_strip(lua_State* L) {
         lua_rawgeti(L, 2, i);
         const StillBox& box = still_argument(L, lua_absindex(L, -2), "write_strip");
         stills.push_back(box.value);
-        views.push_back(read_view(L, lua_absindex(L, -1), stills.back(), *box.structure));
+        views.push_back(read_view(L, lua_absindex(L, -1), stills.back(), box));
         lua_pop(L, 2);
     }
     std::vector<const output::Still*> list;
@@ -238,9 +239,7 @@ int write_plot(lua_State* L) {
 /// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass lies
 /// half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
 int pieces(lua_State* L) {
-    const auto* box = find<RunBox>(L, 1);
-    if (!box) throw InputError("pieces: takes a run, got " + show(L, 1));
-    const Run& run = *box->value->run;
+    const Run& run = *run_argument(L, 1, "pieces: the run")->run;
     const Structure& structure = run.structure();
     const output::Still still = make_still(run);
     std::vector<double> mass(still.points.size(), 0);

@@ -8,12 +8,14 @@
 
 namespace hinge::script {
 
-int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> model, int every) {
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every) {
+    if (!model->closed_at.empty()) throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
     auto record = std::make_shared<RunRecord>();
     record->run = std::move(run);
     record->model = std::move(model);
     record->every = every;
     const auto c = context(L);
+    if (c->record && !c->record->model->closed_at.empty()) c->record->run.reset();  // kept for the summary alone
     c->record = record;
     ++c->runs;
     record->asked_at = where(L);
@@ -24,6 +26,12 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> mode
         }
     push<RunBox>(L, record);
     hold_anchor(L, *record->model);
+    push_anchor(L, *record->model);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -2, "latest");
+    lua_pop(L, 1);
+    std::erase_if(record->model->runs, [](const auto& r) { return r.expired(); });
+    record->model->runs.push_back(record);
     tell_collector(L, 2000 * record->run->structure().elements().size());
     return 1;
 }
@@ -33,7 +41,7 @@ namespace {
 // ---- methods ------------------------------------------------------------------------------------------------------
 
 int next_step(lua_State* L) {
-    const auto record = find<RunBox>(L, lua_upvalueindex(1))->value;
+    const auto record = run_argument(L, lua_upvalueindex(1), "run:steps: the run");
     const auto& r = *record;
     if (!advance(L, record)) return lua_pushnil(L), 1;
     lua_pushvalue(L, lua_upvalueindex(2));
@@ -71,44 +79,15 @@ int stop(lua_State* L) {
     return 0;
 }
 
-int node_of(lua_State* L, int index, const RunRecord& r, const char* what) {
-    const int n = node_argument(L, index, what, r.model.get()).index;
-    if (n >= int(r.run->structure().model().nodes().size()))
-        throw InputError(std::string(what) + " is node " + std::to_string(n + 1) + ", declared after this run was made");
-    return n;
-}
-
-template <class Read>
-int six(lua_State* L, const char* what, Read read) {
-    const auto& r = *self<RunBox>(L, what).value;
-    const Vec6 v = read(*r.run, node_of(L, 2, r, what));
-    for (int i = 0; i < 6; ++i) lua_pushnumber(L, v[i]);
-    return 6;
-}
-int displacement(lua_State* L) { return six(L, "run:displacement: node", [](const Run& r, int n) { return r.displacement(n); }); }
-int velocity(lua_State* L) { return six(L, "run:velocity: node", [](const Run& r, int n) { return r.state().velocity[n]; }); }
-int acceleration(lua_State* L) { return six(L, "run:acceleration: node", [](const Run& r, int n) { return r.state().acceleration[n]; }); }
-int reaction(lua_State* L) { return six(L, "run:reaction: node", [](const Run& r, int n) { return r.reaction(n); }); }
-
-int position(lua_State* L) {
-    const auto& r = *self<RunBox>(L, "run:position").value;
-    const int n = node_of(L, 2, r, "run:position: node");
-    const Vec3 x = r.run->structure().position()[n] + r.run->state().displacement[n];
-    for (int i = 0; i < 3; ++i) lua_pushnumber(L, x[i]);
-    return 3;
-}
-
 int probe(lua_State* L) {
     const auto r = self<RunBox>(L, "run:probe").value;
     Options o(L, 2, "run:probe");
     auto p = std::make_shared<Probe>();
     o.push_field("node");
-    p->node = node_of(L, -1, *r, "run:probe: field 'node'");
+    p->node = node_of_run(L, -1, *r, "run:probe: field 'node'");
     o.push_item(1);
     const std::string what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-    std::vector<std::string> names;
-    for (const char* stem : {"u", "v", "a", "f"})
-        for (int c = 0; c < 6; ++c) names.push_back((c < 3 ? std::string(stem) : std::string(*stem == 'u' ? "r" : *stem == 'f' ? "m" : std::string(stem) + "r")) + "xyz"[c % 3]);
+    const std::vector<std::string>& names = node_quantities();
     const auto at = std::find(names.begin(), names.end(), what);
     if (at == names.end())
         throw InputError("run:probe: quantity is " + show(L, -1) + "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)" + did_you_mean(what, names));
@@ -131,101 +110,13 @@ int count(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:count").value;
     Options o(L, 2, "run:count");
     int group = -1;
-    if (o.push_field("group") != LUA_TNIL) group = group_argument(L, -1, "run:count: field 'group'", *r.model);
+    if (o.push_field("group") != LUA_TNIL) group = group_argument(L, -1, "run:count: field 'group'", *r.model, &r.run->structure().model());
     lua_pop(L, 1);
     const std::string state = o.word("state", {"broken", "yielded", "elastic", "touched"}, "");
     if (state.empty()) throw InputError("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'");
     o.finish();
     const Run::Counts c = r.run->count_members(group);
     lua_pushinteger(L, state == "broken" ? c.broken : state == "yielded" ? c.yielded : state == "elastic" ? c.elastic : c.touched);
-    return 1;
-}
-
-/// Elements of the member that an argument names: first and one past the last.
-std::pair<int, int> elements_of(lua_State* L, int index, const RunRecord& r, const char* what) {
-    auto* m = find<MemberBox>(L, index);
-    if (!m) throw InputError(std::string(what) + ": member is " + show(L, index) + "; must be one made by model:member");
-    if (m->model != r.model) throw InputError(std::string(what) + ": the member belongs to another model");
-    if (m->index >= int(r.run->structure().model().members().size()))
-        throw InputError(std::string(what) + ": member " + std::to_string(m->index + 1) + " was declared after this run was made");
-    const auto& elements = r.run->structure().elements();
-    int first = 0;
-    while (first < int(elements.size()) && elements[first].member != m->index) ++first;
-    int end = first;
-    while (end < int(elements.size()) && elements[end].member == m->index) ++end;
-    return {first, end};
-}
-
-/// Section resultants at both ends of the member, as tables with N, Mx, My, Mz, Qx, Qy and f_y.
-int forces(lua_State* L) {
-    const auto& r = *self<RunBox>(L, "run:forces").value;
-    const auto [first, end] = elements_of(L, 2, r, "run:forces");
-    for (const auto& [index, side] : {std::pair{first, -1.0}, std::pair{end - 1, 1.0}}) {
-        const Element& e = r.run->structure().elements()[index];
-        const Vec6& p = r.run->state().force[index];
-        const std::pair<const char*, double> values[] = {
-            {"N", p[4]}, {"Mx", beam::moment_at(p[0], p[1], side)}, {"My", beam::moment_at(p[2], p[3], side)}, {"Mz", p[5]},
-            {"Qy", (p[0] + p[1]) / e.length}, {"Qx", -(p[2] + p[3]) / e.length}, {"f_y", r.run->state().broken[index] ? 0.0 : beam::yield_function(p, side, e.yield)}};
-        lua_createtable(L, 0, 7);
-        for (const auto& [name, v] : values) lua_pushnumber(L, v), lua_setfield(L, -2, name);
-    }
-    return 2;
-}
-
-/// "elastic", "yielded" or "broken", and f_y now.
-int member_state(lua_State* L) {
-    const auto& r = *self<RunBox>(L, "run:state").value;
-    const auto [first, end] = elements_of(L, 2, r, "run:state");
-    bool broken = false, yielded = false;
-    double f = 0;
-    for (int e = first; e < end; ++e) {
-        broken |= r.run->state().broken[e] != 0;
-        yielded |= r.run->state().yielded[e] != 0;
-        f = std::max(f, r.run->yield_value(e));
-    }
-    lua_pushstring(L, broken ? "broken" : yielded ? "yielded" : "elastic");
-    lua_pushnumber(L, f);
-    return 2;
-}
-
-/// run:read("f_y", group): one number a member of the group, in the order they were declared.
-int read(lua_State* L) {
-    const auto& r = *self<RunBox>(L, "run:read").value;
-    static const std::vector<std::string> names = {"f_y", "N", "broken", "yielded", "touched", "plastic_work", "member", "x", "y", "z"};
-    const std::string what = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    const int quantity = int(std::find(names.begin(), names.end(), what) - names.begin());
-    if (quantity == int(names.size()))
-        throw InputError("run:read: quantity is " + show(L, 2) + "; must be one of 'f_y', 'N', 'broken', 'yielded', 'touched', 'plastic_work', 'member', 'x', 'y', 'z'" + did_you_mean(what, names));
-    const int group = lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, "run:read: group", *r.model);
-    const State& state = r.run->state();
-    const auto& elements = r.run->structure().elements();
-    std::vector<double> values;
-    for (std::size_t i = 0; i < elements.size();) {
-        const std::size_t first = i;
-        const int member = elements[i].member;
-        double largest = 0, sum = 0;
-        Vec3 middle = Vec3::Zero();
-        for (; i < elements.size() && elements[i].member == member; ++i) {
-            switch (quantity) {
-                case 0: largest = std::max(largest, r.run->yield_value(int(i))); break;
-                case 2: largest = std::max(largest, double(state.broken[i] != 0)); break;
-                case 3: largest = std::max(largest, double(state.yielded[i] != 0)); break;
-                case 4: largest = std::max(largest, double(state.touched[i] != 0)); break;
-                case 5: sum += state.plastic_work[i]; break;
-                default: break;
-            }
-        }
-        if (group >= 0 && !r.run->structure().in_group(int(first), group)) continue;
-        for (int n : {elements[first].node[0], elements[i - 1].node[1]}) middle += 0.5 * (r.run->structure().position()[n] + state.displacement[n]);
-        // N: the mean of the member's elements that are whole; a broken one carries none
-        double n_sum = 0;
-        int whole = 0;
-        for (std::size_t k = first; k < i; ++k)
-            if (!state.broken[k]) n_sum += state.force[k][4], ++whole;
-        const double value[] = {largest, whole == int(i - first) ? n_sum / whole : 0.0, largest, largest, largest, sum, member + 1.0, middle.x(), middle.y(), middle.z()};
-        values.push_back(value[quantity]);
-    }
-    push_array(L, values.data(), int(values.size()));
     return 1;
 }
 
@@ -240,8 +131,9 @@ int run_momentum(lua_State* L) {
 }
 
 int run_still(lua_State* L) {
-    const auto& run = self<RunBox>(L, "run:still").value->run;
-    push<StillBox>(L, make_still(*run), run->share_structure());
+    const auto& record = self<RunBox>(L, "run:still").value;
+    const auto& run = record->run;
+    push<StillBox>(L, make_still(*run), run->share_structure(), record->model);
     tell_collector(L, 200 * run->structure().elements().size());
     return 1;
 }
@@ -256,11 +148,10 @@ void push_energy(lua_State* L, const Energy& e) {
 }
 
 int fields(lua_State* L) {
-    const auto& r = *self<RunBox>(L, "run").value;
+    if (push_method(L)) return 1;
+    const std::string key = key_argument(L);
+    const auto& r = *self<RunBox>(L, "run." + key).value;
     const Run& run = *r.run;
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2);
-    lua_pushvalue(L, 2);
-    if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return 1;
     if (key == "time") lua_pushnumber(L, run.state().time);
     else if (key == "factor") lua_pushnumber(L, run.state().factor);
     else if (key == "index") lua_pushinteger(L, run.steps_done());
@@ -316,23 +207,23 @@ int fields(lua_State* L) {
             lua_rawseti(L, -2, ++i);
         }
     } else {
-        static const std::vector<std::string> names = {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "fastest", "stages", "wakings",
-                                                       "steps", "step", "finish", "stop", "displacement", "velocity", "acceleration", "reaction", "position", "probe", "count", "forces", "state", "read", "momentum", "still"};
-        throw InputError("run has no field or method '" + key + "'" + did_you_mean(key, names));
+        refuse_field(L, "run", key, {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "fastest", "stages", "wakings"});
     }
     return 1;
 }
 
 int text(lua_State* L) {
-    const Run& run = *self<RunBox>(L, "tostring").value->run;
+    const auto& box = self_or_gone<RunBox>(L, "tostring");
+    if (const std::string since = gone(box); !since.empty()) return lua_pushstring(L, (name_of(box) + since).c_str()), 1;
+    const Run& run = *box.value->run;
     char t[160];
     std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(run.verdict()), run.steps_done(), run.planned_steps(), run.state().time);
     return lua_pushstring(L, t), 1;
 }
 
 int probe_fields(lua_State* L) {
-    const Probe& p = *self<ProbeBox>(L, "probe").value;
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2);
+    const std::string key = key_argument(L);
+    const Probe& p = *self<ProbeBox>(L, "probe." + key).value;
     if (key == "time" || key == "value") {
         const auto& v = key == "time" ? p.time : p.value;
         push_array(L, v.data(), int(v.size()));
@@ -340,8 +231,13 @@ int probe_fields(lua_State* L) {
     else if (key == "last") lua_pushnumber(L, p.value.back());
     else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));
     else if (key == "min") lua_pushnumber(L, *std::min_element(p.value.begin(), p.value.end()));
-    else throw InputError("probe has no field '" + key + "'" + did_you_mean(key, {"time", "value", "name", "last", "max", "min"}));
+    else refuse_field(L, "probe", key, {"time", "value", "name", "last", "max", "min"});
     return 1;
+}
+
+int probe_text(lua_State* L) {
+    const Probe& p = *self<ProbeBox>(L, "tostring").value;
+    return lua_pushstring(L, ("probe " + p.name + ": " + std::to_string(p.value.size()) + " values, the last " + show(p.value.back())).c_str()), 1;
 }
 
 }  // namespace
@@ -349,12 +245,10 @@ int probe_fields(lua_State* L) {
 void open_run(lua_State* L) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     static const luaL_Reg methods[] = {
-        {"steps", guarded<steps>}, {"step", guarded<step>}, {"finish", guarded<finish>}, {"stop", guarded<stop>}, {"displacement", guarded<displacement>},
-        {"velocity", guarded<velocity>}, {"acceleration", guarded<acceleration>}, {"reaction", guarded<reaction>}, {"position", guarded<position>},
-        {"probe", guarded<probe>}, {"count", guarded<count>}, {"forces", guarded<forces>}, {"state", guarded<member_state>}, {"read", guarded<read>}, {"momentum", guarded<run_momentum>},
-        {"still", guarded<run_still>}, {nullptr, nullptr}};
+        {"steps", guarded<steps>}, {"step", guarded<step>}, {"finish", guarded<finish>}, {"stop", guarded<stop>}, {"probe", guarded<probe>},
+        {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
-    make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, nullptr, nullptr);
+    make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }
 

@@ -14,10 +14,10 @@ State start_state(Options& o, const std::shared_ptr<const Structure>& structure,
     lua_State* L = o.L();
     State state = initial_state(*structure);
     if (o.push_field("from") != LUA_TNIL) {
-        auto* box = find<RunBox>(L, -1);
-        if (!box) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
-        if (box->value->model != model) o.complain("from", "a run of another model", "must be a run of this one");
-        const State& from = box->value->run->state();
+        if (!find<RunBox>(L, -1)) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
+        const RunRecord& record = *run_argument(L, -1, o.function() + ": field 'from'");
+        if (record.model != model) o.complain("from", "a run of another model", "must be a run of this one");
+        const State& from = record.run->state();
         if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
             o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
                        "this model has " + std::to_string(state.displacement.size()) + " and " + std::to_string(state.broken.size()) + "; add nothing between the runs");

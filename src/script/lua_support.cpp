@@ -131,6 +131,36 @@ void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua
     lua_pop(L, 1);
 }
 
+void add_methods(lua_State* L, const char* name, const luaL_Reg* methods) {
+    luaL_getmetatable(L, name);
+    lua_getfield(L, -1, "methods");
+    luaL_setfuncs(L, methods, 0);
+    lua_pop(L, 2);
+}
+
+std::string key_argument(lua_State* L) { return lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2); }
+
+bool push_method(lua_State* L) {
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, lua_upvalueindex(1)) != LUA_TNIL) return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+void refuse_field(lua_State* L, const char* object, const std::string& key, std::vector<std::string> fields) {
+    std::vector<std::string> names = std::move(fields);
+    const auto methods = names.size();
+    lua_pushnil(L);
+    while (lua_next(L, lua_upvalueindex(1))) {
+        lua_pop(L, 1);
+        names.push_back(lua_tostring(L, -1));
+    }
+    std::sort(names.begin() + long(methods), names.end());
+    std::string list;
+    for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
+    throw InputError(std::string(object) + " has no field or method '" + key + "'" + did_you_mean(key, names) + "; it has " + list);
+}
+
 Options::Options(lua_State* L, int index, std::string function, bool may_be_absent) : L_(L), index_(lua_absindex(L, index)), function_(std::move(function)) {
     if (lua_isnoneornil(L, index) && may_be_absent) index_ = 0;
     else if (!lua_istable(L, index)) throw InputError(function_ + ": takes a table of options, got " + show(L, index));

@@ -59,22 +59,44 @@ T* push(lua_State* L, Args&&... args) {
     return object;
 }
 
-/// Leaves an empty object: a finalizer of the script's own may still bring the userdata back.
+/// A finalizer of the script's own may bring the userdata back: without its metatable it is of no use to anyone.
 template <class T>
 int collect(lua_State* L) {
-    if (T* object = find<T>(L, 1)) *object = T{};
+    if (T* object = find<T>(L, 1)) {
+        object->~T();
+        lua_pushnil(L);
+        lua_setmetatable(L, 1);
+    }
     return 0;
 }
 
+/// Raises where what stands behind a handle is gone; objects.h says of which handles.
+inline void refuse_gone(const auto&, const std::string&) {}
+
 template <class T>
-T& self(lua_State* L, const char* function) {
+T& self_or_gone(lua_State* L, const std::string& function) {
     if (T* object = find<T>(L, 1)) return *object;
-    throw InputError(std::string(function) + ": called on " + show(L, 1) + "; write object" + (std::string(function).find(':') != std::string::npos ? ":method(...)" : ".field") + " on a " + T::lua_name);
+    throw InputError(function + ": called on " + show(L, 1) + "; write object" + (function.find(':') != std::string::npos ? ":method(...)" : ".field") + " on a " + T::lua_name);
+}
+
+template <class T>
+T& self(lua_State* L, const std::string& function) {
+    T& object = self_or_gone<T>(L, function);
+    refuse_gone(object, function);
+    return object;
 }
 
 /// Makes T's metatable with methods, __gc, __index falling back from methods to `fields`.
 void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction collect,
                     lua_CFunction to_string, lua_CFunction equal);
+
+/// Methods for a metatable that make_metatable made.
+void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
+
+/// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the complaint if it is neither.
+std::string key_argument(lua_State* L);
+bool push_method(lua_State* L);
+[[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key, std::vector<std::string> fields);
 
 // ---- tables of options --------------------------------------------------------------------------------------------
 

@@ -27,8 +27,10 @@ int open_core(lua_State* L) {
     lua_newtable(L);
     const int module = lua_gettop(L);
     open_values(L, module);
+    open_objects(L);
     open_model(L, module);
     open_run(L);
+    open_reading(L);
     open_output(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);

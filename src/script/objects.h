@@ -41,10 +41,24 @@ void tell_collector(lua_State* L, std::size_t bytes);
 
 struct MaterialBox { static constexpr const char* lua_name = "hinge.material"; std::shared_ptr<const Material> value; };
 struct SectionBox { static constexpr const char* lua_name = "hinge.section"; std::shared_ptr<const Section> value; };
-struct ModelBox { static constexpr const char* lua_name = "hinge.model"; std::shared_ptr<Model> value; };
-struct NodeBox { static constexpr const char* lua_name = "hinge.node"; std::shared_ptr<Model> model; int index; };
-struct MemberBox { static constexpr const char* lua_name = "hinge.member"; std::shared_ptr<Model> model; int index; };
-struct GroupBox { static constexpr const char* lua_name = "hinge.group"; std::shared_ptr<Model> model; int index; };
+
+/// A model in a script's hands.
+struct ScriptModel : Model {
+    using Model::Model;
+    std::string closed_at;                ///< the script's line that closed it, "" while it is open
+    std::vector<std::weak_ptr<struct RunRecord>> runs;
+};
+struct ModelBox { static constexpr const char* lua_name = "hinge.model"; std::shared_ptr<ScriptModel> value; };
+struct NodeBox { static constexpr const char* lua_name = "hinge.node"; std::shared_ptr<ScriptModel> model; int index; };
+struct MemberBox { static constexpr const char* lua_name = "hinge.member"; std::shared_ptr<ScriptModel> model; int index; };
+struct GroupBox { static constexpr const char* lua_name = "hinge.group"; std::shared_ptr<ScriptModel> model; int index; std::string name; };
+struct LoadBox {
+    static constexpr const char* lua_name = "hinge.load";
+    std::shared_ptr<ScriptModel> model;
+    int index;                            ///< its number
+    int node;
+    std::string removed_at = {};          ///< the script's line that removed it, "" while it is there
+};
 
 /// A quantity of a node recorded at every step.
 struct Probe {
@@ -59,13 +73,15 @@ struct ProbeBox { static constexpr const char* lua_name = "hinge.probe"; std::sh
 /// A run with what is recorded of it.
 struct RunRecord {
     std::shared_ptr<Run> run;
-    std::shared_ptr<Model> model;         ///< the script's own, to know its nodes and groups again
+    std::shared_ptr<ScriptModel> model;   ///< the script's own, to know its nodes and groups again
     std::vector<std::shared_ptr<Probe>> probes;
     long every = 1;                       ///< steps between rows of history.csv; 0: none is kept
     std::string rows;                     ///< not yet written
     std::string history_path;
     std::string asked_at;                 ///< the script's line that made the run
     bool started = false, closed = false;
+    bool stepping = false;
+    std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps
     std::size_t wakings_shown = 0;
@@ -73,12 +89,50 @@ struct RunRecord {
 };
 struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
 
+std::string name_of(const NodeBox& n);
+std::string name_of(const MemberBox& m);
+std::string name_of(const GroupBox& g);
+std::string name_of(const LoadBox& l);
+std::string name_of(const ModelBox& m);
+std::string name_of(const RunBox& r);
+
+/// "" for what is there, else since when it is not, as " of a model that was closed at script.lua:12".
+std::string gone(const ScriptModel& model);
+template <class T>
+std::string gone(const T& handle) { return gone(*handle.model); }
+std::string gone(const LoadBox& l);
+std::string gone(const ModelBox& m);
+std::string gone(const RunBox& r);
+
+template <class T> requires requires(const T& handle) { name_of(handle); }
+void refuse_gone(const T& handle, const std::string& function) {
+    if (const std::string since = gone(handle); !since.empty()) throw InputError(function + ": this is " + name_of(handle) + since);
+}
+
+/// Pushes the handle to the model's node, member, group or load of that number; while one is in use it is always the same one.
+template <class T, class... More>
+void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number, More&&... more) {
+    push_handles(L, *model, T::lua_name);
+    if (lua_rawgeti(L, -1, number + 1) == LUA_TNIL) {
+        lua_pop(L, 1);
+        push<T>(L, model, number, std::forward<More>(more)...);
+        hold_anchor(L, *model);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, number + 1);
+    }
+    lua_remove(L, -2);
+}
+void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);
+void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number);
+
 /// One step, recorded. False at the end.
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
 void open_values(lua_State* L, int module);   ///< hinge.material, hinge.section
-void open_model(lua_State* L, int module);    ///< hinge.model and what it holds
+void open_model(lua_State* L, int module);    ///< hinge.model
+void open_objects(lua_State* L);              ///< nodes, members, groups, loads
 void open_run(lua_State* L);
+void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 
 int fracture_rule(lua_State* L);              ///< model:fracture
@@ -87,10 +141,22 @@ int static_run(lua_State* L);                 ///< model:static
 int dynamic_run(lua_State* L);                ///< model:dynamic
 
 /// Makes the run that model:static{} and model:dynamic{} return.
-int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<Model> model, int record_every);
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
-int group_argument(lua_State* L, int index, const std::string& what, const Model& model);
+MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);
+const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what, const Model* model = nullptr);
+/// The run made last of the model, nullptr when there is none.
+std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
+/// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is what is asked.
+int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy = nullptr);
+/// The index of a node that the run has.
+int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
+/// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order of Probe::Quantity.
+const std::vector<std::string>& node_quantities();
+/// Number of the member's element that broke first and the time (s) of it, -inf where that was before this run.
+std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member);
+std::pair<int, int> elements_of(const Structure& structure, int member);  ///< first and one past the last
 std::string group_names(const Model& model, const std::string& typed);
 
 }  // namespace hinge::script

@@ -75,6 +75,19 @@ void add_row(RunRecord& r) {
     r.rows += '\n';
 }
 
+/// When elements broke and nodes lost their last one. What a run starts with broken, broke before it.
+void note_what_went(RunRecord& r) {
+    const State& s = r.run->state();
+    if (s.stub.empty()) return;
+    const double now = r.started ? s.time : -std::numeric_limits<double>::infinity();
+    r.broken_at.resize(s.broken.size(), std::nan(""));
+    r.left_at.resize(s.gone.size(), std::nan(""));
+    for (std::size_t e = 0; e < s.broken.size(); ++e)
+        if (s.broken[e] && std::isnan(r.broken_at[e])) r.broken_at[e] = now;
+    for (std::size_t n = 0; n < s.gone.size(); ++n)
+        if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().elements_at(int(n)).empty()) r.left_at[n] = now;
+}
+
 void show_progress(const Context& c, RunRecord& r, bool last) {
     if (!c.progress) return;
     const double wall = seconds(Clock::now() - r.start);
@@ -98,21 +111,27 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
+    if (r.stepping) throw InputError("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done");
     if (r.closed || c->planning) return false;
     if (!r.started) {
+        note_what_went(r);
         begin_history(c, record);
         add_row(r);
     }
     const auto before = Clock::now();
     bool more;
+    r.stepping = true;
     try {
         more = r.run->advance();
     } catch (...) {
+        r.stepping = false;
         write_rows(r);
         throw;
     }
+    r.stepping = false;
     const auto now = Clock::now();
     r.wall += seconds(now - before);
+    note_what_went(r);
     if (more) {
         sample(r);
         if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(r);

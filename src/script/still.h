@@ -10,6 +10,7 @@ struct StillBox {
     static constexpr const char* lua_name = "hinge.still";
     output::Still value;
     std::shared_ptr<const Structure> structure;
+    std::shared_ptr<ScriptModel> model;
 };
 
 /// Elements as bars; a broken one as the rigid bar from the node that carries it to its virtual node (paper, fig 4).

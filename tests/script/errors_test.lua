@@ -51,6 +51,14 @@ local function wrong(message, call, prepare)
   checks.expect(solved_again and (prepare or hash == reference), "the model cannot be used after: %s (%s)", message, tostring(hash))
 end
 
+local function line_of(text)
+  local n = 0
+  for line in io.lines(debug.getinfo(1, "S").source:sub(2)) do
+    n = n + 1
+    if line:find(text .. "$") then return n end
+  end
+end
+
 -- hinge.model ---------------------------------------------------------------------------------------------------------
 
 wrong("hinge.model: field 'formulation' is 'asi_gaus'; must be one of 'conventional', 'asi', 'asi-gauss' (did you mean 'asi-gauss'?)",
@@ -69,7 +77,7 @@ wrong("hinge.model: field 'plasticity' is 'yes'; must be true or false", functio
 wrong("hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes formulation, ...", function() hinge.model { formulaton = "asi" } end)
 wrong("hinge.model: takes a table of options, got 'asi'", function() hinge.model "asi" end)
 wrong("hinge: unknown field 'modle' (did you mean 'model'?); there are ...", function() hinge.modle {} end)
-wrong("model has no method 'nod' (did you mean 'node'?); it has ...", function(s) s.model:nod { 0, 0, 0 } end)
+wrong("model has no field or method 'nod' (did you mean 'node'?); it has ...", function(s) s.model:nod { 0, 0, 0 } end)
 wrong("model:node: called on a table; write object:method(...) on a hinge.model", function(s) s.model.node { 0, 0, 0 } end)
 
 -- Nodes and supports --------------------------------------------------------------------------------------------------
@@ -80,9 +88,9 @@ wrong("model:node: position: component x is '0'; must be a number in m", functio
 wrong("model:node: position: component z is nil; must be a number in m", function(s) s.model:node { 0, 0 } end)
 wrong("model:node: position has 4 items; must be {x, y, z} in m", function(s) s.model:node { 0, 0, 0, 0 } end)
 wrong("model:node: position is 0; must be a table {x, y, z} in m", function(s) s.model:node(0, 0, 0) end)
-wrong("node has no field 'posx'...; it has x, y, z (m) and index", function(s) return s.tip.posx end)
+wrong("node has no field or method 'posx'...; it has x, y, z, index, fixed, ...", function(s) return s.tip.posx end)
 wrong("model:fix: node is 'wall'; must be a node made by model:node{x, y, z}", function(s) s.model:fix "wall" end)
-wrong("model:fix: node is node 2 of another model; use a node of this one", function(s) s.model:fix(cantilever().tip) end)
+wrong("model:fix: node is node 2 of another model; use one of this model", function(s) s.model:fix(cantilever().tip) end)
 wrong("model:fix: item 2 is 5; must be a node made by model:node{x, y, z}", function(s) s.model:fix { s.tip, 5 } end)
 wrong("model:fix: what to fix is 'xw'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations",
   function(s) s.model:fix(s.tip, "xw") end)
@@ -117,7 +125,7 @@ wrong("model:member: member joins node 2 to itself; its two nodes must differ",
 wrong("model:member: node [2] is nil; must be a node made by model:node{x, y, z}", function(s) s.model:member { s.tip, section = bar, material = steel } end)
 wrong("model:member: node [2] is a table; must be a node made by model:node{x, y, z}",
   function(s) s.model:member { s.tip, { 1, 1, 1 }, section = bar, material = steel } end)
-wrong("model:member: node [1] is node 2 of another model; use a node of this one",
+wrong("model:member: node [1] is node 2 of another model; use one of this model",
   function(s) s.model:member { cantilever().tip, s.tip, section = bar, material = steel } end)
 wrong("model:member: field 'section' is missing; give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}",
   function(s) s.model:member { s.tip, s.far, material = steel } end)
@@ -139,11 +147,11 @@ wrong("model:member: field 'group' is 5; must be a name, or a table of names",
   function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
 wrong("model:member: item [3] is not expected", function(s) s.model:member { s.tip, s.far, s.wall, section = bar, material = steel } end)
 wrong("model:group: name: no group 'new'; the model has 'arms'", function(s) s.model:group "new" end)  -- none of the above made it
-wrong("member has no field 'lenght' (did you mean 'length'?); it has ...", function(s) return s.member.lenght end)
+wrong("member has no field or method 'lenght' (did you mean 'length'?); it has ...", function(s) return s.member.lenght end)
 
 -- Loads, velocities and rules -----------------------------------------------------------------------------------------
 
-wrong("model:load: field 'node' is node 2 of another model; use a node of this one",
+wrong("model:load: field 'node' is node 2 of another model; use one of this model",
   function(s) s.model:load { node = cantilever().tip, force = { 1, 0, 0 } } end)
 wrong("model:load: field 'node' is 'tip'; must be a node made by model:node{x, y, z}", function(s) s.model:load { node = "tip", force = { 1, 0, 0 } } end)
 wrong("model:load: field 'force': component x is not a number (nan); must be finite", function(s) s.model:load { node = s.tip, force = { nan, 0, 0 } } end)
@@ -158,7 +166,7 @@ wrong("model:load: field 'history' is wrong at point 1; each point must be {time
   function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 2 } } } end)
 wrong("model:gravity: acceleration is -9.81; must be a table {x, y, z} in m/s^2", function(s) s.model:gravity(-9.81) end)
 wrong("model:velocity: target: no group 'amrs' (did you mean 'arms'?); the model has 'arms'", function(s) s.model:velocity("amrs", { 1, 0, 0 }) end)
-wrong("model:velocity: target is a member of another model", function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
+wrong("model:velocity: target is member 1 of another model; use one of this model", function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
 wrong("model:velocity: velocity is nil; must be a table {x, y, z} in m/s", function(s) s.model:velocity(s.tip) end)
 wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function", function(s) s.model:fracture {} end)
 wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m", function(s) s.model:fracture { curvature_x = -0.4 } end)
@@ -265,7 +273,7 @@ wrong("model:dynamic: a load acts on node 2 at {1, 0, 0} m, which has no element
 -- Runs ----------------------------------------------------------------------------------------------------------------
 
 local function with_run(s) s.run = s.model:static { steps = 1 } end
-wrong("run:displacement: node is node 2 of another model; use a node of this one", function(s) s.run:displacement(cantilever().tip) end, with_run)
+wrong("run:displacement: node is node 2 of another model; use one of this model", function(s) s.run:displacement(cantilever().tip) end, with_run)
 wrong("run:velocity: node is node 5, declared after this run was made", function(s) s.run:velocity(s.late) end,
   function(s) with_run(s) s.late = s.model:node { 5, 5, 5 } end)
 wrong("run:probe: quantity is 'uq'; must be one of ux uy uz rx ry rz (displacement), ...", function(s) s.run:probe { node = s.tip, "uq" } end, with_run)
@@ -273,19 +281,109 @@ wrong("run:probe: field 'name' is 'a,b'; it heads a column of history.csv and ma
   function(s) s.run:probe { node = s.tip, "ux", name = "a,b" } end, with_run)
 wrong("run:probe: the run has begun (step 1); ask for probes before its first step", function(s) s.run:probe { node = s.tip, "ux" } end,
   function(s) with_run(s) s.run:finish() end)
-wrong("probe has no field 'lsat' (did you mean 'last'?)", function(s) return s.probe.lsat end,
+wrong("probe has no field or method 'lsat' (did you mean 'last'?); it has ...", function(s) return s.probe.lsat end,
   function(s) with_run(s) s.probe = s.run:probe { node = s.tip, "ux" } end)
 wrong("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'", function(s) s.run:count {} end, with_run)
 wrong("run:count: field 'state' is 'borken'; must be one of ... (did you mean 'broken'?)", function(s) s.run:count { state = "borken" } end, with_run)
 wrong("run:count: field 'group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
   function(s) s.run:count { state = "broken", group = "amrs" } end, with_run)
-wrong("run:forces: member is 5; must be one made by model:member", function(s) s.run:forces(5) end, with_run)
-wrong("run:forces: the member belongs to another model", function(s) s.run:forces(cantilever().member) end, with_run)
-wrong("run:forces: member 2 was declared after this run was made", function(s) s.run:forces(s.late) end,
+wrong("run:forces: member is 5; must be a member made by model:member{a, b, ...}", function(s) s.run:forces(5) end, with_run)
+wrong("run:forces: member is member 1 of another model; use one of this model", function(s) s.run:forces(cantilever().member) end, with_run)
+wrong("run:forces: member is member 2, declared after this run was made", function(s) s.run:forces(s.late) end,
   function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
-wrong("run:read: quantity is 'fy'; must be one of 'f_y', ... (did you mean 'f_y'?)", function(s) s.run:read "fy" end, with_run)
-wrong("run has no field or method 'vrdict' (did you mean 'verdict'?)", function(s) return s.run.vrdict end, with_run)
+wrong("run:read: quantity is 'fy'; must be one of members' 'f_y', ..., or of nodes' 'node', ... (did you mean 'f_y'?)", function(s) s.run:read "fy" end, with_run)
+wrong("run has no field or method 'vrdict' (did you mean 'verdict'?); it has ...", function(s) return s.run.vrdict end, with_run)
 wrong("run:finish: called on nil; write object:method(...) on a hinge.run", function(s) s.run.finish() end, with_run)
+
+-- Handles ---------------------------------------------------------------------------------------------------------------
+
+-- Of another model: refused by everything that takes one.
+local other = cantilever()
+other.group, other.run = other.model:group "arms", other.model:static {}
+wrong("model:fix: item 1 is node 2 of another model; use one of this model", function(s) s.model:fix { other.tip } end)
+wrong("model:member: field 'group' is group 'arms' of another model; use one of this model",
+  function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "arms", other.group } } end)
+wrong("model:velocity: target is group 'arms' of another model; use one of this model", function(s) s.model:velocity(other.group, { 1, 0, 0 }) end)
+wrong("model:fracture: field 'group' is group 'arms' of another model; use one of this model",
+  function(s) s.model:fracture { curvature_x = 1, group = other.group } end)
+wrong("model:contact: field 'groups', item 1 is group 'arms' of another model; use one of this model",
+  function(s) s.model:contact { groups = { other.group } } end)
+wrong("model:group: name is group 'arms' of another model; use one of this model", function(s) s.model:group(other.group) end)
+wrong("model:static: field 'hold' is group 'arms' of another model; use one of this model", function(s) s.model:static { hold = other.group } end)
+wrong("model:static, control: field 'node' is node 2 of another model; use one of this model",
+  function(s) s.model:static { control = { node = other.tip, "uz", to = 1 } } end)
+wrong("run:probe: field 'node' is node 2 of another model; use one of this model", function(s) s.run:probe { node = other.tip, "ux" } end, with_run)
+wrong("run:count: field 'group' is group 'arms' of another model; use one of this model",
+  function(s) s.run:count { state = "broken", group = other.group } end, with_run)
+wrong("run:read: group is group 'arms' of another model; use one of this model", function(s) s.run:read("N", other.group) end, with_run)
+wrong("run:state: member is member 1 of another model; use one of this model", function(s) s.run:state(other.member) end, with_run)
+wrong("node:displacement: run is the run made at ...errors_test.lua:..., of another model; use one of this model",
+  function(s) s.tip:displacement(other.run) end, with_run)
+wrong("member:forces: run is the run made at ...errors_test.lua:..., of another model; use one of this model",
+  function(s) s.member:forces(other.run) end, with_run)
+
+-- What they are read for.
+wrong("node:displacement: no run has been made of this model yet; make one with model:static{} or model:dynamic{}", function(s) s.tip:displacement() end)
+wrong("node:reaction: no run has been made of this model yet; ...", function(s) s.wall:reaction() end)
+wrong("member:state: no run has been made of this model yet; ...", function(s) s.member:state() end)
+wrong("node:velocity: run is 3; must be one that model:static{} or model:dynamic{} returned", function(s) s.tip:velocity(3) end, with_run)
+wrong("node:position: this is node 5, declared after this run was made", function(s) s.late:position() end,
+  function(s) with_run(s) s.late = s.model:node { 5, 5, 5 } end)
+wrong("member:forces: this is member 2, declared after this run was made", function(s) s.late:forces() end,
+  function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
+wrong("member:state: called on nil; write object:method(...) on a hinge.member", function(s) s.member.state() end, with_run)
+wrong("node has no field or method 'displacment' (did you mean 'displacement'?); it has ...", function(s) s.tip:displacment() end)
+wrong("group has no field or method 'member' (did you mean 'members'?); it has name, size, mass, length, members, nodes",
+  function(s) s.model:group "arms":member() end)
+wrong("load has no field or method 'forces' (did you mean 'force'?); it has node, force, moment, remove", function(s) return s.model:loads()[1].forces end)
+wrong("run:read: quantity is 'Nx_a'; must be one of ... (did you mean 'N_a'?)", function(s) s.run:read "Nx_a" end, with_run)
+wrong("run:read: group: no group 'amrs' (did you mean 'arms'?); the model has 'arms'", function(s) s.run:read("ux", "amrs") end, with_run)
+
+-- Of what is gone.
+local function with_removed(s)
+  s.load = s.model:load { node = s.far, force = { 1, 0, 0 } }
+  s.load:remove() -- removed here
+end
+wrong("load:remove: this is the load on node 4, which was removed at ...errors_test.lua:" .. line_of "%-%- removed here", function(s) s.load:remove() end, with_removed)
+wrong("load.force: this is the load on node 4, which was removed at ...errors_test.lua:" .. line_of "%-%- removed here", function(s) return s.load.force end, with_removed)
+local closed = cantilever()
+closed.group, closed.load, closed.early = closed.model:group "arms", closed.model:loads()[1], closed.model:static {}
+closed.run = closed.model:dynamic { dt = 1e-5, duration = 1e-4 }
+closed.probe, closed.steps = closed.run:probe { node = closed.tip, "uz" }, closed.run:steps()
+closed.model:close() -- closed here
+local closed_at = "...errors_test.lua:" .. line_of "%-%- closed here"
+local since = " of a model that was closed at " .. closed_at
+wrong("model:node: this is a model that was closed at " .. closed_at, function() closed.model:node { 0, 0, 0 } end)
+wrong("model:close: this is a model that was closed at " .. closed_at, function() closed.model:close() end)
+wrong("node.x: this is node 2" .. since, function() return closed.tip.x end)
+wrong("node:displacement: this is node 2" .. since, function() closed.tip:displacement() end)
+wrong("member:forces: this is member 1" .. since, function() closed.member:forces() end)
+wrong("group:members: this is group 'arms'" .. since, function() closed.group:members() end)
+wrong("#group: this is group 'arms'" .. since, function() return #closed.group end)
+wrong("load:remove: this is the load on node 2" .. since, function() closed.load:remove() end)
+wrong("run.time: this is the run made at ...errors_test.lua:..." .. since, function() return closed.run.time end)
+wrong("run:finish: this is the run made at ...errors_test.lua:..." .. since, function() closed.early:finish() end)
+wrong("run:steps: the run is the run made at ...errors_test.lua:..." .. since, function() closed.steps() end)
+wrong("model:fix: node is node 2" .. since, function(s) s.model:fix(closed.tip) end)
+wrong("model:dynamic: field 'from' is the run made at ...errors_test.lua:..." .. since, function(s) s.model:dynamic { dt = 1, duration = 1, from = closed.early } end)
+for handle, text in pairs {
+  model = "a model that was closed at " .. closed_at, run = "the run made at ..." .. since, tip = "node 2" .. since, member = "member 1" .. since, group = "group 'arms'" .. since,
+  load = "the load on node 2" .. since,
+} do
+  checks.expect(support.says(tostring(closed[handle]), text), "tostring of a %s: %s", handle, tostring(closed[handle]))
+end
+checks.equal(#closed.probe.value, 1, "values of a probe, after its model was closed")
+
+-- From inside a step.
+local function inside(s, call)
+  s.model:fracture(call)
+  s.run = s.model:dynamic { dt = 1e-5, duration = 1e-4 }
+  s.run:finish()
+end
+wrong("model:close: a run of this model is in a step; close it when the step is done",
+  function(s) inside(s, function() s.model:close() end) end, function() end)
+wrong("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done",
+  function(s) inside(s, function() s.run:step() end) end, function() end)
 
 -- Scenarios and models ------------------------------------------------------------------------------------------------
 
@@ -306,13 +404,6 @@ local function shaken(fail_at)
   end)
   s.run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }
   return s
-end
-local function line_of(text)
-  local n = 0
-  for line in io.lines(debug.getinfo(1, "S").source:sub(2)) do
-    n = n + 1
-    if line:find(text .. "$") then return n end
-  end
 end
 local steady, shaky = shaken(), shaken(50)
 local ok, failure = pcall(shaky.run.finish, shaky.run)
