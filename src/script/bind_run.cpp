@@ -33,7 +33,9 @@ namespace {
 // ---- methods ------------------------------------------------------------------------------------------------------
 
 int next_step(lua_State* L) {
-    const auto record = find<RunBox>(L, lua_upvalueindex(1))->value;
+    const auto* box = find<RunBox>(L, lua_upvalueindex(1));
+    if (!box) throw InputError("run:steps: the run was collected");
+    const auto record = box->value;
     const auto& r = *record;
     if (!advance(L, record)) return lua_pushnil(L), 1;
     lua_pushvalue(L, lua_upvalueindex(2));

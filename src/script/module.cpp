@@ -49,8 +49,9 @@ std::filesystem::path own_folder() {
 
 std::string library_folder() {
     const auto own = own_folder();
-    for (const auto& folder : {own / "../share/hinge/lua", own / "../../../share/hinge/lua", own / "../../../share/lua/5.4", std::filesystem::path(HINGE_LUA_FOLDER)})
-        if (std::filesystem::exists(folder / "hinge/init.lua")) return std::filesystem::canonical(folder).string();
+    // the installed program and module, and both of them as a rock
+    for (const char* place : {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
+        if (std::filesystem::exists(own / place / "hinge/init.lua")) return std::filesystem::canonical(own / place).string();
     return HINGE_LUA_FOLDER;
 }
 

@@ -98,6 +98,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
+    if (r.stepping) throw InputError("run:step: called from within a step of the same run");
     if (r.closed || c->planning) return false;
     if (!r.started) {
         begin_history(c, record);
@@ -106,8 +107,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     const auto before = Clock::now();
     bool more;
     try {
+        r.stepping = true;
         more = r.run->advance();
+        r.stepping = false;
     } catch (...) {
+        r.stepping = false;
         write_rows(r);
         throw;
     }
