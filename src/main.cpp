@@ -6,6 +6,7 @@
 
 #include "script/module.h"
 #include "script/objects.h"
+#include "script/sandbox.h"
 
 namespace {
 
@@ -15,7 +16,17 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out;
     std::vector<std::string> overrides;
+    bool sandbox = false;
+    hinge::script::Limits limits;
 };
+
+/// --sandbox and its limits, for the verbs that run a script.
+void add_sandbox(CLI::App& verb, Request& request) {
+    auto* sandbox = verb.add_flag("--sandbox", request.sandbox, "For a script that is not trusted: no files but its output folder, no processes, no native modules, and limits");
+    verb.add_option("--memory", request.limits.memory, "Most memory in the sandbox, in bytes or as 512M, 2G; default 1G")->needs(sandbox)->transform(CLI::AsSizeValue(false))->check(CLI::Range(16e6, 1e15))->type_name("SIZE");
+    verb.add_option("--seconds", request.limits.seconds, "Most wall time in the sandbox, s")->needs(sandbox)->check(CLI::Range(1e-3, 1e9))->capture_default_str()->type_name("TIME");
+    verb.add_option("--instructions", request.limits.instructions, "Most instructions of Lua's machine in the sandbox")->needs(sandbox)->check(CLI::Range(1.0, 1e18))->capture_default_str()->type_name("NUMBER");
+}
 
 /// Calls require("hinge.<module>").<function>(table) and returns its status.
 int call_library(lua_State* L, const char* module, const char* function, const Request& request) {
@@ -31,6 +42,7 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("verb", request.verb);
     set("case", request.case_name);
     set("out", request.out);
+    if (request.sandbox) set("sandbox", std::to_string(std::llround(request.limits.memory / (1 << 20))) + "M");
     lua_newtable(L);
     int n = 0;
     for (const std::string& pair : request.overrides) {
@@ -55,6 +67,8 @@ int with_lua(const Request& request, const char* module, const char* function, b
     lua_pop(L, 1);
     context->out_dir = request.out;
     context->progress = progress;
+    context->sandbox = request.sandbox;
+    if (request.sandbox) hinge::script::confine(L, request.limits);
     return call_library(L, module, function, request);
 }
 
@@ -79,7 +93,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> verbs = {"run", "plan", "render"};
     std::vector<std::string> words(argv + 1, argv + argc);
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
-    if (!words.empty() && !named) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
+    if (!words.empty() && (!named || words[0] == "--sandbox")) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
 
     CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
     app.set_version_flag("--version", HINGE_VERSION);
@@ -91,10 +105,12 @@ int main(int argc, char** argv) {
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     run_verb->add_option("--out", request.out, "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
     run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong.");
+    add_sandbox(*run_verb, request);
     auto* plan_verb = app.add_subcommand("plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
     plan_verb->add_option("script", request.script, "Lua script")->required();
     plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    add_sandbox(*plan_verb, request);
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back

@@ -23,8 +23,12 @@ local function places(level)
   return lines
 end
 
+-- Lua keeps the message handler out of this one: there may be no memory for it.
+local out_of_memory = "not enough memory"
+
 -- Message handler: what to print and which status it means.
 local function explain(failure)
+  if failure == out_of_memory then return failure end
   local kind = core.error_kind(failure)
   if kind then
     return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure) }
@@ -35,9 +39,10 @@ local function explain(failure)
 end
 
 --- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
--- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`.
-function runner.load(path, plain)
-  local chunk, problem = loadfile(path, "t")
+-- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`; `sandbox`, whether the
+-- script is not trusted.
+function runner.load(path, plain, sandbox)
+  local chunk, problem = loadfile(path, "t", sandbox and require "hinge.sandbox".environment() or _G)
   if not chunk then check.fail("%s", problem) end
   local result = chunk(plain)
   if scenario.is(result) then return result end
@@ -52,7 +57,7 @@ local function plan_script(options)
   local ok, failure = xpcall(function()
     local plain = {}
     for _, override in ipairs(options.overrides or {}) do plain[override[1]] = values.guess(override[2]) end
-    local loaded = runner.load(options.script, plain)
+    local loaded = runner.load(options.script, plain, options.sandbox)
     if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
   end, explain)
   print, described = say, core.runs_made()
@@ -73,7 +78,7 @@ local function run_script(options)
   local this = job.new(options.out or core.out_dir(), options.case)
 
   local parameters
-  local loaded, results = runner.load(options.script, plain)
+  local loaded, results = runner.load(options.script, plain, options.sandbox)
   if loaded then
     parameters = loaded:values(options.case, overrides)
     results = loaded.run(parameters, this)
@@ -91,22 +96,29 @@ local function run_script(options)
 end
 
 --- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.
-function runner.guard(f)
+-- `memory`: the sandbox's limit as text, or nil.
+function runner.guard(f, memory)
   local ok, result = xpcall(f, explain)
   if ok then return result end
+  if result == out_of_memory then
+    result = { status = run_failed, text = memory and out_of_memory .. ("; the sandbox's limit is %s, --memory gives more"):format(memory) or out_of_memory }
+  elseif type(result) ~= "table" then -- the error stumbled over itself
+    result = { status = wrong_input, text = tostring(result) }
+  end
   io.stderr:write("hinge: ", result.text, "\n")
   return result.status
 end
 
 --- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
--- 3 interrupted. options: script (path), verb ("run"), overrides (list of { name, text }), case (name or nil), out (folder).
+-- 3 interrupted. options: script (path), verb ("run"), overrides (list of { name, text }), case (name or nil), out (folder),
+-- sandbox (its memory as text, or nil).
 function runner.main(options)
   return runner.guard(function()
     local verb = options.verb or "run"
     if verb == "plan" then return plan_script(options) end
     if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan" }) end
     return run_script(options)
-  end)
+  end, options.sandbox)
 end
 
 return runner

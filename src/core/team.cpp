@@ -1,5 +1,10 @@
 #include "core/team.h"
 
+#include <string>
+#include <system_error>
+
+#include "core/errors.h"
+
 namespace hinge {
 namespace {
 
@@ -9,10 +14,17 @@ constexpr int patience = 20000;
 }  // namespace
 
 Team::Team(int threads) {
-    for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
+    try {
+        for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
+    } catch (const std::system_error& e) {
+        dismiss();  // those that began would wait for work, and we for them
+        throw OutsideError("cannot start " + std::to_string(threads) + " threads: " + e.code().message() + "; ask for fewer");
+    }
 }
 
-Team::~Team() {
+Team::~Team() { dismiss(); }
+
+void Team::dismiss() {
     over_ = true;
     ++round_;
     round_.notify_all();

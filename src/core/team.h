@@ -40,6 +40,7 @@ private:
     void run(int pieces, const std::function<void(int)>& work);
     void take_part();
     void serve();
+    void dismiss();
 
     std::vector<double> partial_;
     const std::function<void(int)>* work_ = nullptr;

@@ -1,6 +1,7 @@
 // What a script leaves behind: frames, pictures and summary.json.
 #include <algorithm>
 #include <dlfcn.h>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/files.h"
@@ -64,6 +65,18 @@ void must_work(int status, const char* error) {
     if (status != 0) throw OutsideError(error);
 }
 
+/// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder, whatever links are there.
+void prepare_folder(const Context& c, const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(file).parent_path();
+    if (c.sandbox) {
+        const fs::path own = fs::weakly_canonical(fs::absolute(c.out_dir)), there = fs::weakly_canonical(fs::absolute(folder));
+        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() || fs::is_symlink(file))
+            throw InputError("'" + file + "' is outside the output folder " + c.out_dir + "; a script in the sandbox writes nowhere else");
+    }
+    if (!folder.empty()) make_folder(folder.string());
+}
+
 const StillBox& still_argument(lua_State* L, int index, const char* function) {
     if (auto* s = find<StillBox>(L, index)) return *s;
     throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
@@ -100,7 +113,7 @@ int write_frame(lua_State* L) {
     const output::Still& still = still_argument(L, 1, "write_frame").value;
     const auto c = context(L);
     const std::string folder = c->out_dir.empty() ? "." : c->out_dir;
-    make_folder(folder + "/frames");
+    prepare_folder(*c, folder + "/frames/");
     auto& frames = c->frames;
     char file[48], error[512] = "";
     std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
@@ -156,7 +169,7 @@ int write_picture(lua_State* L) {
     output::Still still = box.value;
     const output::View view = read_view(L, 2, still, box);
     const std::string path = lua_tostring(L, 3);
-    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), still, view, error, sizeof error), error);
     return 0;
@@ -177,7 +190,7 @@ int write_strip(lua_State* L) {
     }
     std::vector<const output::Still*> list;
     for (const output::Still& s : stills) list.push_back(&s);
-    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(path.c_str(), int(list.size()), list.data(), views.data(),
                                                                                  int(luaL_checkinteger(L, 3)), error, sizeof error), error);
@@ -230,7 +243,7 @@ int write_plot(lua_State* L) {
     lua_pop(L, 1);
     o.finish();
     const std::string path = lua_tostring(L, 2);
-    if (const auto slash = path.rfind('/'); slash != std::string::npos) make_folder(path.substr(0, slash));
+    prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_plot>(*context(L), "hinge_plot")(path.c_str(), plot, width, height, error, sizeof error), error);
     return 0;
@@ -297,7 +310,7 @@ Json to_json(lua_State* L, int index, int depth) {
         case LUA_TTABLE: break;
         default: return nullptr;
     }
-    if (depth > 16) return "...";
+    if (depth > 16 || !lua_checkstack(L, 4)) return "...";
     if (const lua_Integer n = lua_rawlen(L, index); n > 0) {
         Json list = Json::array();
         for (lua_Integer i = 1; i <= n; ++i) {

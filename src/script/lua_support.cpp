@@ -47,6 +47,8 @@ int guarded_call(lua_State* L, Body body) {
             note_error(L, message, "hook");
         } catch (const std::bad_alloc&) {
             message = "not enough memory";
+        } catch (const std::length_error&) {  // more of something than there can be
+            message = "not enough memory";
         } catch (const OutsideError& e) {
             message = e.what();
             note_error(L, message, "outside");

@@ -59,14 +59,15 @@ T* push(lua_State* L, Args&&... args) {
     return object;
 }
 
-/// A finalizer of the script's own may bring the userdata back: without its metatable it is of no use to anyone.
+/// Leaves a userdata that no function takes: a script may call this by hand (debug.getmetatable), or a finalizer of its own bring
+/// the userdata back.
 template <class T>
 int collect(lua_State* L) {
-    if (T* object = find<T>(L, 1)) {
-        object->~T();
-        lua_pushnil(L);
-        lua_setmetatable(L, 1);
-    }
+    T* object = find<T>(L, 1);
+    if (!object) return 0;
+    lua_pushnil(L);
+    lua_setmetatable(L, 1);
+    object->~T();
     return 0;
 }
 

@@ -51,8 +51,9 @@ std::filesystem::path own_folder() {
 
 std::string library_folder() {
     const auto own = own_folder();
-    for (const auto& folder : {own / "../share/hinge/lua", own / "../../../share/hinge/lua", std::filesystem::path(HINGE_LUA_FOLDER)})
-        if (std::filesystem::exists(folder / "hinge/init.lua")) return std::filesystem::canonical(folder).string();
+    // the installed program and module, and both of them as a rock
+    for (const char* place : {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
+        if (std::filesystem::exists(own / place / "hinge/init.lua")) return std::filesystem::canonical(own / place).string();
     return HINGE_LUA_FOLDER;
 }
 
@@ -87,6 +88,12 @@ std::shared_ptr<Context> prepare(lua_State* L) {
 }
 
 }  // namespace hinge::script
+
+/// Where Lua finds hinge/init.lua by itself (a rock), it comes here for the engine alone.
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) {
+    hinge::script::prepare(L);
+    return hinge::script::open_core(L);
+}
 
 extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) {
     std::string init;

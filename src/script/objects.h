@@ -22,6 +22,7 @@ struct Context {
     std::string picture_module;           ///< path of the output module
     bool progress = false;                ///< show a progress line on stderr
     bool interrupted = false;
+    bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
     bool planning = false;                ///< runs are described, not stepped; nothing is written
     std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
     const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
@@ -80,7 +81,7 @@ struct RunRecord {
     std::string history_path;
     std::string asked_at;                 ///< the script's line that made the run
     bool started = false, closed = false;
-    bool stepping = false;
+    bool stepping = false;                ///< a step is going on: the script's functions may not ask for another
     std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps

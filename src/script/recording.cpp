@@ -123,6 +123,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     r.stepping = true;
     try {
         more = r.run->advance();
+        r.stepping = false;
     } catch (...) {
         r.stepping = false;
         write_rows(r);

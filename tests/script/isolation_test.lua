@@ -57,6 +57,15 @@ local run, before = dynamic(model), chain(2, 1):counts().members
 model:member { model:node { 9, 0, 0 }, model:node { 9, 1, 0 }, section = bar, material = steel }
 checks.equal(run:count { state = "elastic" }, before, "members of a run, after the model grew")
 
+-- An object collected by hand, and more than once, is one that nothing takes any more.
+local steps = run:steps()
+for name, object in pairs { run = run, model = model, section = hinge.section.solid { width = 1, depth = 1 } } do
+  local collect = debug.getmetatable(object).__gc
+  for _ = 1, 3 do collect(object) end
+  checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata", "a collected " .. name)
+end
+checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run was collected", "its steps")
+
 -- Memory --------------------------------------------------------------------------------------------------------------
 
 local function resident() -- kB

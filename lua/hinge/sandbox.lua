@@ -1,0 +1,81 @@
+-- What a script that is not trusted can reach: Lua without files, processes, native modules and what looks into functions, and a
+-- copy of the library of its own. Its limits are the program's (src/script/sandbox.h).
+local core = require "hinge.core"
+local check = require "hinge.check"
+local scenario = require "hinge.scenario" -- shared: its module table never leaves the library
+
+local globals = "assert error getmetatable ipairs next pairs pcall rawequal rawget rawlen rawset select setmetatable tonumber "
+  .. "tostring type xpcall _VERSION"
+local libraries = {
+  coroutine = "close create isyieldable resume running status wrap yield",
+  debug = "traceback",
+  math = "*",
+  os = "clock date difftime time",
+  string = "*",
+  table = "*",
+  utf8 = "*",
+}
+local left_out = { ["string.dump"] = true }
+local own_modules = { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.models.materials", "hinge.models.space_frame",
+  "hinge.models.ten_storey", "hinge.models.ten_storey_impact", "hinge.paper", "hinge.report", "hinge.section", "hinge.shapes",
+  "hinge.values" }
+
+-- A table that says why it lacks what Lua has. Its metatable is out of reach.
+local function guarded(copy, original, prefix)
+  return setmetatable(copy, { __metatable = false, __index = function(_, key)
+    if original[key] ~= nil then check.fail("%s%s is not there for a script in the sandbox", prefix, key) end
+  end })
+end
+
+local function copy_of(name, names)
+  local original, copy = _G[name], {}
+  for key, value in pairs(original) do
+    if (names == "*" or (" " .. names .. " "):find(" " .. key .. " ", 1, true)) and not left_out[name .. "." .. key] then
+      copy[key] = value
+    end
+  end
+  return guarded(copy, original, name .. ".")
+end
+
+local function collect(option, ...)
+  if option ~= nil and option ~= "collect" and option ~= "count" and option ~= "step" then
+    check.fail("collectgarbage: option %s is not there for a script in the sandbox; 'collect', 'count' and 'step' are", check.show(option))
+  end
+  return collectgarbage(option, ...)
+end
+
+local function environment(require)
+  local env = { require = require, collectgarbage = collect, print = function(...) print(...) end }
+  for name in globals:gmatch "%S+" do env[name] = _G[name] end
+  for name, names in pairs(libraries) do env[name] = copy_of(name, names) end
+  for _, name in ipairs { "io", "package" } do env[name] = guarded({}, _G[name], name .. ".") end
+  env.load = function(chunk, name, _, ...) return load(chunk, name, "t", select("#", ...) > 0 and (...) or env) end
+  env._G = env
+  return guarded(env, _G, "")
+end
+
+local sandbox = {}
+
+--- The globals for one script. From here on the state is the sandbox's: methods of strings are copies too.
+function sandbox.environment()
+  local text = getmetatable ""
+  text.__index, text.__metatable = copy_of("string", "*"), false
+  local loaded = { ["hinge.core"] = core, ["hinge.scenario"] = scenario }
+  local inner = nil
+  local function load_own(name)
+    if loaded[name] == nil then
+      local path = assert(package.searchpath(name, package.path))
+      loaded[name] = assert(loadfile(path, "t", inner))(name, path)
+    end
+    return loaded[name]
+  end
+  inner = environment(load_own) -- the library's own, with the core in reach
+  return environment(function(name)
+    for _, own in ipairs(own_modules) do
+      if name == own then return load_own(name) end
+    end
+    check.fail("require: module %s is not there for a script in the sandbox; there are %s", check.show(name), table.concat(own_modules, ", "))
+  end)
+end
+
+return sandbox

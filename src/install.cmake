@@ -1,0 +1,29 @@
+# cmake --install: the program, the module, the Lua library, and the engine as the CMake package `hinge` (target hinge::engine).
+# The module and the program look for the Lua library and the pictures in these folders, seen from where they lie themselves
+# (script/module.cpp), so the whole may be moved.
+set(HINGE_MODULE_FOLDER lib/lua/5.4 CACHE STRING "Where the module is installed; on Lua's cpath")
+set(HINGE_LIBRARY_FOLDER share/hinge/lua CACHE STRING "Where the Lua library is installed")
+
+install(TARGETS hinge_program RUNTIME DESTINATION bin)
+install(TARGETS hinge_module LIBRARY DESTINATION ${HINGE_MODULE_FOLDER})
+install(DIRECTORY lua/hinge DESTINATION ${HINGE_LIBRARY_FOLDER})
+if(HINGE_PICTURES)
+  install(TARGETS hinge_output LIBRARY DESTINATION lib/hinge)
+endif()
+
+# Whoever includes the engine's headers compiles them as the engine was compiled: types laid out alike, the same bits.
+target_compile_features(hinge_engine INTERFACE cxx_std_20)
+target_compile_options(hinge_engine INTERFACE "$<INSTALL_INTERFACE:-Wno-psabi;-ffp-contract=off;$<$<BOOL:${HINGE_NATIVE}>:-march=native>>")
+target_compile_definitions(hinge_engine INTERFACE $<INSTALL_INTERFACE:HINGE_ALIGNMENT=${hinge_alignment}>)
+target_include_directories(hinge_engine INTERFACE $<INSTALL_INTERFACE:include/hinge>)
+target_link_libraries(hinge_engine INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
+set_target_properties(hinge_engine PROPERTIES EXPORT_NAME engine)
+
+foreach(part core model beam contact sim)
+  install(DIRECTORY src/${part} DESTINATION include/hinge FILES_MATCHING PATTERN *.h)
+endforeach()
+install(TARGETS hinge_engine EXPORT hinge ARCHIVE DESTINATION lib)
+install(EXPORT hinge NAMESPACE hinge:: FILE hingeTargets.cmake DESTINATION lib/cmake/hinge)
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/hingeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES src/hingeConfig.cmake ${CMAKE_BINARY_DIR}/hingeConfigVersion.cmake DESTINATION lib/cmake/hinge)
