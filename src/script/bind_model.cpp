@@ -24,61 +24,6 @@ std::uint8_t parse_freedoms(const std::string& what, const std::string& text) {
     return mask;
 }
 
-History read_history(Options& o, const Model& model) {
-    const int type = o.push_field("history");
-    lua_State* L = o.L();
-    if (type == LUA_TNIL) return lua_pop(L, 1), History{};
-    if (type == LUA_TFUNCTION) {
-        LuaFunction f(L, -1, model);
-        lua_pop(L, 1);
-        return [f, who = o.function()](double t) {
-            lua_State* L = f.running();
-            f.push(L);
-            lua_pushnumber(L, t);
-            call_hook(L, f, 1, 1);
-            const bool good = lua_isnumber(L, -1);
-            const double v = lua_tonumber(L, -1);
-            const std::string shown = show(L, -1);
-            lua_pop(L, 1);
-            if (!good) throw HookError(f.place() + ": " + who + ": the history function returned " + shown + " at t = " + show(t) + " s; it must return a number");
-            return v;
-        };
-    }
-    const std::string shown = show(L, -1);
-    if (type != LUA_TTABLE) {
-        lua_pop(L, 1);
-        o.complain("history", shown, "must be a function of time (s) or a table of {time, factor} pairs");
-    }
-    std::vector<std::pair<double, double>> points;
-    const int table = lua_gettop(L);
-    for (lua_Integer i = 1, n = lua_rawlen(L, table); i <= n; ++i) {
-        double pair[2];
-        lua_rawgeti(L, table, i);
-        bool good = lua_istable(L, -1);
-        for (int k = 0; good && k < 2; ++k) {
-            good = lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER;
-            pair[k] = lua_tonumber(L, -1);
-            lua_pop(L, 1);
-        }
-        lua_pop(L, 1);
-        if (!good) o.complain("history", "wrong at point " + std::to_string(i), "each point must be {time in s, factor}");
-        if (!std::isfinite(pair[0]) || !std::isfinite(pair[1])) o.complain("history", "not finite at point " + std::to_string(i), "times and factors must be finite");
-        if (!points.empty() && pair[0] <= points.back().first) o.complain("history", "out of order at point " + std::to_string(i) + " (time " + show(pair[0]) + " s)", "times must rise");
-        points.push_back({pair[0], pair[1]});
-    }
-    lua_pop(L, 1);
-    if (points.empty()) o.complain("history", "empty", "give at least one {time, factor}");
-    return [points](double t) {
-        if (t <= points.front().first) return points.front().second;
-        for (std::size_t i = 1; i < points.size(); ++i)
-            if (t <= points[i].first) {
-                const double share = (t - points[i - 1].first) / (points[i].first - points[i - 1].first);
-                return (1 - share) * points[i - 1].second + share * points[i].second;
-            }
-        return points.back().second;
-    };
-}
-
 int model(lua_State* L) {
     Options o(L, 1, "hinge.model", true);
     ModelOptions m;
@@ -192,26 +137,6 @@ int add_member(lua_State* L) {
     return 1;
 }
 
-int add_load(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:load").value;
-    Options o(L, 2, "model:load");
-    o.expect({"node", "force", "moment", "history"});
-    NodalLoad load;
-    o.push_field("node");
-    load.node = node_argument(L, -1, "model:load: field 'node'", m.get()).index;
-    lua_pop(L, 1);
-    const auto force = o.triple("force", "N"), moment = o.triple("moment", "N m");
-    if (!force && !moment) throw InputError("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}");
-    load.force = force.value_or(Vec3::Zero());
-    load.moment = moment.value_or(Vec3::Zero());
-    load.history = read_history(o, *m);
-    o.finish();
-    const int number = m->add_load(std::move(load));
-    if (!m->asked("loads")) m->ask("loads", where(L));
-    push_load(L, m, number);
-    return 1;
-}
-
 int gravity(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:gravity").value;
     m->set_gravity(read_triple(L, 2, "model:gravity: acceleration", "m/s^2"));
@@ -262,7 +187,7 @@ int counts(lua_State* L) {
 
 void open_model(lua_State* L, int module) {
     static const luaL_Reg methods[] = {{"node", guarded<add_node>},       {"fix", guarded<fix>},           {"member", guarded<add_member>},
-                                       {"load", guarded<add_load>},       {"gravity", guarded<gravity>},   {"velocity", guarded<velocity>},
+                                       {"load", guarded<add_load>},       {"move", guarded<move_support>},       {"gravity", guarded<gravity>},   {"velocity", guarded<velocity>},
                                        {"fracture", guarded<fracture_rule>},   {"contact", guarded<contact_rule>}, {"group", guarded<group>},
                                        {"counts", guarded<counts>},       {"static", guarded<static_run>}, {"dynamic", guarded<dynamic_run>},
                                        {nullptr, nullptr}};

@@ -74,6 +74,14 @@ int finish(lua_State* L) {
     return 1;
 }
 
+int on_step(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:on_step").value;
+    if (!lua_isfunction(L, 2)) throw InputError("run:on_step: takes a function of the run, called after each step; got " + show(L, 2));
+    r->on_step.emplace_back(L, 2, *r->model);
+    lua_settop(L, 1);
+    return 1;
+}
+
 int stop(lua_State* L) {
     self<RunBox>(L, "run:stop").value->run->stop();
     return 0;
@@ -246,7 +254,7 @@ void open_run(lua_State* L) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     static const luaL_Reg methods[] = {
         {"steps", guarded<steps>}, {"step", guarded<step>}, {"finish", guarded<finish>}, {"stop", guarded<stop>}, {"probe", guarded<probe>},
-        {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
+        {"on_step", guarded<on_step>}, {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);

@@ -88,6 +88,8 @@ int static_run(lua_State* L) {
     o.finish();
     if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
     refuse_lost_loads(*m, *structure, start, "model:static");
+    for (const NodalLoad& l : m->loads())
+        if (l.follows_state()) throw InputError("model:static: a load on " + structure->node_name(l.node) + " is a function of time and the run, which acts in dynamics only; make the static run before it is declared");
     context(L)->running = L;
     try {
         return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);

@@ -82,6 +82,7 @@ struct RunRecord {
     std::string asked_at;                 ///< the script's line that made the run
     bool started = false, closed = false;
     bool stepping = false;                ///< a step is going on: the script's functions may not ask for another
+    std::vector<LuaFunction> on_step;     ///< called after each step
     std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps
@@ -136,6 +137,8 @@ void open_run(lua_State* L);
 void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 
+int add_load(lua_State* L);                   ///< model:load
+int move_support(lua_State* L);               ///< model:move
 int fracture_rule(lua_State* L);              ///< model:fracture
 int contact_rule(lua_State* L);               ///< model:contact
 int static_run(lua_State* L);                 ///< model:static

@@ -107,6 +107,31 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
 
 }  // namespace
 
+namespace {
+
+/// While it lasts the run's own functions may neither step it nor change its model.
+class InsideStep {
+public:
+    explicit InsideStep(RunRecord& r) : r_(r) { set(true); }
+    ~InsideStep() { set(false); }
+
+private:
+    void set(bool inside) { r_.stepping = inside, r_.model->lock(inside); }
+    RunRecord& r_;
+};
+
+void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
+    const InsideStep inside(*record);
+    for (const LuaFunction& f : std::vector<LuaFunction>(record->on_step)) {  // one may add another
+        f.push(L);
+        push<RunBox>(L, record);
+        hold_anchor(L, *record->model);
+        call_hook(L, f, 1, 0, "run:on_step after step " + std::to_string(record->run->steps_done()) + ", which is done");
+    }
+}
+
+}  // namespace
+
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
@@ -120,16 +145,13 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     }
     const auto before = Clock::now();
     bool more;
-    r.stepping = true;
     try {
+        const InsideStep inside(r);
         more = r.run->advance();
-        r.stepping = false;
     } catch (...) {
-        r.stepping = false;
         write_rows(r);
         throw;
     }
-    r.stepping = false;
     const auto now = Clock::now();
     r.wall += seconds(now - before);
     note_what_went(r);
@@ -137,6 +159,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         sample(r);
         if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(r);
     }
+    if (more && !r.on_step.empty()) call_on_step(L, record);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
     if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
