@@ -22,11 +22,6 @@ void read_numbers(Options& o, bool gap, contact::ContactSettings& c) {
 
 bool reads_gap(Options& o, bool otherwise) { return o.word("rule", {"surface", "gap"}, otherwise ? "gap" : "surface") == "gap"; }
 
-void push_member(lua_State* L, const std::shared_ptr<Model>& model, int member) {
-    push<MemberBox>(L, model, member);
-    hold_anchor(L, *model);
-}
-
 /// The function in a field, if there is one.
 std::optional<LuaFunction> function_in(Options& o, const char* field, const char* allowed, const Model& m) {
     lua_State* L = o.L();
@@ -39,15 +34,15 @@ std::optional<LuaFunction> function_in(Options& o, const char* field, const char
 }
 
 /// Of two members, whether they meet at all, and by what numbers.
-void read_pairs(const LuaFunction& f, const std::shared_ptr<Model>& m, ContactRule& rule) {
-    rule.pairs = [f, model = std::weak_ptr<Model>(m), usual = rule.settings](int a, int b) -> std::optional<contact::ContactSettings> {
+void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, ContactRule& rule) {
+    rule.pairs = [f, model = std::weak_ptr<ScriptModel>(m), usual = rule.settings](int a, int b) -> std::optional<contact::ContactSettings> {
         lua_State* L = f.running();
         const auto own = model.lock();
         if (!own) return usual;
         const std::string pair = "members " + std::to_string(a + 1) + " and " + std::to_string(b + 1);
         f.push(L);
-        push_member(L, own, a);
-        push_member(L, own, b);
+        push_handle<MemberBox>(L, own, a);
+        push_handle<MemberBox>(L, own, b);
         call_hook(L, f, 2, 1, "contact rule, " + pair);
         std::optional<contact::ContactSettings> found = usual;
         const std::string who = f.place() + ": model:contact: the function 'pairs' for " + pair;
@@ -70,16 +65,16 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<Model>& m, ContactRu
     };
 }
 
-std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFunction& f, const char* name, const std::shared_ptr<Model>& m) {
-    return [f, name, model = std::weak_ptr<Model>(m)](const contact::ContactEvent& event, int a, int b) {
+std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFunction& f, const char* name, const std::shared_ptr<ScriptModel>& m) {
+    return [f, name, model = std::weak_ptr<ScriptModel>(m)](const contact::ContactEvent& event, int a, int b) {
         const auto own = model.lock();
         if (!own) return;
         lua_State* L = f.running();
         f.push(L);
         lua_createtable(L, 0, 5);
         lua_pushnumber(L, event.time), lua_setfield(L, -2, "time");
-        push_member(L, own, a), lua_setfield(L, -2, "a");
-        push_member(L, own, b), lua_setfield(L, -2, "b");
+        push_handle<MemberBox>(L, own, a), lua_setfield(L, -2, "a");
+        push_handle<MemberBox>(L, own, b), lua_setfield(L, -2, "b");
         lua_pushinteger(L, event.element[0] + 1), lua_setfield(L, -2, "element_a");
         lua_pushinteger(L, event.element[1] + 1), lua_setfield(L, -2, "element_b");
         call_hook(L, f, 1, 0, std::string(name) + ", members " + std::to_string(a + 1) + " and " + std::to_string(b + 1));
