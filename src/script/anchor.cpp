@@ -56,7 +56,6 @@ void push_handles(lua_State* L, const Model& model, const char* kind) {
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, kind);
     }
-    lua_remove(L, -2);
 }
 
 /// The value's place in the anchor: its own address is the key.

@@ -20,7 +20,7 @@ void push_anchor(lua_State* L, const Model& model);
 /// Has the userdata on top of the stack hold the model's anchor. Whatever keeps a model alive for the script must.
 void hold_anchor(lua_State* L, const Model& model);
 
-/// Pushes the anchor's table of the handles of one kind that are in use, by number. It does not keep them.
+/// Pushes the anchor, and its table of the handles of one kind that are in use, by number. It does not keep them.
 void push_handles(lua_State* L, const Model& model, const char* kind);
 
 /// A Lua value that C++ holds. The model's anchor keeps it, not the registry: a rule that refers to its own model is then a

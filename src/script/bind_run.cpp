@@ -41,6 +41,7 @@ namespace {
 // ---- methods ------------------------------------------------------------------------------------------------------
 
 int next_step(lua_State* L) {
+    if (!find<RunBox>(L, lua_upvalueindex(1))) throw InputError("run:steps: the run was collected");
     const auto record = run_argument(L, lua_upvalueindex(1), "run:steps: the run");
     const auto& r = *record;
     if (!advance(L, record)) return lua_pushnil(L), 1;

@@ -118,11 +118,13 @@ void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int nu
     if (lua_rawgeti(L, -1, number + 1) == LUA_TNIL) {
         lua_pop(L, 1);
         push<T>(L, model, number, std::forward<More>(more)...);
-        hold_anchor(L, *model);
+        lua_pushvalue(L, -3);
+        lua_setiuservalue(L, -2, 1);  // as hold_anchor does
         lua_pushvalue(L, -1);
         lua_rawseti(L, -3, number + 1);
     }
-    lua_remove(L, -2);
+    lua_replace(L, -3);  // the anchor
+    lua_pop(L, 1);
 }
 void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);
 void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number);

@@ -380,9 +380,9 @@ local function inside(s, call)
   s.run = s.model:dynamic { dt = 1e-5, duration = 1e-4 }
   s.run:finish()
 end
-wrong("model:close: a run of this model is in a step; close it when the step is done",
+wrong("model:close: a run of this model is in a step; close it when the step is done (fracture rule of ...) at step 1, ...",
   function(s) inside(s, function() s.model:close() end) end, function() end)
-wrong("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done",
+wrong("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done (fracture rule of ...) at step 1, ...",
   function(s) inside(s, function() s.run:step() end) end, function() end)
 
 -- Scenarios and models ------------------------------------------------------------------------------------------------
