@@ -15,7 +15,10 @@ function check.show(value)
   if math.type(value) == "float" then return ("%.10g"):format(value) end
   if type(value) ~= "table" or getmetatable(value) then return tostring(value) end
   local parts = {}
-  for i, v in ipairs(value) do parts[i] = check.show(v) end
+  for i, v in ipairs(value) do
+    if i > 12 then parts[i] = "..." break end
+    parts[i] = check.show(v)
+  end
   return #parts > 0 and "{" .. table.concat(parts, ", ") .. "}" or "a table"
 end
 
@@ -85,7 +88,7 @@ local function allowed(rule)
   if kind == "number" then
     text = "a " .. number
   elseif kind == "numbers" then
-    text = rule.count .. " " .. number .. "s in braces, each"
+    text = (rule.count or "two or more") .. " " .. number .. "s in braces, each"
   else
     return ({ string = "a string", boolean = "true or false", table = "a table", ["function"] = "a function",
       section = "a section, such as hinge.section.box{...} gives", material = "a material, made by hinge.material{...}" })[kind]
@@ -112,7 +115,7 @@ local function good(value, rule)
   local kind = rule[1]
   if kind == "number" then return good_number(value, rule) end
   if kind == "numbers" then
-    if type(value) ~= "table" or #value ~= rule.count then return false end
+    if type(value) ~= "table" or #value < 2 or rule.count and #value ~= rule.count then return false end
     for _, v in ipairs(value) do
       if not good_number(v, rule) then return false end
     end
@@ -151,7 +154,7 @@ end
 
 --- Checks a table of named options and returns a copy with the defaults filled in.
 -- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=, count=, one_of= };
--- kinds: number, numbers (a list of `count`), string, boolean, table, function, section, material.
+-- kinds: number, numbers (a list of `count`, or of any two or more), string, boolean, table, function, section, material.
 function check.options(where, options, rules)
   if options == nil then options = {} end
   if type(options) ~= "table" then

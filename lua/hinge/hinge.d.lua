@@ -225,10 +225,17 @@ function model:fix(node, what) end
 ---@return hinge.member
 function model:member(options) end
 
----Adds a load on a node, fixed in direction.
----@param options { node: hinge.node, force?: vec3, moment?: vec3, history?: fun(time: number): number|number[][] } N and N m in space; history: its factor over time (s), a function or points { { time, factor }, ... }, default 1
+---Adds a load on a node. Three numbers are fixed in direction; a function is asked once a step what acts at its end, time in s, and
+---can read the run where the step begins (dynamics only): it returns three numbers, or a table of three.
+---@param options { node: hinge.node, force?: vec3|fun(time: number, run: hinge.run): number, moment?: vec3|fun(time: number, run: hinge.run): number, history?: fun(time: number): number|number[][] } N and N m in space; history: factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
 ---@return hinge.load
 function model:load(options) end
+
+---Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run begins. Velocity and
+---acceleration follow by differences over the last steps, so a path should be smooth; it is asked for two steps before the
+---start too. The work that it does is in the ledger. In statics the supports stand still.
+---@param options { node: hinge.node|hinge.node[], x?: fun(time: number): number|number[][], y?: fun(time: number): number|number[][], z?: fun(time: number): number|number[][] } displacement, m, over time, s: a function, or points { { time, displacement }, ... }
+function model:move(options) end
 
 ---Gravity on every member's mass.
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
@@ -241,21 +248,77 @@ function model:gravity(acceleration) end
 function model:velocity(target, linear, angular) end
 
 ---Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
----per millimetre, so 0.4 here. A function gets the section as a table (time, step, member, element, end, curvature_x,
----curvature_y, axial_strain, twist, Mx, My, N, Mz, f_y, plastic_work, plastic, group) and returns true where it breaks.
----@param rule { curvature_x?: number, curvature_y?: number, axial_strain?: number, tension_only?: boolean, rule?: function, group?: hinge.group_like }|fun(section: table): boolean limits 1/m and -; either sign breaks, unless tension_only
+---per millimetre, so 0.4 here. Or where a function says so. Of several rules the last one that a member's groups fit counts. An
+---error in a function takes the step back and is raised where the run was stepped.
+---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
 function model:fracture(rule) end
+
+---@class hinge.fracture_rule
+---@field curvature_x? number 1/m, either sign
+---@field curvature_y? number 1/m, either sign
+---@field axial_strain? number -, either sign unless tension_only
+---@field tension_only? boolean default false
+---@field rule? fun(section: hinge.section_view): boolean? asked of a section, where no limit is reached; true: it breaks. The section is the same object at every call and can be read while the function runs
+---@field where? "plastic"|"yielded"|"all" sections that `rule` is asked of: fully plastic in this step (default), ever since the start, or all; always those of members that cannot yield
+---@field keep? string[] names of numbers that the rule keeps of each section, such as { "damage" }: fields of the section that can be set, 0 at the start; they belong to the run's state
+---@field batch? fun(elements: hinge.element_list): integer[]? in the place of `rule`: asked once a step of all elements of the members; returns a list of places of those that break
+---@field group? hinge.group_like only its members, default all
+
+---A section as a fracture rule sees it where the step has ended. Strains are the element's: elastic and plastic, only plastic,
+---and their change over the step divided by dt.
+---@class hinge.section_view
+---@field time number s
+---@field dt number s
+---@field step integer from 1
+---@field member integer
+---@field element integer
+---@field end integer 1 or 2
+---@field group string? name of the member's first group
+---@field plastic boolean fully plastic in this step
+---@field curvature_x number 1/m
+---@field curvature_y number 1/m
+---@field axial_strain number
+---@field twist number 1/m
+---@field plastic_curvature_x number 1/m
+---@field plastic_curvature_y number 1/m
+---@field plastic_axial_strain number
+---@field plastic_twist number 1/m
+---@field curvature_rate_x number 1/(m s)
+---@field curvature_rate_y number 1/(m s)
+---@field axial_strain_rate number 1/s
+---@field twist_rate number 1/(m s)
+---@field Mx number N m
+---@field My number N m
+---@field N number N
+---@field Mz number N m
+---@field f_y number eq 14
+---@field plastic_work number J, of the element so far
+---@field broken number 0
+
+---All elements of a fracture rule's members, always in the same order: `count` of them (also `#elements`), and for every field of a
+---section an array with one number each; Mx, My, f_y and plastic have one for each end (Mx1, Mx2, ...; plastic 1 or 0). Broken
+---elements stay in their places, with broken = 1 and zeros. An array is the same table at every step, filled when it is asked for.
+---@class hinge.element_list
+---@field count integer
+---@field time number s
+---@field dt number s
+---@field step integer
 
 ---Lets members touch. surface (the default): bars, round with half the smaller side of their section as radius, press on
 ---each other where their axes come closest, k g^2 / 2 for an overlap g; nothing is lost but by friction. gap (section 2.4,
 ---eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part springs back.
----Members that share a joint, or overlap when first seen, do not touch until they have parted.
+---Members that share a joint, or overlap when first seen, do not touch until they have parted. Called again it adds a rule: of
+---several, the last one that fits both members' groups counts.
 ---@param rule? hinge.contact_rule
 function model:contact(rule) end
 
 ---@class hinge.contact_rule
 ---@field rule? "surface"|"gap" default surface
----@field groups? hinge.group_like[] only these, default all
+---@field groups? hinge.group_like[] only members of these, default all
+---@field between? hinge.group_like[] two groups: one member of each, in the place of groups
+---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil asked once of two members when they come near: nil or true: this rule's numbers; false: they never touch; a table: other numbers (rule, stiffness, friction, binding_time, release, reach, flatness)
+---@field on_touch? fun(event: hinge.contact_event) called at the end of a step in which two elements were bound or began to press on each other
+---@field on_release? fun(event: hinge.contact_event) likewise, let go or parted
 ---@field stiffness? number surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
 ---@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the ledger's contact_released
 ---@field binding_time? number gap: default 0.5e-3 s
@@ -264,6 +327,13 @@ function model:contact(rule) end
 ---@field flatness? number gap: alpha of eq 19, default 3e-4 m^3
 ---@field sleep? boolean default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at several times the cost
 ---@field letter? boolean gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other; release is then "time"
+
+---@class hinge.contact_event
+---@field time number s
+---@field a hinge.member
+---@field b hinge.member
+---@field element_a integer
+---@field element_b integer
 
 ---A group that members were put into by name.
 ---@param name string
@@ -331,6 +401,11 @@ function run:finish() end
 
 ---Ends the run here; its verdict is then "stopped".
 function run:stop() end
+
+---Has a function called with the run after each step, whoever asks for the steps. It may read and stop the run, but not step it.
+---@param callback fun(run: hinge.run)
+---@return hinge.run
+function run:on_step(callback) end
 
 ---Records one quantity of a node at every step, and in history.csv. Ask before the first step.
 ---@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
@@ -403,6 +478,14 @@ function run:count(options) end
 function run:still() end
 
 ---@class hinge.still
+
+-- Ground motion -------------------------------------------------------------------------------------------------------
+
+---The displacement of the ground, m, as a function of time, s, from a record of its acceleration: linear between the record's
+---values, integrated twice exactly; zero before its start, straight on after its end. For model:move.
+---@param options { dt: number, acceleration: number[], scale?: number } dt s; acceleration m/s^2, the first at t = 0; scale default 1
+---@return fun(time: number): number
+function hinge.ground(options) end
 
 -- Scenarios ----------------------------------------------------------------------------------------------------------
 

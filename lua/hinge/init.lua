@@ -7,5 +7,6 @@ return check.strict({
   model = core.model,
   material = core.material,
   section = require "hinge.section",
+  ground = require "hinge.ground",
   scenario = require "hinge.scenario".new,
 }, "hinge")
