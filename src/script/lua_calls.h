@@ -84,6 +84,12 @@ inline constexpr struct {
 } lua_pushcclosure;
 
 inline constexpr struct {
+    void operator()(lua_State* L, const luaL_Reg* functions, int) const {
+        protect(L, 1, 1, [=](lua_State* L) { ::luaL_setfuncs(L, functions, 0); });
+    }
+} luaL_setfuncs;  // without upvalues
+
+inline constexpr struct {
     const char* operator()(lua_State* L, int index, std::size_t* length) const {
         if (lua_type(L, index) != LUA_TNUMBER) return ::lua_tolstring(L, index, length);
         index = lua_absindex(L, index);
