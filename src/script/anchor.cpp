@@ -69,7 +69,7 @@ struct LuaValue::Slot {
         const int top = lua_gettop(main);
         if (find_anchor(main, model) && lua_rawgetp(main, -1, this) != LUA_TNIL) {
             lua_pushnil(main);
-            lua_rawsetp(main, -3, this);
+            ::lua_rawsetp(main, -3, this);
         }
         lua_settop(main, top);
     }
@@ -101,7 +101,9 @@ void LuaValue::push(lua_State* L) const {
 lua_State* LuaFunction::running() const { return context_->running; }
 
 void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what) {
-    if (lua_pcall(L, arguments, results, 0) == LUA_OK) return;
+    const int status = lua_pcall(L, arguments, results, 0);
+    if (status == LUA_OK) return;
+    if (status == LUA_ERRMEM) lua_pop(L, 1), throw std::bad_alloc();
     const char* text = lua_tostring(L, -1);
     std::string message = text ? text : function.place() + ": the function raised a value that is not a string";
     lua_pop(L, 1);

@@ -107,7 +107,9 @@ int list_get(lua_State* L) {
     }
     box.room.resize(n);
     box.now->read(SectionField(place % field_count), place / field_count, box.room.data());
-    for (int i = 0; i < n; ++i) lua_pushnumber(L, box.room[i]), lua_rawseti(L, -2, i + 1);
+    protect(L, 1, 1, [&](lua_State* L) {
+        for (int i = 0; i < n; ++i) lua_pushnumber(L, box.room[i]), ::lua_rawseti(L, 1, i + 1);
+    });
     box.filled.set(place);
     return 1;
 }
@@ -117,7 +119,10 @@ int list_length(lua_State* L) { return lua_pushinteger(L, list_in_use(L).now->co
 /// T's metatable, made once, with the fields by number for its __index; `by_end`: what differs between the ends has a name for each.
 template <class T, bool by_end>
 void ready_metatable(lua_State* L, lua_CFunction get, const luaL_Reg* others) {
-    if (luaL_newmetatable(L, T::lua_name)) {
+    luaL_newmetatable(L, T::lua_name);
+    const bool made = lua_getfield(L, -1, "__gc") != LUA_TNIL;  // the last of it: memory may have run out half way
+    lua_pop(L, 1);
+    if (!made) {
         lua_createtable(L, 0, field_count);
         for (int i = 0; i < field_count; ++i)
             if (by_end && at_ends(SectionField(i)))

@@ -177,7 +177,9 @@ int write_picture(lua_State* L) {
 
 /// core.write_strip(stills, views, columns, path): as many views as stills
 int write_strip(lua_State* L) {
-    const std::string path = luaL_checkstring(L, 4);
+    const char* file = luaL_checkstring(L, 4);  // these raise: nothing may be pending yet
+    const int columns = int(luaL_checkinteger(L, 3));
+    const std::string path = file;
     std::vector<output::Still> stills;
     std::vector<output::View> views;
     for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
@@ -193,7 +195,7 @@ int write_strip(lua_State* L) {
     prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(path.c_str(), int(list.size()), list.data(), views.data(),
-                                                                                 int(luaL_checkinteger(L, 3)), error, sizeof error), error);
+                                                                                 columns, error, sizeof error), error);
     return 0;
 }
 
@@ -289,13 +291,14 @@ int pieces(lua_State* L) {
 
 /// core.render_file(vtp, png, view): draws a frame written before.
 int render_file(lua_State* L) {
+    const char *from = luaL_checkstring(L, 1), *to = luaL_checkstring(L, 2);
     char error[512] = "";
     output::Still still;
     const auto c = context(L);
-    must_work(picture_function<hinge_read_still>(*c, "hinge_read_still")(luaL_checkstring(L, 1), still, error, sizeof error), error);
+    must_work(picture_function<hinge_read_still>(*c, "hinge_read_still")(from, still, error, sizeof error), error);
     output::View view;
     if (lua_type(L, 3) == LUA_TSTRING) view.title = lua_tostring(L, 3);
-    must_work(picture_function<hinge_render>(*c, "hinge_render")(luaL_checkstring(L, 2), still, view, error, sizeof error), error);
+    must_work(picture_function<hinge_render>(*c, "hinge_render")(to, still, view, error, sizeof error), error);
     return 0;
 }
 

@@ -5,23 +5,36 @@ namespace hinge::script {
 namespace {
 
 const char context_key = 0;
-struct ContextBox { static constexpr const char* lua_name = "hinge.context"; std::shared_ptr<Context> value; };
+struct ContextBox {
+    static constexpr const char* lua_name = "hinge.context";
+    std::shared_ptr<Context> value;
+    ~ContextBox() {  // the last run's rules hold the context, which holds the run
+        if (value) value->record = value->writer = nullptr;
+    }
+};
 
-}  // namespace
-
-std::shared_ptr<Context> context(lua_State* L) {
+/// Null before the module is opened, and in a finalizer that runs after the context's own.
+std::shared_ptr<Context> find_context(lua_State* L) {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &context_key);
-    auto* box = static_cast<ContextBox*>(lua_touserdata(L, -1));
+    auto* box = find<ContextBox>(L, -1);
     std::shared_ptr<Context> found = box ? box->value : nullptr;
     lua_pop(L, 1);
     return found;
 }
 
+}  // namespace
+
+std::shared_ptr<Context> context(lua_State* L) {
+    if (auto c = find_context(L)) return c;
+    throw InputError("hinge: called while Lua is closed");
+}
+
+bool has_context(lua_State* L) { return find_context(L) != nullptr; }
+
 void set_context(lua_State* L, std::shared_ptr<Context> c) {
-    if (luaL_newmetatable(L, ContextBox::lua_name)) {
-        lua_pushcfunction(L, collect<ContextBox>);
-        lua_setfield(L, -2, "__gc");
-    }
+    luaL_newmetatable(L, ContextBox::lua_name);
+    lua_pushcfunction(L, collect<ContextBox>);
+    lua_setfield(L, -2, "__gc");
     lua_pop(L, 1);
     push<ContextBox>(L, std::move(c));
     lua_rawsetp(L, LUA_REGISTRYINDEX, &context_key);
@@ -36,7 +49,7 @@ void tell_collector(lua_State* L, std::size_t bytes) {
 }
 
 void note_error(lua_State* L, const std::string& message, const char* kind) {
-    if (const auto c = context(L)) c->last_error = message, c->last_error_kind = kind;
+    if (const auto c = find_context(L)) c->last_error = message, c->last_error_kind = kind;
 }
 
 }  // namespace hinge::script

@@ -34,31 +34,45 @@ std::string where(lua_State* L) {
     return "";
 }
 
+namespace {
+
+/// Leaves what was caught on the stack as a Lua error's value.
+void explain_caught(lua_State* L) {
+    std::string message;
+    try {
+        throw;
+    } catch (const LuaErrorOnStack&) {
+        return;
+    } catch (const std::length_error&) {  // more of something than there can be
+        throw std::bad_alloc();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const HookError& e) {
+        message = e.what();
+        note_error(L, message, "hook");
+    } catch (const OutsideError& e) {
+        message = e.what();
+        note_error(L, message, "outside");
+    } catch (const std::exception& e) {
+        message = e.what();
+        const std::string place = where(L);
+        if (!place.empty()) message = place + ": " + message;
+        note_error(L, message, "input");
+    }
+    lua_pushlstring(L, message.data(), message.size());
+}
+
+}  // namespace
+
 int guarded_call(lua_State* L, Body body) {
-    bool raised = false;
-    {
-        std::string message;
+    try {
+        return body(L);
+    } catch (...) {
         try {
-            return body(L);
-        } catch (const LuaErrorOnStack&) {
-            raised = true;
-        } catch (const HookError& e) {
-            message = e.what();
-            note_error(L, message, "hook");
-        } catch (const std::bad_alloc&) {
-            message = "not enough memory";
-        } catch (const std::length_error&) {  // more of something than there can be
-            message = "not enough memory";
-        } catch (const OutsideError& e) {
-            message = e.what();
-            note_error(L, message, "outside");
-        } catch (const std::exception& e) {
-            message = e.what();
-            const std::string place = where(L);
-            if (!place.empty()) message = place + ": " + message;
-            note_error(L, message, "input");
+            explain_caught(L);
+        } catch (...) {
+            ::lua_pushstring(L, "not enough memory");  // Lua has this one ready, and knows it for what it is
         }
-        if (!raised) lua_pushlstring(L, message.data(), message.size());
     }
     return lua_error(L);
 }
@@ -302,7 +316,7 @@ void push_array(lua_State* L, const double* values, int n) {
     lua_createtable(L, n, 0);
     for (int i = 0; i < n; ++i) {
         lua_pushnumber(L, values[i]);
-        lua_rawseti(L, -2, i + 1);
+        ::lua_rawseti(L, -2, i + 1);
     }
 }
 

@@ -2,10 +2,8 @@
 //
 // Lua's errors are longjmps, so none may start while a C++ destructor is pending. Every function that Lua calls is wrapped by
 // `guarded`: it catches C++ exceptions, leaves the catch, and only then raises. Inside, arguments are read with calls that
-// do not raise, and wrong input is thrown as InputError.
+// do not raise, wrong input is thrown as InputError, and lua_calls.h has Lua's lack of memory thrown as std::bad_alloc.
 #pragma once
-
-#include <lua.hpp>
 
 #include <cmath>
 #include <functional>
@@ -18,11 +16,9 @@
 
 #include "core/errors.h"
 #include "core/types.h"
+#include "script/lua_calls.h"
 
 namespace hinge::script {
-
-/// Raised unchanged: a Lua error value that is already on the stack (a hook's own error).
-struct LuaErrorOnStack {};
 
 /// Runs body(L) and turns what it throws into a Lua error at the script's own line.
 using Body = int (*)(lua_State*);

@@ -24,6 +24,7 @@ int error_kind(lua_State* L) {
 }
 
 int open_core(lua_State* L) {
+    prepare(L);
     lua_newtable(L);
     const int module = lua_gettop(L);
     open_values(L, module);
@@ -64,15 +65,23 @@ std::string picture_module() {
     return (own / "libhinge_output.so").string();
 }
 
+int open_module(lua_State* L) {
+    const std::string init = prepare(L)->library + "/hinge/init.lua";
+    protect(L, 0, 1, [file = init.c_str()](lua_State* L) {
+        if (luaL_loadfilex(L, file, "t") != LUA_OK) lua_error(L);
+        lua_call(L, 0, 1);
+    });
+    return 1;
+}
+
 }  // namespace
 
 std::shared_ptr<Context> prepare(lua_State* L) {
-    if (auto c = context(L)) return c;
+    if (has_context(L)) return context(L);
     auto c = std::make_shared<Context>();
     c->running = L;
     c->library = library_folder();
     c->picture_module = picture_module();
-    set_context(L, c);
     set_library_folder(L, c->library + "/hinge/");
     lua_getglobal(L, "package");
     lua_getfield(L, -1, "path");
@@ -81,26 +90,16 @@ std::shared_ptr<Context> prepare(lua_State* L) {
     lua_pushstring(L, path.c_str());
     lua_setfield(L, -2, "path");
     lua_getfield(L, -1, "preload");
-    lua_pushcfunction(L, open_core);
+    lua_pushcfunction(L, guarded<open_core>);
     lua_setfield(L, -2, "hinge.core");
     lua_pop(L, 2);
+    set_context(L, c);  // last: all of this is done, or none of it counts
     return c;
 }
 
 }  // namespace hinge::script
 
 /// Where Lua finds hinge/init.lua by itself (a rock), it comes here for the engine alone.
-extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) {
-    hinge::script::prepare(L);
-    return hinge::script::open_core(L);
-}
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) { return hinge::script::guarded<hinge::script::open_core>(L); }
 
-extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) {
-    std::string init;
-    init = hinge::script::prepare(L)->library + "/hinge/init.lua";
-    const bool loaded = luaL_loadfilex(L, init.c_str(), "t") == LUA_OK;
-    std::string().swap(init);  // nothing may be pending when Lua raises
-    if (!loaded) return lua_error(L);
-    lua_call(L, 0, 1);
-    return 1;
-}
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) { return hinge::script::guarded<hinge::script::open_module>(L); }

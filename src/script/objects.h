@@ -34,7 +34,8 @@ struct Context {
     int histories = 0;                    ///< kept by number so far
     std::size_t unseen = 0;               ///< bytes that objects took outside Lua since all was collected
 };
-std::shared_ptr<Context> context(lua_State* L);
+std::shared_ptr<Context> context(lua_State* L);   ///< throws InputError while Lua is being closed
+bool has_context(lua_State* L);
 void set_context(lua_State* L, std::shared_ptr<Context> c);
 
 /// Lua's collector sees a handle, not the megabytes behind it: each 16 MB that new objects took outside Lua make it collect all.

@@ -132,7 +132,7 @@ local ways = { -- script -> status, message
   { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '-2'; job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
   { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '/../../link'; job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
   -- what the engine could stumble over
-  { frame .. "local run run = cantilever(function() run:step() end):dynamic { dt = 1e-5, duration = 0.1 } run:finish()", 2, "s.lua:13: run:step: called from within a step of the same run" },
+  { frame .. "local run run = cantilever(function() run:step() end):dynamic { dt = 1e-5, duration = 0.1 } run:finish()", 2, "s.lua:13: run:step: called from a function of this very run" },
   { frame .. "cantilever():dynamic { dt = 1e-5, duration = 0.1, threads = 256 }", 1, "cannot start 256 threads: ...; ask for fewer", "--memory 64M" },
   -- errors made to stumble over themselves
   { "error(setmetatable({}, { __tostring = function() error 'again' end }))", 2, "" },
