@@ -38,6 +38,19 @@ local function explain(failure)
   return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") }
 end
 
+--- Settings as a table, for code that does not say which parameters it has. overrides: a list of { name, text }.
+function runner.plain(overrides)
+  local plain = {}
+  for _, override in ipairs(overrides or {}) do plain[override[1]] = values.guess(override[2]) end
+  return plain
+end
+
+--- The exit status that a verdict means; why a run failed goes to stderr.
+function runner.status(verdict, reason)
+  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
+  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
+end
+
 --- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
 -- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`; `sandbox`, whether the
 -- script is not trusted.
@@ -55,9 +68,7 @@ local function plan_script(options)
   local say, described = print, 0
   print = function() end
   local ok, failure = xpcall(function()
-    local plain = {}
-    for _, override in ipairs(options.overrides or {}) do plain[override[1]] = values.guess(override[2]) end
-    local loaded = runner.load(options.script, plain, options.sandbox)
+    local loaded = runner.load(options.script, runner.plain(options.overrides), options.sandbox)
     if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
   end, explain)
   print, described = say, core.runs_made()
@@ -71,16 +82,15 @@ local function plan_script(options)
   return done
 end
 
-local function run_script(options)
-  local overrides = options.overrides or {}
-  local plain = {}
-  for _, override in ipairs(overrides) do plain[override[1]] = values.guess(override[2]) end
+--- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.
+function runner.run(options)
+  local plain = runner.plain(options.overrides)
   local this = job.new(options.out or core.out_dir(), options.case)
 
   local parameters
   local loaded, results = runner.load(options.script, plain, options.sandbox)
   if loaded then
-    parameters = loaded:values(options.case, overrides)
+    parameters = loaded:values(options.case, options.overrides)
     results = loaded.run(parameters, this)
   else
     if options.case then
@@ -88,11 +98,9 @@ local function run_script(options)
     end
     parameters = plain
   end
-  local verdict, reason = core.write_summary {
+  return runner.status(core.write_summary {
     results = results, parameters = parameters, case = options.case, script = options.script, notes = this.notes,
-  }
-  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
-  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
+  })
 end
 
 --- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.
@@ -117,7 +125,7 @@ function runner.main(options)
     local verb = options.verb or "run"
     if verb == "plan" then return plan_script(options) end
     if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan" }) end
-    return run_script(options)
+    return runner.run(options)
   end, options.sandbox)
 end
 

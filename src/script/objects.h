@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -21,7 +22,7 @@ struct Context {
     std::string library;                  ///< folder of the Lua library
     std::string picture_module;           ///< path of the output module
     bool progress = false;                ///< show a progress line on stderr
-    bool interrupted = false;
+    volatile std::sig_atomic_t interrupted = 0;   ///< somebody pressed Ctrl-C: the run under way ends with an error
     bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
     bool planning = false;                ///< runs are described, not stepped; nothing is written
     std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
