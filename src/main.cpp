@@ -88,7 +88,7 @@ bool are_settings(const std::vector<std::string>& words) {
 int run(Request request, bool named) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "render", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan") return with_lua(request, "hinge.runner", "main", false);
     if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
@@ -100,7 +100,7 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "plan", "render", "do", "prompt"};
+    const std::vector<std::string> verbs = {"run", "plan", "render", "reference", "do", "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
@@ -124,6 +124,8 @@ int main(int argc, char** argv) {
     add_sandbox(*plan_verb, request);
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
+    reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
     auto* do_verb = app.add_subcommand("do", "Run a line of Lua, in which 'hinge' is there, and print what it returns; 'hinge -e CODE' is the same");
     do_verb->add_option("code", request.code, "Lua, an expression or statements")->required();
     do_verb->add_option("settings", request.overrides, "key=value, in a table, '...'");
@@ -142,6 +144,7 @@ int main(int argc, char** argv) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
     }
+    if (*reference_verb) return with_lua(request, "hinge.reference", "main", false);
     if (*do_verb || *prompt_verb) {
         request.verb = *do_verb ? "do" : "prompt";
         if (!are_settings(request.overrides)) return 2;

@@ -216,7 +216,7 @@ int fields(lua_State* L) {
             lua_rawseti(L, -2, ++i);
         }
     } else {
-        refuse_field(L, "run", key, {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "fastest", "stages", "wakings"});
+        refuse_field(L, "run", key);
     }
     return 1;
 }
@@ -240,7 +240,7 @@ int probe_fields(lua_State* L) {
     else if (key == "last") lua_pushnumber(L, p.value.back());
     else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));
     else if (key == "min") lua_pushnumber(L, *std::min_element(p.value.begin(), p.value.end()));
-    else refuse_field(L, "probe", key, {"time", "value", "name", "last", "max", "min"});
+    else refuse_field(L, "probe", key);
     return 1;
 }
 
@@ -258,6 +258,9 @@ void open_run(lua_State* L) {
         {"on_step", guarded<on_step>}, {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
+    name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages",
+                                      "wall_seconds", "fastest", "hash", "counts", "wakings"});
+    name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }
 

@@ -112,6 +112,9 @@ void open_values(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>, guarded<material_text>, same<MaterialBox>);
     make_metatable(L, SectionBox::lua_name, none, guarded<section_fields>, collect<SectionBox>, guarded<section_text>, same<SectionBox>);
+    name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
+    name_fields(L, SectionBox::lua_name, {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz", "N0", "Mx0", "My0",
+                                          "Mz0", "width", "depth"});
     lua_pushcfunction(L, guarded<material>);
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, guarded<section>);
