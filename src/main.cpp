@@ -88,9 +88,9 @@ bool are_settings(const std::vector<std::string>& words) {
 int run(Request request, bool named) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
-    if (request.verb == "plan") return with_lua(request, "hinge.runner", "main", false);
+    if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
     if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
@@ -100,7 +100,7 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "plan", "render", "reference", "do", "prompt"};
+    const std::vector<std::string> verbs = {"run", "plan", "check", "render", "reference", "do", "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
@@ -122,6 +122,12 @@ int main(int argc, char** argv) {
     plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*plan_verb, request);
+    auto* check_verb = app.add_subcommand("check", "Say what a script's runs would work on (counts, mass, natural periods) and what in it looks like a slip; runs nothing");
+    check_verb->add_option("script", request.script, "Lua script")->required();
+    check_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    check_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    add_sandbox(*check_verb, request);
+    check_verb->footer("Exit status: 0, warnings or not; 2 the script or its input is wrong.");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
@@ -150,6 +156,6 @@ int main(int argc, char** argv) {
         if (!are_settings(request.overrides)) return 2;
         return with_lua(request, "hinge.prompt", *do_verb ? "line" : "main", bool(*prompt_verb));
     }
-    if (*plan_verb) request.verb = "plan";
+    if (*plan_verb || *check_verb) request.verb = *plan_verb ? "plan" : "check";
     return run(std::move(request), named);
 }

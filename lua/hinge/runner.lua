@@ -31,7 +31,7 @@ local function explain(failure)
   if failure == out_of_memory then return failure end
   local kind = core.error_kind(failure)
   if kind then
-    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure) }
+    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure), kind = kind }
   end
   local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
   local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
@@ -62,9 +62,11 @@ function runner.load(path, plain, sandbox)
   return nil, result
 end
 
--- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault.
+-- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault;
+-- what the engine finds wrong is, where the script is to be checked.
 local function plan_script(options)
-  core.plan()
+  local checking = options.verb == "check"
+  core.plan(checking)
   local say, described = print, 0
   print = function() end
   local ok, failure = xpcall(function()
@@ -72,9 +74,9 @@ local function plan_script(options)
     if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
   end, explain)
   print, described = say, core.runs_made()
-  if ok and described == 0 then say("nothing would be simulated: the script makes no run") end
+  if ok and described == 0 then say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated")) end
   if ok then return done end
-  if described == 0 then
+  if described == 0 or checking and failure.kind == "input" then
     io.stderr:write("hinge: ", failure.text, "\n")
     return failure.status
   end
@@ -118,13 +120,13 @@ function runner.guard(f, memory)
 end
 
 --- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
--- 3 interrupted. options: script (path), verb ("run"), overrides (list of { name, text }), case (name or nil), out (folder),
+-- 3 interrupted. options: script (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out (folder),
 -- sandbox (its memory as text, or nil).
 function runner.main(options)
   return runner.guard(function()
     local verb = options.verb or "run"
-    if verb == "plan" then return plan_script(options) end
-    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan" }) end
+    if verb == "plan" or verb == "check" then return plan_script(options) end
+    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan", "check" }) end
     return runner.run(options)
   end, options.sandbox)
 end

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "script/check.h"
 #include "script/plan.h"
 #include "script/recording.h"
 #include "script/still.h"
@@ -20,9 +21,13 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     ++c->runs;
     record->asked_at = where(L);
     if (c->planning)
-        if (const std::string plan = plan_of(*record); c->described.find(plan) == std::string::npos) {
+        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record); c->described.find(plan) == std::string::npos) {
             c->described += plan;
-            std::printf("%s\n", plan.c_str());
+            std::printf("%s", plan.c_str());
+            if (const std::string model = c->checking ? checked_model(*record) : ""; c->described.find(model) != std::string::npos)
+                std::printf("  the model as above\n\n");
+            else
+                c->described += model, std::printf("%s\n", model.c_str());
         }
     push<RunBox>(L, record);
     hold_anchor(L, *record->model);

@@ -15,6 +15,7 @@ int material(lua_State* L) {
     m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
     if (const auto y = o.maybe_number("yield_stress", "Pa", Range::positive)) m.yield_stress = *y;
     o.finish();
+    m.asked_at = where(L);
     push<MaterialBox>(L, std::make_shared<const Material>(m));
     return 1;
 }
@@ -70,6 +71,7 @@ int section(lua_State* L) {
     lua_pop(L, 1);
     if (const auto kind = o.text("kind")) s.kind = *kind;
     o.finish();
+    s.asked_at = where(L);
     push<SectionBox>(L, std::make_shared<const Section>(s));
     return 1;
 }

@@ -130,8 +130,10 @@ for name, meta in pairs(debug.getregistry()) do
     end
   end
 end
-agrees(s.model:counts(), own["hinge.model"].counts.returns[1], "model:counts()")
-agrees(s.run:momentum(), own["hinge.run"].momentum.returns[1]:match "^{.-}", "run:momentum()")
+for name, value in pairs { ["hinge.model counts"] = s.model:counts(), ["hinge.run momentum"] = s.run:momentum() } do
+  local f = own[name:match "%S+"][name:match "%a+$"]
+  if f then agrees(value, f.returns[1]:match "^{.-}", reference.signature(f)) end
+end
 
 -- The job is a Lua object.
 local job = require "hinge.job".new("", "II")
