@@ -93,9 +93,17 @@ for _, state in ipairs { "XDG_STATE_HOME=" .. path "file", "-u XDG_STATE_HOME -u
 end
 
 -- Ctrl-C ends what runs, not the session.
-local busy = ("(sleep 1; printf %%b %s; sleep 1; kill -INT $(cat %s); sleep 0.5; printf %%b %s)")
-support.write(path "endless.lua", "local s = io.open('pid', 'w') s:write(io.open('/proc/self/stat'):read 'n') s:close()\nfunction endless() while true do end end\n")
-status, printed = run((busy .. " | timeout 20 script -qec %s /dev/null"):format(quote "endless()\\n", quote(path "pid"), quote "'after' .. 1\\n", quote(hinge .. " -i endless.lua")))
+support.write(path "endless.lua", [[
+function endless()
+  local pid <close> = io.open("pid", "w")
+  pid:write(io.open("/proc/self/stat"):read "n")
+  pid:flush()
+  while true do end
+end
+]])
+local busy = "(printf %%b %s; while [ ! -s %s ]; do sleep 0.1; done; kill -INT $(cat %s); printf %%b %s)"
+status, printed = run((busy .. " | timeout 60 script -qec %s /dev/null"):format(quote "endless()\\n", quote(path "pid"), quote(path "pid"), quote "'after' .. 1\\n",
+  quote(hinge .. " -i endless.lua")))
 expect(status == 0 and printed:find "hinge: interrupted" and printed:find "after1", "Ctrl-C: %s %s", status, printed)
 
 -- What Tab offers -----------------------------------------------------------------------------------------------------
