@@ -75,8 +75,8 @@ void Finder::sections() {
     for (int i = 0; i < int(model.members().size()); ++i) {
         const Section& s = *model.members()[i].section;
         const double size = std::max({s.width, s.depth, std::sqrt(s.area), 2 * std::sqrt(std::max(s.Ix, s.Iy) / s.area)});
-        if (seen.insert(&s).second && size > 2 && size > longest[&s])
-            tell("section", "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) + " m, and no member that has it is longer than " + number(longest[&s]) + " m",
+        if (seen.insert(&s).second && size > 2 && (size > longest[&s] || size > 20))
+            tell("section", "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) + " m across, and the longest member that has it " + number(longest[&s]) + " m",
                  "in mm? sizes are in m, areas in m^2, moments of area in m^4", s.asked_at);
     }
 }

@@ -108,7 +108,9 @@ suspicious("density in g/cm^3", { density = "7.85" }, "the density is 7.85 kg/m^
 suspicious("density in t/mm^3", { density = "7.85e-9", make = "dynamic { dt = 'auto', duration = 1 }" }, "the density is 7.85e-09 kg/m^3", "hinge.material", { density = "1e6" })
 suspicious("yield stress in MPa", { yields = "245" }, "the yield stress is 245 Pa", "hinge.material", { yields = "1e6" })
 suspicious("yield stress above E / 10", { yields = "245e9" }, "the yield stress 2.45e+11 Pa is more than a tenth of E", "hinge.material", { yields = "2e10" })
-suspicious("section in mm", { size = "width = 100, depth = 100" }, "the section (solid) of member 1 measures 100 m", "hinge.section", { size = "width = 1.5, depth = 3.5" })
+suspicious("section in mm", { size = "width = 100, depth = 100" }, "the section (solid) of member 1 measures 100 m across", "hinge.section", { size = "width = 1.5, depth = 3.5" })
+suspicious("section in mm, of a long member", { size = "width = 50, depth = 50", gravity = "{ 0, 0, -1 } member(b, joint(0, 0, 100))" }, "the section (solid) of member 1 measures 50 m", "hinge.section",
+  { gravity = "{ 0, 0, -1 } member(b, joint(0, 0, 100))" })
 suspicious("gravity in mm/s^2", { gravity = "{ 0, 0, -9810 }" }, "gravity is {0, 0, -9810} m/s^2", "model:gravity", { gravity = "{ 0, 0, -30 }" })
 suspicious("gravity without its sign", { gravity = "{ 0, 0, 9.81 }" }, "gravity is {0, 0, 9.81} m/s^2, which pulls up", "model:gravity", { gravity = "{ 9.81, 0, 1 }" })
 suspicious("a step longer than a wave takes", { make = "dynamic { dt = 1e-3, duration = 1 }" }, "dt is 0.001 s, and an axial wave", "model:dynamic",
@@ -137,9 +139,11 @@ status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
 expect(status == 2 and complaint:find "scene.lua:12: model:static: .* without resistance", "a mechanism in statics: %s %s", status, complaint)
 
 -- The project's own scenes have none.
+local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")
 for _, name in ipairs { "first_beam", "ten_storey_impact", "paper/two_beam_impact", "paper/space_frame_dynamic", "paper/space_frame_static", "paper/fracture_figures", "paper/ten_storey_cases" } do
-  status, printed, complaint = run(hinge .. " check " .. quote(support.root .. "scripts/" .. name .. ".lua"))
+  status, printed, complaint = run("cd " .. quote(folder) .. " && " .. hinge .. " check " .. quote(root .. "/scripts/" .. name .. ".lua"))
   expect(status == 0 and printed:find "no warnings" and #warnings(printed) == 0, "scripts/%s.lua: status %s\n%s%s", name, status, printed, complaint)
 end
+equal(support.output("ls " .. quote(folder)), "scene.lua\n", "what checks leave behind")
 
 checks.done()

@@ -101,7 +101,7 @@ function endless()
   while true do end
 end
 ]])
-local busy = "(printf %%b %s; while [ ! -s %s ]; do sleep 0.1; done; kill -INT $(cat %s); printf %%b %s)"
+local busy = "(printf %%b %s; for i in $(seq 200); do [ -s %s ] && break; sleep 0.1; done; kill -INT $(cat %s); printf %%b %s)"
 status, printed = run((busy .. " | timeout 60 script -qec %s /dev/null"):format(quote "endless()\\n", quote(path "pid"), quote(path "pid"), quote "'after' .. 1\\n",
   quote(hinge .. " -i endless.lua")))
 expect(status == 0 and printed:find "hinge: interrupted" and printed:find "after1", "Ctrl-C: %s %s", status, printed)
