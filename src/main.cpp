@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "prompt.h"
 #include "script/module.h"
 #include "script/objects.h"
 #include "script/sandbox.h"
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 using hinge::script::Context;
 
 struct Request {
-    std::string verb = "run", script, case_name, out;
+    std::string verb = "run", script, case_name, out, code;
     std::vector<std::string> overrides;
     bool sandbox = false;
     hinge::script::Limits limits;
@@ -43,6 +44,11 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("case", request.case_name);
     set("out", request.out);
     if (request.sandbox) set("sandbox", std::to_string(std::llround(request.limits.memory / (1 << 20))) + "M");
+    set("code", request.code);
+    if (request.verb == "prompt") {
+        hinge::stop_on_interrupt(L);
+        hinge::push_line_reader(L), lua_setfield(L, -2, "read");
+    }
     lua_newtable(L);
     int n = 0;
     for (const std::string& pair : request.overrides) {
@@ -72,15 +78,19 @@ int with_lua(const Request& request, const char* module, const char* function, b
     return call_library(L, module, function, request);
 }
 
-int run(Request request, bool named) {
-    if (named || fs::exists(request.script))
-    for (const std::string& pair : request.overrides)
+bool are_settings(const std::vector<std::string>& words) {
+    for (const std::string& pair : words)
         if (pair.find('=') == std::string::npos || pair[0] == '=')
-            return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", 2;
+            return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", false;
+    return true;
+}
+
+int run(Request request, bool named) {
+    if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "render"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
-    if (request.verb == "plan") return with_lua(request, "hinge.runner", "main", false);
+    if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
     if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
@@ -90,8 +100,9 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "plan", "render"};
+    const std::vector<std::string> verbs = {"run", "plan", "check", "render", "reference", "do", "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
     if (!words.empty() && (!named || words[0] == "--sandbox")) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
 
@@ -111,8 +122,24 @@ int main(int argc, char** argv) {
     plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*plan_verb, request);
+    auto* check_verb = app.add_subcommand("check", "Say what a script's runs would work on (counts, mass, natural periods) and what in it looks like a slip; runs nothing");
+    check_verb->add_option("script", request.script, "Lua script")->required();
+    check_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    check_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    add_sandbox(*check_verb, request);
+    check_verb->footer("Exit status: 0, warnings or not; 2 the script or its input is wrong.");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
+    reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
+    auto* do_verb = app.add_subcommand("do", "Run a line of Lua, in which 'hinge' is there, and print what it returns; 'hinge -e CODE' is the same");
+    do_verb->add_option("code", request.code, "Lua, an expression or statements")->required();
+    do_verb->add_option("settings", request.overrides, "key=value, in a table, '...'");
+    auto* prompt_verb = app.add_subcommand("prompt", "Type Lua and see what it does, after a script if one is given; 'hinge -i' is the same");
+    prompt_verb->add_option("script", request.script, "Lua script to run first; its globals stay");
+    prompt_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    prompt_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    prompt_verb->add_option("--out", request.out, "Folder for what is written (default: nothing is)");
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);
@@ -123,6 +150,12 @@ int main(int argc, char** argv) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
     }
-    if (*plan_verb) request.verb = "plan";
+    if (*reference_verb) return with_lua(request, "hinge.reference", "main", false);
+    if (*do_verb || *prompt_verb) {
+        request.verb = *do_verb ? "do" : "prompt";
+        if (!are_settings(request.overrides)) return 2;
+        return with_lua(request, "hinge.prompt", *do_verb ? "line" : "main", bool(*prompt_verb));
+    }
+    if (*plan_verb || *check_verb) request.verb = *plan_verb ? "plan" : "check";
     return run(std::move(request), named);
 }

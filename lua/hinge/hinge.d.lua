@@ -8,7 +8,7 @@
 
 ---@class hinge
 ---@field version string
----@field section hinge.sections
+---@field section hinge.sections the ready shapes, and any other by its properties
 local hinge = {}
 
 ---@alias vec3 number[] three numbers { x, y, z }
@@ -31,11 +31,11 @@ function hinge.model(options) end
 ---@return hinge.material
 function hinge.material(options) end
 
----@class hinge.material read-only: E, G, density, yield_stress
----@field E number
----@field G number
----@field density number
----@field yield_stress number
+---@class hinge.material read-only
+---@field E number Pa
+---@field G number Pa
+---@field density number kg/m^3
+---@field yield_stress number Pa; infinite: never yields
 
 -- Sections -----------------------------------------------------------------------------------------------------------
 
@@ -92,11 +92,24 @@ function section.general(options) end
 ---@field size? { width: number, depth: number } m along x and y, for contact and pictures; without it both are the root of the area
 ---@field kind? string a name for messages
 
----@class hinge.section read-only: the fields of hinge.section_options (plastic_area, Zx, Zy, Zz; width, depth)
----@field area number
----@field Ix number
----@field Iy number
----@field J number
+---@class hinge.section read-only
+---@field kind string
+---@field area number m^2
+---@field Ix number m^4
+---@field Iy number m^4
+---@field J number m^4
+---@field shear_area_x number m^2
+---@field shear_area_y number m^2
+---@field plastic_area number m^2; 0: never limits, likewise Zx, Zy and Zz
+---@field Zx number plastic moduli, m^3
+---@field Zy number m^3
+---@field Zz number m^3, of torsion
+---@field N0? number N; what was given of it, likewise Mx0, My0 and Mz0
+---@field Mx0? number N m
+---@field My0? number N m
+---@field Mz0? number N m
+---@field width number m, along x; 0: the root of the area, likewise depth
+---@field depth number m, along y
 
 -- Models -------------------------------------------------------------------------------------------------------------
 
@@ -344,15 +357,44 @@ function model:group(name) end
 function model:counts() end
 
 ---A static run: loads and gravity are brought to equilibrium in steps.
----@param options? { steps?: integer, control?: "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }, hold?: hinge.group_like, from?: hinge.run, iterations?: integer, tolerance?: number, record?: integer|false } steps default 10; control: equal steps of load (default), arc length, or one freedom driven to a value (m, rad); hold: a group held in place during this run; from: goes on from another run's state
+---@param options? hinge.static_options
 ---@return hinge.run
 function model:static(options) end
 
+---@class hinge.static_options
+---@field steps? integer default 10
+---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number } equal steps of load (default), arc length, or one freedom driven to a value (m, rad)
+---@field hold? hinge.group_like a group held in place during this run
+---@field from? hinge.run goes on from another run's state
+---@field iterations? integer at most so many a step before it is halved, default 30
+---@field tolerance? number force out of balance, of the forces at work; default 1e-9
+---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
+
 ---A dynamic run, without damping: by Newmark's beta method (eq 15), or explicit, by central differences with lumped masses (half
----of each element on each of its nodes, the rotary inertia the section's polar one).
----@param options { dt: number|"auto", duration: number, integrator?: "newmark"|"explicit", rest?: boolean, threads?: integer, precision?: "single"|"double", beta?: number, from?: hinge.run, iterations?: integer, tolerance?: number, predictor?: "auto"|"acceleration"|"displacement", geometric?: boolean, turn?: number, solver?: "cg"|"direct", solver_tolerance?: number, solver_iterations?: integer, record?: integer|false } dt, duration s; dt = "auto", newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change; explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above it is an error that names the element); integrator default newmark; explicit solves nothing and takes none of beta, iterations, tolerance, predictor, geometric, turn, solver, precision; rest: bodies in equilibrium that do not move are left alone until something reaches them, default true; threads: how many share a step's work, default 1, the same bits for any number; precision: of the operator's blocks, default single (half the memory; 2e-10 of the energy in Case I), double where steps are longer than the fastest waves need; beta default 0.25, the paper's 0.4 with contact; from: starts from another run's state, such as gravity at rest; iterations: 1 is the paper's one solve a step, more is Newton until the correction is below tolerance (default 1e-10) of the step's first, 0 (default) is one solve, or Newton where hinges form in steps longer than the fastest vibration allows for one; predictor: where a step is solved from, the acceleration held or the displacement held (eq 15 to the letter); auto: the first while dt is shorter than an axial wave needs for the shortest element; geometric: initial stress in the operator, default true; turn: an element's part of the operator is rebuilt when it has turned by this, default 0.01 rad; solver_tolerance: of the residual, default 1e-8; record: steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
+---of each element on each of its nodes, the rotary inertia the section's polar one). Explicit steps solve nothing and take none of
+---precision, beta, iterations, tolerance, predictor, geometric, turn and what is said of the solver.
+---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
+
+---@class hinge.dynamic_options
+---@field dt number|"auto" s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change; explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it allows is an error that names the element)
+---@field duration number s
+---@field integrator? "newmark"|"explicit" default newmark
+---@field from? hinge.run starts from another run's state, such as gravity at rest
+---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
+---@field threads? integer how many share a step's work, default 1, the same bits for any number
+---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
+---@field iterations? integer 1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's first; 0 (default) is one solve, or Newton's method where hinges form in steps longer than the fastest vibration allows for one
+---@field tolerance? number see iterations; default 1e-10
+---@field predictor? "auto"|"acceleration"|"displacement" where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the first while dt is shorter than an axial wave needs for the shortest element
+---@field geometric? boolean initial stress in the operator, default true
+---@field turn? number rad: an element's part of the operator is rebuilt when it has turned by this, default 0.01
+---@field precision? "single"|"double" of the operator's blocks. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where steps are longer than the fastest waves need
+---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors
+---@field solver_tolerance? number of the residual, default 1e-8
+---@field solver_iterations? integer at most so many, default 500
+---@field record? integer|false steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
 
@@ -383,7 +425,11 @@ local run = {}
 ---@field elastic number
 ---@field plastic number dissipated in hinges
 ---@field fracture number let go by fracture: fracture_elastic + fracture_kinetic
----@field contact number contact_stored + contact_released: in bonds and touches now; let go with bonds, or heat of friction
+---@field fracture_elastic number strain energy of broken elements
+---@field fracture_kinetic number lost as broken elements become stubs
+---@field contact number contact_stored + contact_released
+---@field contact_stored number in bonds and touches now
+---@field contact_released number let go with bonds, or heat of friction
 ---@field work number done by loads
 ---@field remainder number
 

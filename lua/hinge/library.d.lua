@@ -6,6 +6,7 @@
 ---@class hinge.job where one run of a script puts its output
 ---@field out string output folder
 ---@field case? string name of the case
+---@field notes string[] what was noted so far
 local job = {}
 
 ---Adds the structure as it is now to frames.pvd, for ParaView.

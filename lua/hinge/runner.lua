@@ -31,11 +31,24 @@ local function explain(failure)
   if failure == out_of_memory then return failure end
   local kind = core.error_kind(failure)
   if kind then
-    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure) }
+    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure), kind = kind }
   end
   local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
   local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
   return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") }
+end
+
+--- Settings as a table, for code that does not say which parameters it has. overrides: a list of { name, text }.
+function runner.plain(overrides)
+  local plain = {}
+  for _, override in ipairs(overrides or {}) do plain[override[1]] = values.guess(override[2]) end
+  return plain
+end
+
+--- The exit status that a verdict means; why a run failed goes to stderr.
+function runner.status(verdict, reason)
+  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
+  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
 end
 
 --- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
@@ -49,21 +62,21 @@ function runner.load(path, plain, sandbox)
   return nil, result
 end
 
--- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault.
+-- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault;
+-- what the engine finds wrong is, where the script is to be checked.
 local function plan_script(options)
-  core.plan()
+  local checking = options.verb == "check"
+  core.plan(checking)
   local say, described = print, 0
   print = function() end
   local ok, failure = xpcall(function()
-    local plain = {}
-    for _, override in ipairs(options.overrides or {}) do plain[override[1]] = values.guess(override[2]) end
-    local loaded = runner.load(options.script, plain, options.sandbox)
+    local loaded = runner.load(options.script, runner.plain(options.overrides), options.sandbox)
     if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
   end, explain)
   print, described = say, core.runs_made()
-  if ok and described == 0 then say("nothing would be simulated: the script makes no run") end
+  if ok and described == 0 then say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated")) end
   if ok then return done end
-  if described == 0 then
+  if described == 0 or checking and failure.kind == "input" then
     io.stderr:write("hinge: ", failure.text, "\n")
     return failure.status
   end
@@ -71,16 +84,15 @@ local function plan_script(options)
   return done
 end
 
-local function run_script(options)
-  local overrides = options.overrides or {}
-  local plain = {}
-  for _, override in ipairs(overrides) do plain[override[1]] = values.guess(override[2]) end
+--- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.
+function runner.run(options)
+  local plain = runner.plain(options.overrides)
   local this = job.new(options.out or core.out_dir(), options.case)
 
   local parameters
   local loaded, results = runner.load(options.script, plain, options.sandbox)
   if loaded then
-    parameters = loaded:values(options.case, overrides)
+    parameters = loaded:values(options.case, options.overrides)
     results = loaded.run(parameters, this)
   else
     if options.case then
@@ -88,11 +100,9 @@ local function run_script(options)
     end
     parameters = plain
   end
-  local verdict, reason = core.write_summary {
+  return runner.status(core.write_summary {
     results = results, parameters = parameters, case = options.case, script = options.script, notes = this.notes,
-  }
-  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
-  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
+  })
 end
 
 --- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.
@@ -110,14 +120,14 @@ function runner.guard(f, memory)
 end
 
 --- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
--- 3 interrupted. options: script (path), verb ("run"), overrides (list of { name, text }), case (name or nil), out (folder),
+-- 3 interrupted. options: script (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out (folder),
 -- sandbox (its memory as text, or nil).
 function runner.main(options)
   return runner.guard(function()
     local verb = options.verb or "run"
-    if verb == "plan" then return plan_script(options) end
-    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan" }) end
-    return run_script(options)
+    if verb == "plan" or verb == "check" then return plan_script(options) end
+    if verb ~= "run" then check.unknown("hinge", "verb", verb, { "run", "plan", "check" }) end
+    return runner.run(options)
   end, options.sandbox)
 end
 

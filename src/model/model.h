@@ -22,6 +22,7 @@ struct Material {
     double G = 0;             ///< Pa
     double density = 0;       ///< kg/m^3
     double yield_stress = std::numeric_limits<double>::infinity();  ///< Pa
+    std::string asked_at = {};  ///< the script's line, "" where none
 };
 
 /// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
@@ -33,6 +34,7 @@ struct Section {
     double plastic_area = 0, Zx = 0, Zy = 0, Zz = 0;   ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
     std::optional<double> N0, Mx0, My0, Mz0;           ///< given directly, N and N m
     double width = 0, depth = 0;                       ///< m, along x and y: contact and pictures
+    std::string asked_at = {};                         ///< the script's line, "" where none
 };
 
 enum class Formulation : std::uint8_t { conventional, asi, asi_gauss };

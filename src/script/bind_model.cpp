@@ -44,9 +44,15 @@ int model(lua_State* L) {
     return 1;
 }
 
+/// The script's line for each node, member and support: only for hinge check, which names it.
+void note_line(lua_State* L, Model& m, const char* kind, int index) {
+    if (context(L)->checking) m.ask(std::string(kind) + " " + std::to_string(index + 1), where(L));
+}
+
 int add_node(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:node").value;
     const int index = m->add_node(read_triple(L, 2, "model:node: position", "m"));
+    note_line(L, *m, "node", index);
     push_handle<NodeBox>(L, m, index);
     return 1;
 }
@@ -62,9 +68,11 @@ int fix(lua_State* L) {
             nodes.push_back(node_argument(L, -1, "model:fix: item " + std::to_string(i), m.get()).index);
             lua_pop(L, 1);
         }
-        for (int n : nodes) m->fix(n, mask);
+        for (int n : nodes) m->fix(n, mask), note_line(L, *m, "support", n);
     } else {
-        m->fix(node_argument(L, 2, "model:fix: node", m.get()).index, mask);
+        const int node = node_argument(L, 2, "model:fix: node", m.get()).index;
+        m->fix(node, mask);
+        note_line(L, *m, "support", node);
     }
     return 0;
 }
@@ -91,6 +99,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
     const bool yields = m.options().plasticity && data.material->yield_stress < std::numeric_limits<double>::infinity();
     try {
         const int index = m.add_member(std::move(data));
+        note_line(L, m, "member", index);
         if (yields && !m.asked("plasticity")) m.ask("plasticity", where(L));
         return index;
     } catch (const InputError& e) {

@@ -149,7 +149,7 @@ int node_fields(lua_State* L) {
     if (key == "x" || key == "y" || key == "z") lua_pushnumber(L, data.position[key[0] - 'x']);
     else if (key == "index") lua_pushinteger(L, n.index + 1);
     else if (key == "fixed") data.fixed ? (void)push_text(L, freedoms(data.fixed)) : lua_pushnil(L);
-    else refuse_field(L, "node", key, {"x", "y", "z", "index", "fixed"});
+    else refuse_field(L, "node", key);
     return 1;
 }
 
@@ -178,7 +178,7 @@ int member_fields(lua_State* L) {
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "up") push_triple(L, data.up);
     else if (key == "elements") lua_pushinteger(L, data.elements);
-    else refuse_field(L, "member", key, {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
+    else refuse_field(L, "member", key);
     return 1;
 }
 
@@ -213,7 +213,7 @@ int group_fields(lua_State* L) {
     else if (key == "size") lua_pushinteger(L, size_of(g));
     else if (key == "mass") lua_pushnumber(L, mass);
     else if (key == "length") lua_pushnumber(L, length);
-    else refuse_field(L, "group", key, {"name", "size", "mass", "length"});
+    else refuse_field(L, "group", key);
     return 1;
 }
 
@@ -232,7 +232,7 @@ int load_fields(lua_State* L) {
     if (key == "node") push_handle<NodeBox>(L, l.model, data.node);
     else if (key == "force") push_triple(L, data.force);
     else if (key == "moment") push_triple(L, data.moment);
-    else refuse_field(L, "load", key, {"node", "force", "moment"});
+    else refuse_field(L, "load", key);
     return 1;
 }
 
@@ -263,7 +263,7 @@ int model_fields(lua_State* L) {
     if (push_method(L)) return 1;
     const std::string key = key_argument(L);
     self<ModelBox>(L, "model." + key);
-    refuse_field(L, "model", key, {});
+    refuse_field(L, "model", key);
 }
 
 /// Frees the model and its runs at once, however many handles are about. The run that summary.json speaks of keeps its last state.
@@ -298,6 +298,10 @@ void open_objects(lua_State* L) {
     make_metatable(L, MemberBox::lua_name, member, guarded<member_fields>, collect<MemberBox>, guarded<member_text>, nullptr);
     make_metatable(L, LoadBox::lua_name, load, guarded<load_fields>, collect<LoadBox>, guarded<load_text>, nullptr);
     make_metatable(L, GroupBox::lua_name, group, guarded<group_fields>, collect<GroupBox>, guarded<group_text>, nullptr);
+    name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
+    name_fields(L, MemberBox::lua_name, {"a", "b", "length", "mass", "group", "section", "material", "up", "elements", "index"});
+    name_fields(L, LoadBox::lua_name, {"node", "force", "moment"});
+    name_fields(L, GroupBox::lua_name, {"name", "size", "length", "mass"});
     luaL_getmetatable(L, GroupBox::lua_name);
     lua_pushcfunction(L, guarded<group_size>);
     lua_setfield(L, -2, "__len");

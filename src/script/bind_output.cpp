@@ -82,9 +82,10 @@ const StillBox& still_argument(lua_State* L, int index, const char* function) {
     throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
 }
 
-/// core.plan(): from now on runs are described, not stepped, and nothing is written.
+/// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is looked over.
 int plan(lua_State* L) {
     context(L)->planning = true;
+    context(L)->checking = lua_toboolean(L, 1);
     return 0;
 }
 

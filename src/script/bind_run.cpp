@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "script/check.h"
 #include "script/plan.h"
 #include "script/recording.h"
 #include "script/still.h"
@@ -20,9 +21,13 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     ++c->runs;
     record->asked_at = where(L);
     if (c->planning)
-        if (const std::string plan = plan_of(*record); c->described.find(plan) == std::string::npos) {
+        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record); c->described.find(plan) == std::string::npos) {
             c->described += plan;
-            std::printf("%s\n", plan.c_str());
+            std::printf("%s", plan.c_str());
+            if (const std::string model = c->checking ? checked_model(*record) : ""; c->described.find(model) != std::string::npos)
+                std::printf("  the model as above\n\n");
+            else
+                c->described += model, std::printf("%s\n", model.c_str());
         }
     push<RunBox>(L, record);
     hold_anchor(L, *record->model);
@@ -216,7 +221,7 @@ int fields(lua_State* L) {
             lua_rawseti(L, -2, ++i);
         }
     } else {
-        refuse_field(L, "run", key, {"time", "factor", "index", "planned_steps", "verdict", "reason", "kind", "energy", "worst_remainder", "wall_seconds", "hash", "contacts", "counts", "fastest", "stages", "wakings"});
+        refuse_field(L, "run", key);
     }
     return 1;
 }
@@ -240,7 +245,7 @@ int probe_fields(lua_State* L) {
     else if (key == "last") lua_pushnumber(L, p.value.back());
     else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));
     else if (key == "min") lua_pushnumber(L, *std::min_element(p.value.begin(), p.value.end()));
-    else refuse_field(L, "probe", key, {"time", "value", "name", "last", "max", "min"});
+    else refuse_field(L, "probe", key);
     return 1;
 }
 
@@ -258,6 +263,9 @@ void open_run(lua_State* L) {
         {"on_step", guarded<on_step>}, {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
+    name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages",
+                                      "wall_seconds", "fastest", "hash", "counts", "wakings"});
+    name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }
 

@@ -15,6 +15,7 @@ int material(lua_State* L) {
     m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
     if (const auto y = o.maybe_number("yield_stress", "Pa", Range::positive)) m.yield_stress = *y;
     o.finish();
+    m.asked_at = where(L);
     push<MaterialBox>(L, std::make_shared<const Material>(m));
     return 1;
 }
@@ -70,6 +71,7 @@ int section(lua_State* L) {
     lua_pop(L, 1);
     if (const auto kind = o.text("kind")) s.kind = *kind;
     o.finish();
+    s.asked_at = where(L);
     push<SectionBox>(L, std::make_shared<const Section>(s));
     return 1;
 }
@@ -112,6 +114,9 @@ void open_values(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>, guarded<material_text>, same<MaterialBox>);
     make_metatable(L, SectionBox::lua_name, none, guarded<section_fields>, collect<SectionBox>, guarded<section_text>, same<SectionBox>);
+    name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
+    name_fields(L, SectionBox::lua_name, {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz", "N0", "Mx0", "My0",
+                                          "Mz0", "width", "depth"});
     lua_pushcfunction(L, guarded<material>);
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, guarded<section>);

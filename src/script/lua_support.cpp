@@ -163,8 +163,14 @@ bool push_method(lua_State* L) {
     return false;
 }
 
-void refuse_field(lua_State* L, const char* object, const std::string& key, std::vector<std::string> fields) {
-    std::vector<std::string> names = std::move(fields);
+void refuse_field(lua_State* L, const char* object, const std::string& key) {
+    std::vector<std::string> names;
+    if (luaL_getmetafield(L, 1, "fields") == LUA_TTABLE)
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            names.push_back(lua_tostring(L, -1));
+            lua_pop(L, 1);
+        }
     const auto methods = names.size();
     lua_pushnil(L);
     while (lua_next(L, lua_upvalueindex(1))) {
@@ -175,6 +181,14 @@ void refuse_field(lua_State* L, const char* object, const std::string& key, std:
     std::string list;
     for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
     throw InputError(std::string(object) + " has no field or method '" + key + "'" + did_you_mean(key, names) + "; it has " + list);
+}
+
+void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields) {
+    luaL_getmetatable(L, name);
+    lua_newtable(L);
+    for (const char* field : fields) lua_pushstring(L, field), lua_rawseti(L, -2, lua_Integer(lua_rawlen(L, -2)) + 1);
+    lua_setfield(L, -2, "fields");
+    lua_pop(L, 1);
 }
 
 Options::Options(lua_State* L, int index, std::string function, bool may_be_absent) : L_(L), index_(lua_absindex(L, index)), function_(std::move(function)) {

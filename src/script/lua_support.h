@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <new>
@@ -87,13 +88,15 @@ T& self(lua_State* L, const std::string& function) {
 void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction collect,
                     lua_CFunction to_string, lua_CFunction equal);
 
+/// Which fields its objects have: for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
+void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields);
 /// Methods for a metatable that make_metatable made.
 void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
 
 /// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the complaint if it is neither.
 std::string key_argument(lua_State* L);
 bool push_method(lua_State* L);
-[[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key, std::vector<std::string> fields);
+[[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key);
 
 // ---- tables of options --------------------------------------------------------------------------------------------
 

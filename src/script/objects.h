@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -21,9 +22,10 @@ struct Context {
     std::string library;                  ///< folder of the Lua library
     std::string picture_module;           ///< path of the output module
     bool progress = false;                ///< show a progress line on stderr
-    bool interrupted = false;
+    volatile std::sig_atomic_t interrupted = 0;   ///< somebody pressed Ctrl-C: the run under way ends with an error
     bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
     bool planning = false;                ///< runs are described, not stepped; nothing is written
+    bool checking = false;                ///< while planning: what a run works on is looked over, not its effects
     std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
     const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
     std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file

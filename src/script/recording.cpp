@@ -138,6 +138,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     c->running = L;
     if (r.stepping) throw InputError("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done");
     if (r.closed || c->planning) return false;
+    if (c->interrupted) {
+        c->interrupted = 0;
+        lua_sethook(L, nullptr, 0, 0);
+        throw HookError("interrupted");
+    }
     if (!r.started) {
         note_what_went(r);
         begin_history(c, record);

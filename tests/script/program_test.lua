@@ -15,9 +15,13 @@ local function script(name, text) support.write(path(name), text) return quote(p
 -- Help ----------------------------------------------------------------------------------------------------------------
 
 for arguments, wanted in pairs {
-  ["--help"] = { "Usage: hinge ", "run ", "render ", "--version" },
+  ["--help"] = { "Usage: hinge ", "run ", "check ", "render ", "reference ", "'hinge -e CODE'", "'hinge -i'", "--version" },
   ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "Exit status: 0 done, 1 the run failed, 2 " },
   ["plan --help"] = { "script", "--case", "runs nothing" },
+  ["check --help"] = { "script", "--case", "natural periods", "Exit status: 0, warnings or not; 2 " },
+  ["-e --help"] = { "Usage: hinge do ", "code", "key=value" },
+  ["-i --help"] = { "Usage: hinge prompt ", "script", "--case", "--out" },
+  ["reference --help"] = { "name" },
   ["render --help"] = { "folder" },
   ["--version"] = { "0." },
 } do

@@ -1,0 +1,178 @@
+#include "model/doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "contact/broad_phase.h"
+
+namespace hinge {
+namespace {
+
+std::string number(double v) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", v);
+    return text;
+}
+std::string at(const Vec3& x) { return "{" + number(x.x()) + ", " + number(x.y()) + ", " + number(x.z()) + "} m"; }
+
+struct Finder {
+    const Model& model;
+    std::vector<Doubt> found;
+    std::map<std::string, std::size_t> place;
+
+    /// The first of a kind is told, the others are counted.
+    void tell(const std::string& kind, const std::string& what, const std::string& advice, const std::string& asked_at) {
+        const auto [known, fresh] = place.try_emplace(kind, found.size());
+        if (fresh) found.push_back({what, advice, asked_at});
+        else ++found[known->second].more;
+    }
+    const Vec3& position(int node) const { return model.nodes()[node].position; }
+    const Vec3& end(int member, int side) const { return position(model.members()[member].node[side]); }
+    double length(int member) const { return (end(member, 1) - end(member, 0)).norm(); }
+    std::string name(int member) const {
+        const auto& groups = model.members()[member].groups;
+        return "member " + std::to_string(member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")");
+    }
+    std::string member_line(int member) const { return model.asked_at("member " + std::to_string(member + 1)); }
+    std::string node_line(int node) const { return model.asked_at("node " + std::to_string(node + 1)); }
+
+    void materials();
+    void sections();
+    void gravity();
+    void lone_nodes();
+    void tiny_members();
+    void unjoined();
+};
+
+void Finder::materials() {
+    std::set<const Material*> seen;
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        const Material& m = *model.members()[i].material;
+        if (!seen.insert(&m).second) continue;
+        const std::string whose = " (the material of " + name(i) + ")";
+        if (m.E < 1e7)
+            tell("E", "E is " + number(m.E) + " Pa" + whose, m.E < 2000 ? "in GPa? " + number(m.E) + " GPa is " + number(m.E) + "e9" : "in MPa? " + number(m.E) + " MPa is " + number(m.E) + "e6", m.asked_at);
+        else if (m.E > 2e12) tell("E", "E is " + number(m.E) + " Pa, more than diamond's" + whose, "it is in Pa: steel has 206e9", m.asked_at);
+        else if (m.yield_stress > 0.1 * m.E && std::isfinite(m.yield_stress))
+            tell("yield strain", "the yield stress " + number(m.yield_stress) + " Pa is more than a tenth of E, " + number(m.E) + " Pa" + whose, "both are in Pa", m.asked_at);
+        if (m.density > 0 && m.density < 25)
+            tell("density", "the density is " + number(m.density) + " kg/m^3" + whose,
+                 m.density > 1e-3 ? "in g/cm^3? " + number(m.density) + " g/cm^3 is " + number(1000 * m.density) : "in t/mm^3? " + number(m.density) + " t/mm^3 is " + number(1e12 * m.density), m.asked_at);
+        if (m.yield_stress < 1e5) tell("yield stress", "the yield stress is " + number(m.yield_stress) + " Pa" + whose, "in MPa? " + number(m.yield_stress) + " MPa is " + number(m.yield_stress) + "e6", m.asked_at);
+    }
+}
+
+void Finder::sections() {
+    std::map<const Section*, double> longest;
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        double& l = longest[model.members()[i].section.get()];
+        l = std::max(l, length(i));
+    }
+    std::set<const Section*> seen;
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        const Section& s = *model.members()[i].section;
+        const double size = std::max({s.width, s.depth, std::sqrt(s.area), 2 * std::sqrt(std::max(s.Ix, s.Iy) / s.area)});
+        if (seen.insert(&s).second && size > 2 && (size > longest[&s] || size > 20))
+            tell("section", "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) + " m across, and the longest member that has it " + number(longest[&s]) + " m",
+                 "in mm? sizes are in m, areas in m^2, moments of area in m^4", s.asked_at);
+    }
+}
+
+void Finder::gravity() {
+    if (!model.gravity()) return;
+    const Vec3& g = *model.gravity();
+    const std::string what = "gravity is {" + number(g.x()) + ", " + number(g.y()) + ", " + number(g.z()) + "} m/s^2";
+    if (g.norm() > 100) tell("gravity", what, "in mm/s^2? the earth's is 9.80665 m/s^2", model.asked_at("gravity"));
+    if (g.z() > 0 && g.z() >= g.cwiseAbs().maxCoeff()) tell("upward", what + ", which pulls up", "write { 0, 0, -9.80665 } where z points up", model.asked_at("gravity"));
+}
+
+void Finder::lone_nodes() {
+    std::vector<char> used(model.nodes().size(), 0);
+    for (const MemberData& m : model.members()) used[m.node[0]] = used[m.node[1]] = 1;
+    for (int n = 0; n < int(used.size()); ++n)
+        if (!used[n]) tell("lone", "node " + std::to_string(n + 1) + " at " + at(position(n)) + " belongs to no member", "join it with model:member, or leave it out", node_line(n));
+}
+
+void Finder::tiny_members() {
+    std::vector<double> longest(model.nodes().size(), 0);  // of the members at each node
+    for (int i = 0; i < int(model.members().size()); ++i)
+        for (int n : model.members()[i].node) longest[n] = std::max(longest[n], length(i));
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        const double neighbour = std::max(longest[model.members()[i].node[0]], longest[model.members()[i].node[1]]);
+        if (50 * length(i) < neighbour)
+            tell("tiny", name(i) + " is " + number(length(i)) + " m long, one that it is joined to " + number(neighbour) + " m",
+                 "the shortest element sets the shortest wave time; is it meant to be there?", member_line(i));
+    }
+}
+
+/// Nodes and members that are in one place without being joined.
+void Finder::unjoined() {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    std::vector<std::vector<int>> members_at(model.nodes().size());
+    std::vector<contact::Box> boxes;
+    const int members = int(model.members().size());
+    for (int i = 0; i < members; ++i)
+        for (int side : {0, 1}) {
+            low = low.cwiseMin(end(i, side)), high = high.cwiseMax(end(i, side));
+            members_at[model.members()[i].node[side]].push_back(i);
+        }
+    const double close = 1e-6 * (high - low).norm();
+    const Vec3 room = Vec3::Constant(0.5 * close);
+    for (int i = 0; i < members; ++i) boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
+    std::vector<int> used;
+    for (int n = 0; n < int(model.nodes().size()); ++n)
+        if (!members_at[n].empty()) used.push_back(n), boxes.push_back({position(n) - room, position(n) + room});
+
+    const auto pairs = contact::overlapping(boxes, [&](int i, int j) {
+        if (i >= members || j < members) return true;
+        const auto& ends = model.members()[i].node;
+        return ends[0] != used[j - members] && ends[1] != used[j - members];
+    });
+    std::set<std::pair<int, int>> on_each_other;
+    for (const auto& [i, j] : pairs) {
+        if (j >= members) continue;
+        const Vec3 along = (end(i, 1) - end(i, 0)).normalized();
+        const auto offset = [&](int side) { const Vec3 d = end(j, side) - end(i, 0); return (d - d.dot(along) * along).norm(); };
+        if (offset(0) > close || offset(1) > close) continue;
+        const double a = (end(j, 0) - end(i, 0)).dot(along), b = (end(j, 1) - end(i, 0)).dot(along);
+        const double stretch = std::min(length(i), std::max(a, b)) - std::max(0.0, std::min(a, b));
+        if (stretch <= 10 * close) continue;
+        on_each_other.insert({i, j}), on_each_other.insert({j, i});
+        tell("overlap", name(j) + " lies on " + name(i) + " over " + number(stretch) + " m", "leave one out, or let both end where they meet", member_line(j));
+    }
+    for (const auto& [i, j] : pairs) {
+        if (j < members) continue;
+        const int n = used[j - members];
+        if (i >= members) {
+            const int other = used[i - members];
+            if ((position(n) - position(other)).norm() > close) continue;
+            tell("coincide", "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are both at " + at(position(n)) + ", but not joined",
+                 "use one node for both where their members meet", node_line(n));
+            continue;
+        }
+        const Vec3 span = end(i, 1) - end(i, 0), d = position(n) - end(i, 0);
+        const double share = d.dot(span) / span.squaredNorm(), margin = 10 * close / span.norm();
+        const auto lies_on = [&](int member) { return on_each_other.count({i, member}) > 0; };
+        if (share < margin || share > 1 - margin || (d - share * span).norm() > close || std::any_of(members_at[n].begin(), members_at[n].end(), lies_on)) continue;
+        tell("through", name(i) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) + ", but is not joined to it",
+             "let two members meet there, or move the node", member_line(i));
+    }
+}
+
+}  // namespace
+
+std::vector<Doubt> doubts(const Model& model) {
+    Finder finder{model, {}, {}};
+    finder.materials();
+    finder.sections();
+    finder.gravity();
+    finder.lone_nodes();
+    finder.tiny_members();
+    finder.unjoined();
+    return std::move(finder.found);
+}
+
+}  // namespace hinge

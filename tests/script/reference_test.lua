@@ -1,0 +1,237 @@
+-- hinge.d.lua and library.d.lua say what there is, no more and no less: functions, methods, fields and options, both ways; and
+-- lua/hinge/reference.md is made from them as they are.
+--
+-- Run: lua5.4 tests/script/reference_test.lua BUILD_FOLDER, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local reference = require "hinge.reference"
+local checks = support.checks "reference"
+local expect, equal = checks.expect, checks.equal
+
+local classes, functions, modules, own = {}, {}, {}, {}
+do
+  local module, file = nil, nil
+  for _, e in ipairs(reference.read()) do
+    local here = e.line:match "^[^:]*"
+    if here ~= file then module, file = here == "hinge.d.lua" and "hinge" or nil, here end
+    if e.kind == "heading" then module = e.module or module end
+    if e.kind == "class" then classes[e.name] = e end
+    if e.kind == "function" then
+      functions[#functions + 1] = e
+      own[e.object] = own[e.object] or {}
+      own[e.object][e.name] = e
+      if e.separator == "." and module and module ~= "hinge" then modules[module] = e.object end
+    end
+  end
+end
+
+local function set(list)
+  local names = {}
+  for _, name in ipairs(list) do names[name] = true end
+  return names
+end
+local function sorted(names)
+  local list = {}
+  for name in pairs(names) do list[#list + 1] = name end
+  table.sort(list)
+  return list
+end
+-- `declared` and `there` have the same names. Each that has not says what to write where.
+local function same(declared, there, missing, extra)
+  for _, name in ipairs(sorted(there)) do expect(declared[name], missing, name) end
+  for _, name in ipairs(sorted(declared)) do expect(there[name], extra, name) end
+end
+local function file_of(class)
+  return "lua/hinge/" .. (classes[class] and classes[class].line:match "^[^:]*" or "hinge.d.lua")
+end
+
+-- Modules: tables of functions and other values -----------------------------------------------------------------------
+
+local function fields_of(class)
+  local names = {}
+  for _, field in ipairs(classes[class].fields) do names[field.name] = field end
+  return names
+end
+local function agrees_with_table(class, value, name)
+  local declared = fields_of(class)
+  for called in pairs(own[class] or {}) do declared[called] = true end
+  local there = {}
+  for key in pairs(value) do there[key] = true end
+  same(declared, there, ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s`, or `function %s.<name>(...) end`, in %s")
+    :format(name, class, name:match "[%w_]*$", file_of(class)), ("%s declares %s.%%s, which there is not: take it out, or export it"):format(file_of(class), name))
+end
+agrees_with_table("hinge", hinge, "hinge")
+agrees_with_table("hinge.sections", hinge.section, "hinge.section")
+local count = 0
+for module, class in pairs(modules) do
+  count = count + 1
+  agrees_with_table(class, require(module), module)
+end
+equal(count, 6, "modules with functions of their own in library.d.lua")
+
+-- Objects: methods and fields -----------------------------------------------------------------------------------------
+
+local function scene()
+  local s = { model = hinge.model { displacement = "small" } }
+  s.steel = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }
+  s.bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+  s.wall, s.tip = s.model:node { 0, 0, 0 }, s.model:node { 1, 0, 0 }
+  s.model:fix(s.wall)
+  s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm" }
+  s.group = s.model:group "arm"
+  s.model:load { node = s.tip, force = { 0, 0, -1 } }
+  s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
+  s.probe = s.run:probe { node = s.tip, "uz" }
+  s.still = s.run:still()
+  return s
+end
+local s = scene()
+s.run:finish()
+local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model, ["hinge.node"] = s.wall, ["hinge.member"] = s.member,
+  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.still"] = s.still }
+
+-- A value has the fields that its declared type names; { ... }[] and lists of a class are looked at by their first item.
+local function agrees(value, kind, what)
+  if kind:find "%[%]$" then value, kind = type(value) == "table" and value[1], kind:sub(1, -3) end
+  local declared = reference.fields(kind)
+  if not declared and classes[kind] and type(value) == "table" then declared = classes[kind].fields end
+  if not declared or type(value) ~= "table" then return end
+  local names, there = {}, {}
+  for _, field in ipairs(declared) do names[field.name] = true end
+  for key in pairs(value) do there[key] = true end
+  same(names, there, what .. " has '%s', which its type does not name", what .. " is declared with '%s', which it has not")
+end
+
+for name, meta in pairs(debug.getregistry()) do
+  if type(name) == "string" and name:find "^hinge%." and type(meta) == "table" and meta.methods then
+    local object = objects[name]
+    if expect(classes[name], "%s is not declared: add `---@class %s` to lua/hinge/hinge.d.lua", name, name)
+      and expect(object, "this test has no %s to look at: add one to `objects`", name) then
+      local short = name:match "%w+$"
+      local there = {}
+      for method in pairs(meta.methods) do there[method] = true end
+      same(own[name] or {}, there, ("%s:%%s is not declared: add `function %s:...(...) end` with its `---@param` lines under `---@class %s` in %s")
+        :format(short, short, name, file_of(name)), ("%s declares %s:%%s, which there is not"):format(file_of(name), short))
+      local declared = fields_of(name)
+      same(declared, set(meta.fields or {}), ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s"):format(short, name, file_of(name)),
+        ("%s declares %s.%%s, which name_fields in src/script/bind_*.cpp does not name"):format(file_of(name), short))
+      for field, about in pairs(declared) do
+        local ok, value = pcall(function() return object[field] end)
+        if expect(ok, "%s.%s: %s", short, field, tostring(value)) and ok then
+          expect(value ~= nil or about.optional, "%s.%s is nil: declare it as `---@field %s? ...`", short, field, field)
+          agrees(value, about.type, short .. "." .. field)
+        end
+      end
+      if meta.fields then
+        local ok, message = pcall(function() return object["no such field"] end)
+        expect(not ok and message:find "no such field", "%s gives a field that there is not", short)
+      end
+    end
+  end
+end
+for name, value in pairs { ["hinge.model counts"] = s.model:counts(), ["hinge.run momentum"] = s.run:momentum() } do
+  local f = own[name:match "%S+"][name:match "%a+$"]
+  if f then agrees(value, f.returns[1]:match "^{.-}", reference.signature(f)) end
+end
+
+-- The job is a Lua object.
+local job = require "hinge.job".new("", "II")
+local methods = {}
+for method in pairs(getmetatable(job)) do
+  if not method:find "^__" then methods[method] = true end
+end
+same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua", "library.d.lua declares job:%s, which there is not")
+same(fields_of "hinge.job", set { "out", "case", "notes" }, "job.%s is not declared: add `---@field` to `---@class hinge.job`", "library.d.lua declares job.%s, which there is not")
+
+-- Options -------------------------------------------------------------------------------------------------------------
+
+local building, aircraft = require "hinge.models.ten_storey", require "hinge.models.aircraft"
+local space_frame, impact = require "hinge.models.space_frame", require "hinge.models.ten_storey_impact"
+local function with(options, more)
+  for k, v in pairs(more) do options[k] = v end
+  return options
+end
+-- How each call with a table of options is made: whole, and with the fields of `x`. A table within is `call.field`.
+local square = { width = 0.1, depth = 0.1 }
+local calls = {
+  ["hinge.model"] = function(x) hinge.model(x) end,
+  ["hinge.material"] = function(x) hinge.material(with({ E = 1 }, x)) end,
+  ["hinge.section.box"] = function(x) hinge.section.box(with({ thickness = 0.01 }, with(x, square))) end,
+  ["hinge.section.h"] = function(x) hinge.section.h(x) end,
+  ["hinge.section.pipe"] = function(x) hinge.section.pipe(x) end,
+  ["hinge.section.solid"] = function(x) hinge.section.solid(x) end,
+  ["hinge.section.round"] = function(x) hinge.section.round(x) end,
+  ["hinge.section.general"] = function(x) hinge.section.general(x) end,
+  ["hinge.section.general.plastic"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, plastic = x } end,
+  ["hinge.section.general.size"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) } end,
+  ["hinge.scenario"] = function(x) hinge.scenario(x) end,
+  ["model:member"] = function(x) s.model:member(x) end,
+  ["model:load"] = function(x) s.model:load(x) end,
+  ["model:fracture"] = function(x) s.model:fracture(x) end,
+  ["model:contact"] = function(x) s.model:contact(x) end,
+  ["model:static"] = function(x) s.model:static(x) end,
+  ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x) } end,
+  ["model:dynamic"] = function(x) s.model:dynamic(x) end,
+  ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
+  ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
+  ["job:picture"] = function(x) job:picture(s.run, x, "x.png") end,
+  ["job:strip"] = function(x) job:strip({ { s.run, x } }, 1, "x.png") end,
+  ["job:plot"] = function(x) job:plot(with({ series = {} }, x), "x.png") end,
+  ["ten_storey.add"] = function(x) building.add(hinge.model(), x) end,
+  ["aircraft.add"] = function(x) aircraft.add(hinge.model(), x) end,
+  ["aircraft.add.shape"] = function(x) aircraft.add(hinge.model(), { shape = x }) end,
+  ["space_frame.add"] = function(x) space_frame.add(hinge.model(), x) end,
+}
+-- Functions whose tables are data, or may hold any field.
+local free = set { "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate", "impact.side_by_side", "paper.figure" }
+
+-- The fields that a complaint about the field "zzz" names.
+local function taken(call)
+  local ok, message = pcall(call, { zzz = 1 })
+  local list = not ok and tostring(message):match "unknown field 'zzz'.-; it takes ([^\n]*)" or not ok and tostring(message):match "unknown field 'zzz'.-; there are ([^\n]*)"
+  if not list then return nil, ok and "it takes any field" or tostring(message) end
+  local names = {}
+  for name in list:gmatch "[%w_]+" do names[name] = true end
+  return names
+end
+local function looks_like_options(kind)
+  return reference.fields(kind) or classes[kind] and #classes[kind].fields > 0 and not objects[kind] and kind ~= "hinge.job" and classes[kind].fields
+end
+local used = {}
+local function compare(what, fields, line)
+  local call = calls[what]
+  if not expect(call, "%s takes options (%s): add how it is called to `calls` of this test", what, line) then return end
+  used[what] = true
+  local there, why = taken(call)
+  if not expect(there, "%s: does not name its fields: %s", what, tostring(why)) then return end
+  local declared = {}
+  for _, field in ipairs(fields) do
+    if not field.name:find "^%[" then declared[field.name] = true end
+    local inner = looks_like_options(field.type:match "|({.*})$" or field.type)
+    if inner and calls[what .. "." .. field.name] then compare(what .. "." .. field.name, inner, line) end
+  end
+  same(declared, there, ("%s takes '%%s', which is not declared: add it in lua/hinge/%s"):format(what, line), ("lua/hinge/%s declares '%%s' of %s, which it does not take"):format(line, what))
+end
+for _, f in ipairs(functions) do
+  local what = reference.signature(f):match "^[^(]*"
+  for _, param in ipairs(f.params) do
+    local fields = looks_like_options((param.type:gsub("|fun%b():.*$", "")))
+    if fields and not free[what] then compare(what, fields, param.line) end
+  end
+end
+used["job:strip"] = true
+for what in pairs(calls) do expect(used[what], "`calls` of this test has %s, which declares no options", what) end
+
+-- The page ------------------------------------------------------------------------------------------------------------
+
+local page = support.read(support.root .. "lua/hinge/reference.md")
+expect(page == reference.page(), "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
+local program = support.quote(arg[1] .. "/hinge")
+local status, printed = support.run(program .. " reference")
+expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)
+status, printed = support.run(program .. " reference model:node")
+expect(status == 0 and printed == "#### `model:node(position)`\n\nAdds a joint.\n\n- `position`: `vec3` — m\n- returns `hinge.node`\n", "hinge reference model:node: %s", printed)
+equal(support.run(program .. " reference nonsense"), 2, "status for a name that is not there")
+
+checks.done()
