@@ -64,7 +64,7 @@ for name, object in pairs { run = run, model = model, section = hinge.section.so
   for _ = 1, 3 do collect(object) end
   checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata", "a collected " .. name)
 end
-checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run is a userdata; must be one that model:static{} or model:dynamic{} returned", "its steps")
+checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run was collected", "its steps")
 
 -- Memory --------------------------------------------------------------------------------------------------------------
 
