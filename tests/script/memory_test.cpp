@@ -28,6 +28,13 @@ void drop(void* p) {
 }  // namespace
 
 void* operator new(std::size_t n) { return make(n, 0); }
+void* operator new(std::size_t n, const std::nothrow_t&) noexcept {
+    try {
+        return make(n, 0);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
 void* operator new(std::size_t n, std::align_val_t a) { return make(n, std::size_t(a)); }
 void operator delete(void* p) noexcept { drop(p); }
 void operator delete(void* p, std::size_t) noexcept { drop(p); }
