@@ -50,7 +50,10 @@ int view_get(lua_State* L) {
     const SectionView& v = *box.now;
     if (const int field = field_at(L, 2); field >= 0) {
         if (SectionField(field) == SectionField::plastic) return lua_pushboolean(L, v.plastic), 1;
-        return lua_pushnumber(L, value_of(v, SectionField(field))), 1;
+        switch (const double value = value_of(v, SectionField(field)); SectionField(field)) {
+            case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: return lua_pushinteger(L, lua_Integer(value)), 1;
+            default: return lua_pushnumber(L, value), 1;
+        }
     }
     if (const double* kept = kept_at(L, box)) return lua_pushnumber(L, *kept), 1;
     if (lua_type(L, 2) != LUA_TSTRING || std::string(lua_tostring(L, 2)) != "group") {

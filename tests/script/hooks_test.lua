@@ -1,33 +1,294 @@
--- A script's own functions inside the run: a fracture rule and a load history do what the same thing in numbers does.
+-- A script's own functions inside the run: rules of fracture and contact, loads and supports that are functions, callbacks; what they
+-- see, that a step whose function fails is taken back, and that equal rules give equal bits.
+--
+-- Run: lua5.4 tests/script/hooks_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
+local support = require "support"
+local checks = support.checks "hooks"
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 245e6 }
+local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
 
+-- A bar pulled along its axis until it flows and breaks.
 local function pulled(fracture, history)
   local model = hinge.model()
   local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:fix(wall, "all")
   model:member { wall, tip, section = bar, material = steel, group = "bars" }
-  model:load { node = tip, force = { 735e3, 0, 0 }, history = history }
+  model:load { node = tip, force = { 735e3, 0, 0 }, history = history or { { 0, 0 }, { 1e-3, 1 } } }
   model:fracture(fracture)
   collectgarbage() -- the functions live on in the model alone
-  local run = model:dynamic { dt = 1e-5, duration = 4e-3 }
-  run:finish()
-  return run
+  return model:dynamic { dt = 1e-5, duration = 4e-3 }
 end
 
-local ramp = { { 0, 0 }, { 1e-3, 1 } }
-local numbers = pulled({ axial_strain = 0.01 }, ramp)
+local numbers = pulled({ axial_strain = 0.01 }):finish()
 local seen = 0
 local functions = pulled(function(section)
   seen = seen + 1
   assert(section.group == "bars" and section.member == 1 and section.plastic)
   return math.abs(section.axial_strain) >= 0.01
-end, function(t) return t >= 1e-3 and 1 or (1 - t / 1e-3) * 0 + t / 1e-3 * 1 end)
+end, function(t) return t >= 1e-3 and 1 or (1 - t / 1e-3) * 0 + t / 1e-3 * 1 end):finish()
+checks.equal(numbers:count { state = "broken" }, 1, "the bar breaks by numbers")
+checks.expect(seen > 10 and seen < 400, "the function is asked while the bar flows: %d times", seen)
+checks.equal(functions.hash, numbers.hash, "a function against numbers")
+local batch = pulled({ batch = function(elements)
+  local list = {}
+  for i, strain in ipairs(elements.axial_strain) do if math.abs(strain) >= 0.01 then list[#list + 1] = i end end
+  return list
+end }):finish()
+checks.equal(batch.hash, numbers.hash, "a batch against numbers")
+checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash, "limits beside a rule that never breaks")
 
-assert(numbers:count { state = "broken" } == 1, "the bar breaks by numbers")
-assert(functions:count { state = "broken" } == 1, "the bar breaks by a function")
-assert(seen > 10, "the function is asked while the bar flows")
-assert(numbers.hash == functions.hash, "the same bits")
-print("hooks: the same bits by numbers and by functions; asked " .. seen .. " times")
+-- What a section shows --------------------------------------------------------------------------------------------------
+
+-- Two rules by groups; every field against what the run tells after the step.
+do
+  local model = hinge.model()
+  local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 2, 0, 0 }
+  model:fix(a, "all")
+  model:member { a, b, section = bar, material = steel, group = "near" }
+  model:member { b, c, section = bar, material = steel, group = "far" }
+  model:load { node = c, force = { 1e5, 4e3, 9e3 }, moment = { 500, 0, 0 }, history = { { 0, 0 }, { 2e-2, 1 } } }
+  local last, asked, strain, work = {}, { near = 0, far = 0 }, {}, 0
+  model:fracture { group = "far", rule = function() asked.far = asked.far + 1 end }
+  model:fracture { group = "near", where = "all", keep = { "count", "strain" }, rule = function(s)
+    asked.near = asked.near + 1
+    s.count = s.count + 1
+    local key = s.element * 10 + s["end"]
+    if s.step > 1 then
+      checks.near(s.axial_strain_rate * s.dt, s.axial_strain - s.strain, 1e-12, "the rate of the axial strain")
+      checks.near(s.count, s.step, 0, "a number kept")
+    end
+    s.strain = s.axial_strain
+    last[key] = { N = s.N, Mx = s.Mx, My = s.My, Mz = s.Mz, f_y = s.f_y, work = s.plastic_work, curvature = s.curvature_x, rest = s.plastic_curvature_x, time = s.time }
+  end }
+  local run = model:dynamic { dt = 2e-5, duration = 2e-2 }
+  for step in run:steps() do
+    if step.index % 250 == 0 then
+      local at_a = run:forces(model:members()[1])
+      local s = last[11]
+      for _, name in ipairs { "N", "Mx", "My", "Mz", "f_y" } do checks.near(s[name], at_a[name], 1e-9 * math.abs(at_a[name]) + 1e-9, name .. " at the wall") end
+      checks.near(s.time, step.time, 1e-12, "time")
+      checks.near(last[11].work + last[21].work, run:read "plastic_work"[1], 1e-9, "plastic work of the member")
+    end
+  end
+  checks.equal(asked.near, 4 * 1000, "where = 'all' asks every section at every step")
+  checks.expect(run:count { state = "yielded", group = "near" } == 1 and math.abs(last[11].rest) > 1e-3, "the bar at the wall has flowed")
+  checks.expect(run:count { state = "yielded", group = "far" } == 0 and asked.far == 0, "a rule is not asked where nothing flows: %d", asked.far)
+end
+
+-- The fields of a batch are those of the sections.
+do
+  local seen_by_rule, seen_by_batch = {}, {}
+  local fields = { "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_axial_strain", "curvature_rate_x", "axial_strain_rate", "N", "Mz", "plastic_work", "member", "element" }
+  local function bent(rule)
+    local model = hinge.model()
+    local nodes = {}
+    for i = 0, 3 do nodes[i] = model:node { i, 0, 0.1 * i } end
+    model:fix(nodes[0], "all")
+    for i = 1, 3 do model:member { nodes[i - 1], nodes[i], section = bar, material = steel } end
+    model:load { node = nodes[3], force = { 1e5, 6e3, 5e3 }, moment = { 900, 0, 0 }, history = { { 0, 0 }, { 5e-3, 1 } } }
+    model:fracture(rule)
+    return model:dynamic { dt = 2e-5, duration = 1e-2 }:finish()
+  end
+  bent { where = "all", rule = function(s)
+    if s.step ~= 400 then return end
+    for _, f in ipairs(fields) do seen_by_rule[f .. s.element] = s[f] end
+    for _, f in ipairs { "Mx", "My", "f_y" } do seen_by_rule[f .. s["end"] .. "of" .. s.element] = s[f] end
+    seen_by_rule["plastic" .. s["end"] .. "of" .. s.element] = s.plastic and 1 or 0
+  end }
+  bent { batch = function(e)
+    checks.equal(#e, 6, "elements of a batch")
+    if e.step ~= 400 then return end
+    for i = 1, e.count do
+      for _, f in ipairs(fields) do seen_by_batch[f .. i] = e[f][i] end
+      for side = 1, 2 do for _, f in ipairs { "Mx", "My", "f_y", "plastic" } do seen_by_batch[f .. side .. "of" .. i] = e[f .. side][i] end end
+    end
+  end }
+  local n, flows = 0, 0
+  for key, value in pairs(seen_by_rule) do
+    n = n + 1
+    if key:find "^plastic[12]" then flows = flows + value end
+    checks.near(seen_by_batch[key] or 0 / 0, value, 1e-12 * math.abs(value), key)
+  end
+  checks.expect(n == 6 * (#fields + 8) and flows > 0, "%d numbers compared, %d sections flow", n, flows)
+end
+
+-- Contact ---------------------------------------------------------------------------------------------------------------
+
+-- Two bars fly at a third from both sides.
+local function met(declare)
+  local model = hinge.model()
+  local function beam(group, y, v)
+    local a, b = model:node { -0.5, y, 0 }, model:node { 0.5, y, 0 }
+    local member = model:member { a, b, section = bar, material = elastic, group = group }
+    if v then model:velocity(member, { 0, v, 0 }) end
+    return member
+  end
+  local members = { beam("left", -0.2, 20), beam("middle", 0), beam("right", 0.2, -20) }
+  local events = {}
+  declare(model, members, function(event) events[#events + 1] = event end)
+  local run = model:dynamic { dt = 5e-6, duration = 0.02, beta = 0.4 }
+  run:finish()
+  return run, events, members
+end
+local _, both = met(function(m, _, note) m:contact { on_touch = note } end)
+local touched = {}
+for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
+checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
+checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s", touched["left-middle"])
+local one, events = met(function(m, _, note) m:contact { between = { "left", "middle" }, on_touch = note, on_release = note } end)
+checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0, "between two groups alone; the right one flies through")
+local asked = 0
+local none = met(function(m, members) m:contact { pairs = function(a, b)
+  asked = asked + 1
+  return not (a == members[1] or b == members[1])
+end } end)
+checks.expect(none:count { group = "left", state = "touched" } == 0 and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
+checks.expect(asked >= 2 and asked <= 3, "asked once a pair of members: %d", asked)
+local soft = met(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
+local softer = met(function(m) m:contact { stiffness = 1e6 } end)
+checks.equal(soft.hash, softer.hash, "a pair's own stiffness against the rule's")
+local mixed = met(function(m)
+  m:contact {}
+  m:contact { between = { "left", "middle" }, rule = "gap" }
+end)
+checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial, "gaps on one side, surfaces on the other: remainder %g of %g J", mixed.energy.remainder, mixed.energy.initial)
+checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
+local momentum = mixed:momentum().linear
+checks.expect(math.abs(momentum[2]) < 1e-8 * 20 * mixed:momentum().mass, "momentum: %g", momentum[2])
+
+-- Loads and supports ------------------------------------------------------------------------------------------------------
+
+-- A spring that a script makes: the period of a mass on it, and its work.
+do
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { 0.5, 0, 0 }
+  model:member { a, b, section = bar, material = elastic }
+  local mass, k = 7850 * 0.05 ^ 2 * 0.5, 4e4
+  for _, node in ipairs { a, b } do
+    model:fix(node, "y,z,rx,ry,rz")
+    model:load { node = node, force = function(_, run) return -k / 2 * (select(1, run:displacement(node))), 0, 0 end }
+    model:velocity(node, { 1, 0, 0 })
+  end
+  local T = 2 * math.pi * math.sqrt(mass / k)
+  local run = model:dynamic { dt = T / 4000, duration = T }
+  run:finish()
+  checks.near(run:displacement(a), 0, 0.01 * T / (2 * math.pi), "back after a period")
+  checks.near(run:velocity(a), 1, 0.01, "as fast as at the start")
+  checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is booked: %g", run.energy.remainder)
+end
+
+-- A short column on a shaken support moves with it: the support's force is mass times acceleration, its work the kinetic energy.
+for _, integrator in ipairs { "newmark", "explicit" } do
+  local model = hinge.model()
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 0.2 }
+  model:fix(foot, "all")
+  model:member { foot, top, section = bar, material = elastic }
+  local mass, w = 7850 * 0.05 ^ 2 * 0.2, 2 * math.pi * 10
+  model:move { node = foot, x = function(t) return t <= 0 and 0 or 0.02 * (t - math.sin(w * t) / w) end }
+  local run = model:dynamic { dt = integrator == "explicit" and "auto" or 2e-5, duration = 0.025, integrator = integrator }
+  run:finish()
+  local t = run.time
+  checks.near(run:displacement(foot), 0.02 * (t - math.sin(w * t) / w), 1e-9, integrator .. ": where the support is")
+  checks.near(run:velocity(foot), 0.02 * (1 - math.cos(w * t)), 1e-5, integrator .. ": how fast it is")
+  checks.near(run:reaction(foot), mass * 0.02 * w * math.sin(w * t), 0.02 * mass * 0.02 * w, integrator .. ": what it takes")
+  checks.near(run.energy.work, 0.5 * mass * (0.02 * (1 - math.cos(w * t))) ^ 2, 0.02 * run.energy.work, integrator .. ": what it does")
+  checks.expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.work, "%s: remainder %g of %g J", integrator, run.energy.remainder, run.energy.work)
+end
+
+-- The remainder of a frame that is shaken hard falls with the square of the step.
+do
+  local function remainder(dt)
+    local model = hinge.model()
+    local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
+    model:fix(foot, "all")
+    model:member { foot, top, section = bar, material = elastic }
+    model:move { node = foot, x = hinge.ground { dt = 0.01, acceleration = { 0, 60, -80, 30, 0 } } }
+    local run = model:dynamic { dt = dt, duration = 0.05 }
+    run:finish()
+    return math.abs(run.energy.remainder), run.energy.work
+  end
+  local coarse, work = remainder(4e-5)
+  local fine = remainder(1e-5)
+  checks.expect(coarse < 1e-3 * work and fine < coarse / 8, "%g and %g of %g J", coarse, fine, work)
+end
+local ground = hinge.ground { dt = 0.5, acceleration = { 2, 2, 2 }, scale = 3 }
+checks.near(ground(1), 3, 1e-12, "constant acceleration for a second")
+checks.near(ground(2), 3 + 6 * 1, 1e-12, "straight on after the record")
+checks.equal(ground(-1), 0, "before the record")
+
+-- Callbacks -----------------------------------------------------------------------------------------------------------------
+
+do
+  local run, calls = pulled { axial_strain = 0.01 }, 0
+  run:on_step(function(r)
+    calls = calls + 1
+    if r.index == 7 then r:stop() end
+  end):finish()
+  checks.equal(calls, 7, "calls until it was stopped")
+  checks.equal(run.verdict, "stopped", "its verdict")
+end
+
+-- Steps that are taken back ---------------------------------------------------------------------------------------------------
+
+-- Each hook fails once, in the middle of things; the run goes on as if it had not.
+local failing = {
+  ["an error"] = { function() error "no good" end, "no good" },
+  ["a yield"] = { function() coroutine.yield() end, "attempt to yield" },
+  ["a change of the model"] = { function(model) model:node { 9, 9, 9 } end, "the model cannot be changed while a run of it is inside a step" },
+  ["a step of the run"] = { function(_, run) run:step() end, "called from a function of this very run" },
+}
+local function scene(when, fail)
+  local model, calls, armed = hinge.model(), 0, true
+  local run
+  local function once()
+    calls = calls + 1
+    if armed and calls == when then
+      armed = false
+      fail(model, run)
+    end
+  end
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a, "all")
+  model:member { a, b, section = bar, material = steel, group = "bars" }
+  local c, d = model:node { 0.7, -0.4, 0.3 }, model:node { 0.7, 0.4, 0.3 }
+  model:velocity(model:member { c, d, section = bar, material = steel, group = "bullet" }, { 0, 0, -80 })
+  return model, once, function(o)
+    run = model:dynamic { dt = 1e-5, duration = 8e-3, beta = 0.4 }
+    return run
+  end, b
+end
+local hooks = {
+  fracture = function(model, once) model:fracture { rule = function(s) once() return math.abs(s.curvature_x) > 0.3 end, keep = { "n" } } model:contact {} end,
+  batch = function(model, once) model:fracture { batch = function() once() end } model:contact {} end,
+  on_touch = function(model, once) model:contact { on_touch = once } end,
+  pairs = function(model, once) model:contact { pairs = function() once() end } end,
+  load = function(model, once, tip) model:contact {} model:load { node = tip, force = function() once() return 0, 0, 10 end } end,
+  history = function(model, once, tip) model:contact {} model:load { node = tip, force = { 0, 0, 10 }, history = function() once() return 1 end } end,
+}
+for name, declare in pairs(hooks) do
+  local steady_model, nothing, steady_run, steady_tip = scene(0)
+  declare(steady_model, nothing, steady_tip)
+  local steady = steady_run():finish()
+  for what, case in pairs(failing) do
+    local model, once, make, tip = scene(name == "on_touch" and 2 or name == "pairs" and 1 or 20, case[1])
+    declare(model, once, tip)
+    local run = make()
+    local ok, message = pcall(run.finish, run)
+    checks.expect(not ok and message:find(case[2], 1, true), "%s in %s: %s", what, name, tostring(message))
+    checks.expect(not ok and message:find "the step was taken back", "%s in %s, said: %s", what, name, tostring(message))
+    checks.equal(run.verdict, "running", what .. " in " .. name .. ": the run can go on")
+    run:finish()
+    checks.equal(run.verdict, "completed", what .. " in " .. name .. ": it did")
+    local energy, expected = run.energy, steady.energy
+    for _, part in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "work" } do
+      checks.near(energy[part], expected[part], 1e-6 * expected.initial, ("%s in %s: %s energy at the end"):format(what, name, part))
+    end
+    checks.expect(pcall(model.node, model, { 5, 5, 5 }), "the model is open again")
+  end
+end
+
+checks.done()

@@ -5,7 +5,8 @@ local support = {}
 support.folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 support.root = support.folder .. "../../"
 
---- A list of checks: expect(ok, what), equal(value, wanted, what), done() at the end.
+--- A list of checks: expect(ok, what), equal(value, wanted, what), near(value, wanted, within, what),
+--- done() at the end.
 function support.checks(title)
   local count, failures = 0, {}
   local checks = {}
@@ -16,6 +17,9 @@ function support.checks(title)
   end
   function checks.equal(value, wanted, what)
     return checks.expect(value == wanted, "%s: is %s, wanted %s", what, tostring(value), tostring(wanted))
+  end
+  function checks.near(value, wanted, within, what)
+    return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g", what, value, wanted, within)
   end
   function checks.done()
     if #failures > 0 then
