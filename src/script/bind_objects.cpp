@@ -299,9 +299,9 @@ void open_objects(lua_State* L) {
     make_metatable(L, LoadBox::lua_name, load, guarded<load_fields>, collect<LoadBox>, guarded<load_text>, nullptr);
     make_metatable(L, GroupBox::lua_name, group, guarded<group_fields>, collect<GroupBox>, guarded<group_text>, nullptr);
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
-    name_fields(L, MemberBox::lua_name, {"a", "b", "length", "mass", "group", "section", "material", "up", "elements", "index"});
+    name_fields(L, MemberBox::lua_name, {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment"});
-    name_fields(L, GroupBox::lua_name, {"name", "size", "length", "mass"});
+    name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);
     lua_pushcfunction(L, guarded<group_size>);
     lua_setfield(L, -2, "__len");

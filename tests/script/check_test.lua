@@ -79,7 +79,7 @@ expect(status == 0 and printed:find "nothing to check: the script makes no run",
 status, _, complaint = check(scene { E = "-1" })
 expect(status == 2 and complaint:find "scene.lua:2: hinge.material: field 'E' is %-1 Pa", "wrong input: %s %s", status, complaint)
 status, _, complaint = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nmodel:nod {}" })
-expect(status == 2 and complaint:find "scene.lua:13: model has no method 'nod'", "wrong input after a run: %s %s", status, complaint)
+expect(status == 2 and complaint:find "scene.lua:13: model has no field or method 'nod'", "wrong input after a run: %s %s", status, complaint)
 status, printed = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nlocal t = nil\nreturn t.x" })
 expect(status == 0 and printed:find "as far as it goes without results", "a script that needs results: %s %s", status, printed)
 status, printed = check(scene { more = "model:static {}" })

@@ -80,7 +80,7 @@ local function scene()
   s.model:fix(s.wall)
   s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm" }
   s.group = s.model:group "arm"
-  s.model:load { node = s.tip, force = { 0, 0, -1 } }
+  s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.still = s.run:still()
@@ -89,7 +89,7 @@ end
 local s = scene()
 s.run:finish()
 local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model, ["hinge.node"] = s.wall, ["hinge.member"] = s.member,
-  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.still"] = s.still }
+  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.still"] = s.still }
 
 -- A value has the fields that its declared type names; { ... }[] and lists of a class are looked at by their first item.
 local function agrees(value, kind, what)
@@ -165,9 +165,11 @@ local calls = {
   ["hinge.section.general"] = function(x) hinge.section.general(x) end,
   ["hinge.section.general.plastic"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, plastic = x } end,
   ["hinge.section.general.size"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) } end,
+  ["hinge.ground"] = function(x) hinge.ground(with({ dt = 1, acceleration = { 0, 0 } }, x)) end,
   ["hinge.scenario"] = function(x) hinge.scenario(x) end,
   ["model:member"] = function(x) s.model:member(x) end,
   ["model:load"] = function(x) s.model:load(x) end,
+  ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
   ["model:static"] = function(x) s.model:static(x) end,
@@ -216,7 +218,7 @@ end
 for _, f in ipairs(functions) do
   local what = reference.signature(f):match "^[^(]*"
   for _, param in ipairs(f.params) do
-    local fields = looks_like_options((param.type:gsub("|fun%b():.*$", "")))
+    local fields = looks_like_options(param.type:match "^(%b{})|fun" or param.type:match "^([%w_.]+)|fun" or param.type)
     if fields and not free[what] then compare(what, fields, param.line) end
   end
 end
