@@ -50,9 +50,12 @@ do
   model:fix(a, "all")
   model:member { a, b, section = bar, material = steel, group = "near" }
   model:member { b, c, section = bar, material = steel, group = "far" }
-  model:load { node = c, force = { 1e5, 4e3, 9e3 }, moment = { 500, 0, 0 }, history = { { 0, 0 }, { 2e-2, 1 } } }
+  model:load { node = c, force = { 1e5, 4e3, 4e4 }, moment = { 500, 0, 0 }, history = { { 0, 0 }, { 2e-2, 1 } } }
   local last, asked, strain, work = {}, { near = 0, far = 0 }, {}, 0
-  model:fracture { group = "far", rule = function() asked.far = asked.far + 1 end }
+  model:fracture { group = "far", rule = function(s)
+    asked.far = asked.far + 1
+    assert(s.plastic and s.group == "far")
+  end }
   model:fracture { group = "near", where = "all", keep = { "count", "strain" }, rule = function(s)
     asked.near = asked.near + 1
     s.count = s.count + 1
@@ -76,7 +79,7 @@ do
   end
   checks.equal(asked.near, 4 * 1000, "where = 'all' asks every section at every step")
   checks.expect(run:count { state = "yielded", group = "near" } == 1 and math.abs(last[11].rest) > 1e-3, "the bar at the wall has flowed")
-  checks.expect(run:count { state = "yielded", group = "far" } == 0 and asked.far == 0, "a rule is not asked where nothing flows: %d", asked.far)
+  checks.expect(asked.far > 0 and asked.far < 1000, "a rule is asked where something flows: %d times", asked.far)
 end
 
 -- The fields of a batch are those of the sections.
@@ -89,7 +92,7 @@ do
     for i = 0, 3 do nodes[i] = model:node { i, 0, 0.1 * i } end
     model:fix(nodes[0], "all")
     for i = 1, 3 do model:member { nodes[i - 1], nodes[i], section = bar, material = steel } end
-    model:load { node = nodes[3], force = { 1e5, 6e3, 5e3 }, moment = { 900, 0, 0 }, history = { { 0, 0 }, { 5e-3, 1 } } }
+    model:load { node = nodes[3], force = { 1e5, 6e3, 4e4 }, moment = { 900, 0, 0 }, history = { { 0, 0 }, { 5e-3, 1 } } }
     model:fracture(rule)
     return model:dynamic { dt = 2e-5, duration = 1e-2 }:finish()
   end
@@ -111,7 +114,7 @@ do
   for key, value in pairs(seen_by_rule) do
     n = n + 1
     if key:find "^plastic[12]" then flows = flows + value end
-    checks.near(seen_by_batch[key] or 0 / 0, value, 1e-12 * math.abs(value), key)
+    checks.near(seen_by_batch[key] or 0 / 0, value, 1e-9 * math.abs(value) + 1e-15, key)
   end
   checks.expect(n == 6 * (#fields + 8) and flows > 0, "%d numbers compared, %d sections flow", n, flows)
 end
@@ -119,7 +122,7 @@ end
 -- Contact ---------------------------------------------------------------------------------------------------------------
 
 -- Two bars fly at a third from both sides.
-local function met(declare)
+local function met(declare, dt)
   local model = hinge.model()
   local function beam(group, y, v)
     local a, b = model:node { -0.5, y, 0 }, model:node { 0.5, y, 0 }
@@ -130,7 +133,7 @@ local function met(declare)
   local members = { beam("left", -0.2, 20), beam("middle", 0), beam("right", 0.2, -20) }
   local events = {}
   declare(model, members, function(event) events[#events + 1] = event end)
-  local run = model:dynamic { dt = 5e-6, duration = 0.02, beta = 0.4 }
+  local run = model:dynamic { dt = dt or 5e-6, duration = 0.02, beta = 0.4 }
   run:finish()
   return run, events, members
 end
@@ -154,7 +157,7 @@ checks.equal(soft.hash, softer.hash, "a pair's own stiffness against the rule's"
 local mixed = met(function(m)
   m:contact {}
   m:contact { between = { "left", "middle" }, rule = "gap" }
-end)
+end, 1e-6)
 checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial, "gaps on one side, surfaces on the other: remainder %g of %g J", mixed.energy.remainder, mixed.energy.initial)
 checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
 local momentum = mixed:momentum().linear
