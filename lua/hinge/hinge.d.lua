@@ -272,7 +272,7 @@ function model:fracture(rule) end
 ---@field axial_strain? number -, either sign unless tension_only
 ---@field tension_only? boolean default false
 ---@field rule? fun(section: hinge.section_view): boolean? asked of a section, where no limit is reached; true: it breaks. The section is the same object at every call and can be read while the function runs
----@field where? "plastic"|"yielded"|"all" sections that `rule` is asked of: fully plastic in this step (default), ever since the start, or all; always those of members that cannot yield
+---@field where? "plastic"|"yielded"|"all" sections that `rule` is asked of. plastic (default): those fully plastic in this step, and those that were before when a curvature or the axial strain of their element is larger than ever: nothing is missed by a rule that looks at such strains; yielded: all that were ever fully plastic; all. Those of members that cannot yield are always asked
 ---@field keep? string[] names of numbers that the rule keeps of each section, such as { "damage" }: fields of the section that can be set, 0 at the start; they belong to the run's state
 ---@field batch? fun(elements: hinge.element_list): integer[]? in the place of `rule`: asked once a step of all elements of the members; returns a list of places of those that break
 ---@field group? hinge.group_like only its members, default all

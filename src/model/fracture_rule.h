@@ -55,7 +55,8 @@ struct FractureRule {
     double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
     bool tension_only = false;
     FractureHook hook;                                              ///< asked where no limit is reached
-    enum class Where { plastic, yielded, all } where = Where::plastic;   ///< sections it is asked of: fully plastic in the step, ever since the start, all
+    enum class Where { plastic, yielded, all } where = Where::plastic;   ///< sections it is asked of. plastic: fully plastic in the step, or once before and the
+                                                                         ///< element strained as never before; yielded: ever fully plastic; all
     FractureBatch batch;                                            ///< in the place of hook, once a step
     std::vector<std::string> keep;                                  ///< names of the numbers it keeps of each section
     int group = -1;                                                 ///< -1: all members

@@ -19,7 +19,7 @@ struct ElementListBox {
     std::vector<double> room;
 };
 
-/// The field that the key at `index` names, -1 for none. Upvalue 1: numbers of the fields by name.
+/// The field that the key at `index` names, -1 for none. Upvalue 1: numbers of the fields by name; 2: the metatable.
 int field_at(lua_State* L, int index) {
     lua_pushvalue(L, index);
     const int field = lua_rawget(L, lua_upvalueindex(1)) == LUA_TNUMBER ? int(lua_tointeger(L, -1)) : -1;
@@ -45,16 +45,9 @@ double* kept_at(lua_State* L, const SectionViewBox& box) {
     return at == box.keep.end() ? nullptr : box.now->kept + (at - box.keep.begin());
 }
 
-int view_get(lua_State* L) {
+int view_get_other(lua_State* L) {
     const auto& box = view_in_use(L);
     const SectionView& v = *box.now;
-    if (const int field = field_at(L, 2); field >= 0) {
-        if (SectionField(field) == SectionField::plastic) return lua_pushboolean(L, v.plastic), 1;
-        switch (const double value = value_of(v, SectionField(field)); SectionField(field)) {
-            case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: return lua_pushinteger(L, lua_Integer(value)), 1;
-            default: return lua_pushnumber(L, value), 1;
-        }
-    }
     if (const double* kept = kept_at(L, box)) return lua_pushnumber(L, *kept), 1;
     if (lua_type(L, 2) != LUA_TSTRING || std::string(lua_tostring(L, 2)) != "group") {
         std::vector<std::string> others = box.keep;
@@ -64,6 +57,22 @@ int view_get(lua_State* L) {
     const auto model = box.model.lock();
     if (!model || model->members()[v.member].groups.empty()) return lua_pushnil(L), 1;
     return lua_pushstring(L, model->groups()[model->members()[v.member].groups[0]].c_str()), 1;
+}
+
+/// Called for every number that a rule reads.
+int view_get(lua_State* L) {
+    if (!lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) return guarded<view_get_other>(L);
+    lua_settop(L, 2);
+    const SectionView* v = static_cast<const SectionViewBox*>(lua_touserdata(L, 1))->now;
+    const int field = v ? field_at(L, 2) : -1;
+    if (field < 0) return guarded<view_get_other>(L);
+    const double value = value_of(*v, SectionField(field));
+    switch (SectionField(field)) {
+        case SectionField::plastic: lua_pushboolean(L, v->plastic); break;
+        case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: lua_pushinteger(L, lua_Integer(value)); break;
+        default: lua_pushnumber(L, value);
+    }
+    return 1;
 }
 
 int view_set(lua_State* L) {
@@ -131,7 +140,8 @@ void ready_metatable(lua_State* L, lua_CFunction get, const luaL_Reg* others) {
             if (by_end && at_ends(SectionField(i)))
                 for (int end : {1, 2}) lua_pushinteger(L, end * field_count + i), lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
             else lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
-        lua_pushcclosure(L, get, 1);
+        lua_pushvalue(L, -2);
+        lua_pushcclosure(L, get, 2);
         lua_setfield(L, -2, "__index");
         luaL_setfuncs(L, others, 0);
     }
@@ -149,7 +159,7 @@ struct Showing {
 FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
     const LuaFunction f(L, index, *model);
     static const luaL_Reg others[] = {{"__newindex", guarded<view_set>}, {"__tostring", guarded<view_text>}, {"__gc", collect<SectionViewBox>}, {nullptr, nullptr}};
-    ready_metatable<SectionViewBox, false>(L, guarded<view_get>, others);
+    ready_metatable<SectionViewBox, false>(L, view_get, others);
     auto* box = push<SectionViewBox>(L, model, keep, nullptr);
     const LuaValue view(L, -1, *model);
     lua_pop(L, 1);

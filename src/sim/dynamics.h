@@ -16,6 +16,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "beam/fracture.h"
 #include "core/built.h"
 #include "sim/mass.h"
 #include "sim/operator.h"
@@ -111,6 +112,7 @@ private:
     void take_reactions(std::vector<Vec6>& right);
     void heed_fracture(int element);
     bool breaks(int element, const beam::Flow* flow, int& end);
+    bool strained_as_never(int element, const beam::FractureStrains& strains);
     int weaker_end(int element, const beam::Flow* flow) const;
     SectionView view_of(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
     template <class Ask>
@@ -171,9 +173,9 @@ private:
     std::string failure_;
     std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator
     std::vector<Vec3> contact_position_;
-    std::vector<int> fracture_candidates_;       ///< elements that could break without flowing in the step
+    std::vector<int> fracture_candidates_;       ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
-    std::vector<int> flowing_, looked_at_;
+    std::vector<int> flowing_;
     std::vector<int> resting_;                   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
     std::unordered_map<int, Vec6> weight_at_rest_;  ///< F of those nodes
     Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};

@@ -46,26 +46,27 @@ void Dynamics::heed_fracture(int index) {
     if (e.fracture < 0 || in_candidates_[index] || state_.broken[index]) return;
     const FractureRule& rule = structure_->model().fracture()[e.fracture];
     if (within_reach(rule, e, beam::fracture_strains(state_.plastic[index], e.length)) ||
-        (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && state_.yielded[index])))) {
+        (rule.hook && (rule.where == Where::all || state_.yielded[index]))) {
         in_candidates_[index] = 1;
-        fracture_candidates_.push_back(index);
+        fracture_candidates_.insert(std::lower_bound(fracture_candidates_.begin(), fracture_candidates_.end(), index), index);
     }
 }
 
 /// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
 void Dynamics::fracture() {
     to_break_.clear();
-    std::vector<int>& look = looked_at_;
-    look.assign(fracture_candidates_.begin(), fracture_candidates_.end());
-    for (const Yielding& y : yielding_) look.push_back(y.element);
-    std::sort(look.begin(), look.end());
-    look.erase(std::unique(look.begin(), look.end()), look.end());
-    Flows flows(yielding_);
-    for (int e : look) {
-        const beam::Flow* flow = flows.of(e);
+    const auto look = [&](int e, const beam::Flow* flow) {
         int end = 0;
         if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, flow, end)) to_break_.push_back({e, end});
+    };
+    auto flowing = yielding_.begin();  // both rise
+    for (int e : fracture_candidates_) {
+        for (; flowing != yielding_.end() && flowing->element < e; ++flowing) look(flowing->element, &flowing->flow);
+        const bool flows = flowing != yielding_.end() && flowing->element == e;
+        look(e, flows ? &flowing->flow : nullptr);
+        flowing += flows;
     }
+    for (; flowing != yielding_.end(); ++flowing) look(flowing->element, &flowing->flow);
     for (std::size_t rule = 0; rule < structure_->model().fracture().size(); ++rule)
         if (structure_->model().fracture()[rule].batch) ask_batch(int(rule));
 }
@@ -86,21 +87,36 @@ bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) {
     const Vec6 elastic = stiffness_now(*structure_, state_, index).solve(force_[index]);
     Vec6 plastic = state_.plastic[index];
     if (flow) plastic += flow->plastic;
-    end = weaker_end(index, flow);
-    if (beam::reached(beam::fracture_strains(elastic + plastic, e.length), rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only)) return true;
+    const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
+    if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only)) return end = weaker_end(index, flow), true;
     if (!rule.hook) return false;
+    const bool news = rule.where == Where::plastic && strained_as_never(index, strains);
+    if (rule.where == Where::plastic && !flow && !news && !e.yield.elastic()) return false;
+    end = weaker_end(index, flow);
     for (int side : {end, 3 - end}) {
         const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
         const int bit = structure_->conventional() ? hinge_at_middle : side == 1 ? hinge_at_1 : hinge_at_2;
-        const bool asked = flows || e.yield.elastic() || rule.where == Where::all || (rule.where == Where::yielded && state_.yielded[index] & bit);
+        const bool asked = flows || e.yield.elastic() || rule.where == Where::all || ((rule.where == Where::yielded || news) && state_.yielded[index] & bit);
         if (!asked) continue;
+        const bool last = news && !flow;  // the other end is strained alike
         SectionView view = view_of(index, side, elastic, plastic, flow);
         view.plastic = flows;
         bool breaks = false;
         with_kept(index, side, view, [&] { breaks = rule.hook(view); });
         if (breaks) return end = side, true;
+        if (last) break;
     }
     return false;
+}
+
+/// Whether a strain of the element is larger than ever before; then it is the one to compare with from now on.
+bool Dynamics::strained_as_never(int index, const beam::FractureStrains& now) {
+    double* most = &state_.strained[3 * std::size_t(index)];
+    const double strain[3] = {std::abs(now.curvature_x), std::abs(now.curvature_y), std::abs(now.axial)};
+    if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) return false;
+    kept_before_.push_back({most, std::vector<double>(most, most + 3)});
+    for (int i = 0; i < 3; ++i) most[i] = std::max(most[i], strain[i]);
+    return true;
 }
 
 SectionView Dynamics::view_of(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {

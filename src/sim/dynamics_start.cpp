@@ -43,6 +43,8 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         has_rules_ = has_rules_ || rule.hook || rule.batch;
         kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
     }
+    const bool news = std::any_of(model.fracture().begin(), model.fracture().end(), [](const FractureRule& r) { return r.hook && r.where == FractureRule::Where::plastic; });
+    if (const std::size_t three = news ? 3 * elements : 0; state_.strained.size() != three) state_.strained.assign(three, 0);
     if (const std::size_t kept = 2 * elements * kept_a_section_; state_.kept.size() != kept) state_.kept.assign(kept, 0);
 
     stages_.push_back({"loads", "loads", &Dynamics::loads});

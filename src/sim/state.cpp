@@ -32,7 +32,8 @@ State initial_state(const Structure& structure) {
 
 std::uint64_t hash(const State& state) {
     std::uint64_t h = 14695981039346656037ull;
-    State::for_each_field(state, [&](const char*, const auto& array) {
+    State::for_each_field(state, [&](const char* name, const auto& array) {
+        if (std::strcmp(name, "strained") == 0) return;  // says what was asked, not how the structure is
         const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
         for (std::size_t i = 0, n = array.size() * sizeof(array[0]); i < n; ++i) h = (h ^ bytes[i]) * 1099511628211ull;
     });

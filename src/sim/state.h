@@ -49,6 +49,7 @@ struct State {
     std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
     std::vector<Vec3> stub;             ///< of broken elements: from the node that carries it to its free end, in that node's frame, m; empty until something breaks
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
+    std::vector<double> strained;       ///< where a fracture rule of the script is asked of plastic sections: the most of |curvature_x|, |curvature_y|, |axial strain| of each element
     std::vector<double> kept;           ///< what fracture rules of the script keep: of both ends of each element; empty where none does
 
     double time = 0;
@@ -63,7 +64,7 @@ struct State {
         f("displacement", s.displacement); f("rotation", s.rotation); f("turn", s.turn); f("velocity", s.velocity);
         f("acceleration", s.acceleration); f("held", s.held); f("hung", s.hung); f("plastic", s.plastic); f("force", s.force);
         f("point", s.point); f("plastic_work", s.plastic_work); f("hinge", s.hinge); f("yielded", s.yielded);
-        f("touched", s.touched); f("broken", s.broken); f("stub", s.stub); f("gone", s.gone); f("kept", s.kept);
+        f("touched", s.touched); f("broken", s.broken); f("stub", s.stub); f("gone", s.gone); f("strained", s.strained); f("kept", s.kept);
     }
 };
 
