@@ -359,6 +359,7 @@ void Dynamics::commit() {
 /// Whatever a step changes before it commits, beside what is tried.
 void Dynamics::remember() {
     kept_before_.clear();
+    strained_before_.clear();
     if (!undo_) undo_.emplace();
     undo_->contact = state_.contact;
     undo_->booked = state_.booked;
@@ -369,6 +370,7 @@ void Dynamics::remember() {
 /// A rule of the script failed: all as it was before the step.
 void Dynamics::take_back() {
     for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) std::copy(kept->before.begin(), kept->before.end(), kept->at);
+    for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     take_steps_of(undo_->pace.length);
     state_.contact = undo_->contact;
     state_.booked = undo_->booked;

@@ -12,11 +12,11 @@
 // Beta 0 with lumped masses is the central difference method: K drops out of eq 15, and the acceleration follows node by node.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <unordered_map>
 
-#include "beam/fracture.h"
 #include "core/built.h"
 #include "sim/mass.h"
 #include "sim/operator.h"
@@ -111,8 +111,10 @@ private:
     void note_fastest();
     void take_reactions(std::vector<Vec6>& right);
     void heed_fracture(int element);
-    bool breaks(int element, const beam::Flow* flow, int& end);
-    bool strained_as_never(int element, const beam::FractureStrains& strains);
+    bool breaks(int element, const beam::Flow* flow, bool news, int& end);
+    struct Watched { int element; double x[2], y[2], axial, per_length; };
+    Watched watch_strains(int element) const;
+    void list_news();
     int weaker_end(int element, const beam::Flow* flow) const;
     SectionView view_of(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
     template <class Ask>
@@ -181,6 +183,10 @@ private:
     Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};
     struct Break { int element, end; };
     std::vector<Break> to_break_;
+    std::vector<Watched> watched_;               ///< elements that have flowed and have a rule of the script's, rising
+    std::vector<int> news_;                      ///< of those, strained in this step as never before
+    struct Strained { double* at; std::array<double, 3> before; };
+    std::vector<Strained> strained_before_;      ///< in this step
     std::vector<std::vector<int>> rule_elements_;   ///< of each fracture rule; filled when a batch asks
     std::map<std::pair<int, int>, std::optional<contact::ContactSettings>> pair_rules_;   ///< what the script's rule said of two members
     /// A freedom of a support that moves: where it is now and was one and two steps ago, m; where the step takes it, m, m/s, m/s^2.

@@ -46,27 +46,57 @@ void Dynamics::heed_fracture(int index) {
     if (e.fracture < 0 || in_candidates_[index] || state_.broken[index]) return;
     const FractureRule& rule = structure_->model().fracture()[e.fracture];
     if (within_reach(rule, e, beam::fracture_strains(state_.plastic[index], e.length)) ||
-        (rule.hook && (rule.where == Where::all || state_.yielded[index]))) {
+        (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && state_.yielded[index])))) {
         in_candidates_[index] = 1;
         fracture_candidates_.insert(std::lower_bound(fracture_candidates_.begin(), fracture_candidates_.end(), index), index);
+    } else if (rule.hook && rule.where == Where::plastic && state_.yielded[index]) {
+        const auto at = std::lower_bound(watched_.begin(), watched_.end(), index, [](const Watched& w, int e) { return w.element < e; });
+        if (at == watched_.end() || at->element != index) watched_.insert(at, watch_strains(index));
     }
+}
+
+/// Of elements that have flowed before, those that are strained as never: what a script's rule is to be asked of without flow.
+void Dynamics::list_news() {
+    news_.clear();
+    for (Watched& w : watched_) {
+        const int i = w.element;
+        if (state_.broken[i]) continue;
+        if (structure_->model().options().shift == Shift::whole) w = watch_strains(i);  // its point may have moved
+        const Vec6 &p = force_[i], &plastic = state_.plastic[i];
+        const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
+                                  std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])), std::abs(w.axial * p[4] + w.per_length * plastic[4])};
+        double* most = &state_.strained[3 * std::size_t(i)];
+        if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) continue;
+        news_.push_back(i);
+        strained_before_.push_back({most, {most[0], most[1], most[2]}});
+        for (int c = 0; c < 3; ++c) most[c] = std::max(most[c], strain[c]);
+    }
+}
+
+/// Curvatures and axial strain of an element as factors of its forces, elastic; see Stiffness::solve.
+Dynamics::Watched Dynamics::watch_strains(int index) const {
+    const Element& e = structure_->elements()[index];
+    const beam::Stiffness k = stiffness_now(*structure_, state_, index);
+    const double x = (k.x11 * k.x22 - k.x12 * k.x12) * e.length, y = (k.y11 * k.y22 - k.y12 * k.y12) * e.length;
+    return {index, {-(k.x12 + k.x22) / x, (k.x11 + k.x12) / x}, {-(k.y12 + k.y22) / y, (k.y11 + k.y12) / y}, 1 / (k.axial * e.length), 1 / e.length};
 }
 
 /// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
 void Dynamics::fracture() {
     to_break_.clear();
-    const auto look = [&](int e, const beam::Flow* flow) {
+    list_news();
+    auto candidate = fracture_candidates_.begin();  // all three rise
+    auto news = news_.begin();
+    auto flowing = yielding_.begin();
+    constexpr int none = std::numeric_limits<int>::max();
+    while (true) {
+        const int c = candidate != fracture_candidates_.end() ? *candidate : none, n = news != news_.end() ? *news : none,
+                  f = flowing != yielding_.end() ? flowing->element : none, e = std::min({c, n, f});
+        if (e == none) break;
         int end = 0;
-        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, flow, end)) to_break_.push_back({e, end});
-    };
-    auto flowing = yielding_.begin();  // both rise
-    for (int e : fracture_candidates_) {
-        for (; flowing != yielding_.end() && flowing->element < e; ++flowing) look(flowing->element, &flowing->flow);
-        const bool flows = flowing != yielding_.end() && flowing->element == e;
-        look(e, flows ? &flowing->flow : nullptr);
-        flowing += flows;
+        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, f == e ? &flowing->flow : nullptr, n == e, end)) to_break_.push_back({e, end});
+        candidate += c == e, news += n == e, flowing += f == e;
     }
-    for (; flowing != yielding_.end(); ++flowing) look(flowing->element, &flowing->flow);
     for (std::size_t rule = 0; rule < structure_->model().fracture().size(); ++rule)
         if (structure_->model().fracture()[rule].batch) ask_batch(int(rule));
 }
@@ -81,7 +111,8 @@ int Dynamics::weaker_end(int index, const beam::Flow* flow) const {
     return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
 }
 
-bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) {
+/// `news`: the element is strained as never before.
+bool Dynamics::breaks(int index, const beam::Flow* flow, bool news, int& end) {
     const Element& e = structure_->elements()[index];
     const FractureRule& rule = structure_->model().fracture()[e.fracture];
     const Vec6 elastic = stiffness_now(*structure_, state_, index).solve(force_[index]);
@@ -90,8 +121,6 @@ bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) {
     const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
     if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only)) return end = weaker_end(index, flow), true;
     if (!rule.hook) return false;
-    const bool news = rule.where == Where::plastic && strained_as_never(index, strains);
-    if (rule.where == Where::plastic && !flow && !news && !e.yield.elastic()) return false;
     end = weaker_end(index, flow);
     for (int side : {end, 3 - end}) {
         const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
@@ -107,16 +136,6 @@ bool Dynamics::breaks(int index, const beam::Flow* flow, int& end) {
         if (last) break;
     }
     return false;
-}
-
-/// Whether a strain of the element is larger than ever before; then it is the one to compare with from now on.
-bool Dynamics::strained_as_never(int index, const beam::FractureStrains& now) {
-    double* most = &state_.strained[3 * std::size_t(index)];
-    const double strain[3] = {std::abs(now.curvature_x), std::abs(now.curvature_y), std::abs(now.axial)};
-    if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) return false;
-    kept_before_.push_back({most, std::vector<double>(most, most + 3)});
-    for (int i = 0; i < 3; ++i) most[i] = std::max(most[i], strain[i]);
-    return true;
 }
 
 SectionView Dynamics::view_of(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
