@@ -285,7 +285,8 @@ function model:fracture(rule) end
 ---@field step integer from 1
 ---@field member integer
 ---@field element integer
----@field end integer 1 or 2
+---@field end integer 1 or 2 of the element; written section["end"], end being a word of Lua
+---@field node integer? index of the joint that it is at; nil: it is inside its member
 ---@field group string? name of the member's first group
 ---@field plastic boolean fully plastic in this step
 ---@field curvature_x number 1/m
@@ -309,7 +310,7 @@ function model:fracture(rule) end
 ---@field broken number 0
 
 ---All elements of a fracture rule's members, always in the same order: `count` of them (also `#elements`), and for every field of a
----section an array with one number each; Mx, My, f_y and plastic have one for each end (Mx1, Mx2, ...; plastic 1 or 0). Broken
+---section an array with one number each; Mx, My, f_y, node and plastic have one for each end (Mx1, Mx2, ...; node 0 inside a member, plastic 1 or 0). Broken
 ---elements stay in their places, with broken = 1 and zeros. An array is the same table at every step, filled when it is asked for.
 ---@class hinge.element_list
 ---@field count integer

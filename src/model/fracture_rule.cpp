@@ -5,7 +5,7 @@ namespace hinge {
 const std::vector<std::string> section_field_names = {
     "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_curvature_y", "plastic_axial_strain", "plastic_twist",
     "curvature_rate_x", "curvature_rate_y", "axial_strain_rate", "twist_rate", "Mx", "My", "N", "Mz", "f_y", "plastic_work", "member", "element", "end",
-    "plastic", "broken", "time", "dt", "step"};
+    "node", "plastic", "broken", "time", "dt", "step"};
 
 double value_of(const SectionView& v, SectionField field) {
     switch (field) {
@@ -30,6 +30,7 @@ double value_of(const SectionView& v, SectionField field) {
         case SectionField::member: return v.member + 1;
         case SectionField::element: return v.element + 1;
         case SectionField::end: return v.end;
+        case SectionField::node: return v.node + 1;
         case SectionField::plastic: return v.plastic;
         case SectionField::broken: return 0;
         case SectionField::time: return v.time;
@@ -40,7 +41,7 @@ double value_of(const SectionView& v, SectionField field) {
 }
 
 bool at_ends(SectionField field) {
-    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y || field == SectionField::plastic;
+    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y || field == SectionField::node || field == SectionField::plastic;
 }
 
 }  // namespace hinge

@@ -14,6 +14,7 @@ struct SectionView {
     double time, dt;               ///< s, of the step's end; of the step
     double step;                   ///< from 1
     int member, element, end;      ///< numbers from 0; end 1 or 2 of the element
+    int node;                      ///< the joint that the section is at, from 0; -1 inside the member
     double curvature_x, curvature_y, axial_strain, twist;                                   ///< 1/m, -, 1/m: elastic and plastic
     double plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist;   ///< what of them stays
     double curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate;               ///< 1/(m s), 1/s, over the step
@@ -28,10 +29,10 @@ using FractureHook = std::function<bool(const SectionView&)>;
 /// What can be read of a section, as numbers; in the order of section_field_names.
 enum class SectionField : int {
     curvature_x, curvature_y, axial_strain, twist, plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist,
-    curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate, Mx, My, N, Mz, f_y, plastic_work, member, element, end, plastic, broken, time, dt, step
+    curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate, Mx, My, N, Mz, f_y, plastic_work, member, element, end, node, plastic, broken, time, dt, step
 };
 extern const std::vector<std::string> section_field_names;
-double value_of(const SectionView& view, SectionField field);   ///< member and element from 1, plastic 1 or 0, as a script counts
+double value_of(const SectionView& view, SectionField field);   ///< member, element and node from 1 (0: no node), plastic 1 or 0, as a script counts
 
 /// All elements of a rule's members at once, with the sections at both ends: always the same ones in the same order.
 class ElementList {
@@ -44,7 +45,7 @@ public:
     /// `count` numbers, 0 where the element is broken; `end` 1 or 2, for what the two sections have different (at_ends).
     virtual void read(SectionField field, int end, double* out) const = 0;
 };
-bool at_ends(SectionField field);   ///< Mx, My, f_y, plastic
+bool at_ends(SectionField field);   ///< Mx, My, f_y, node, plastic
 /// Fills `breaks` with the places in the list of the elements that break: at the section that flows, else at the one nearer to it.
 using FractureBatch = std::function<void(const ElementList&, std::vector<int>& breaks)>;
 

@@ -69,6 +69,7 @@ int view_get(lua_State* L) {
     const double value = value_of(*v, SectionField(field));
     switch (SectionField(field)) {
         case SectionField::plastic: lua_pushboolean(L, v->plastic); break;
+        case SectionField::node: v->node < 0 ? lua_pushnil(L) : lua_pushinteger(L, v->node + 1); break;
         case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: lua_pushinteger(L, lua_Integer(value)); break;
         default: lua_pushnumber(L, value);
     }
@@ -106,7 +107,7 @@ int list_get(lua_State* L) {
     if (key == "time") return lua_pushnumber(L, box.now->time()), 1;
     if (key == "dt") return lua_pushnumber(L, box.now->dt()), 1;
     if (key == "step") return lua_pushinteger(L, box.now->step()), 1;
-    if (place < 0) no_field(L, "elements", {"count", "Mx1", "Mx2", "My1", "My2", "f_y1", "f_y2", "plastic1", "plastic2"});
+    if (place < 0) no_field(L, "elements", {"count", "Mx1", "Mx2", "My1", "My2", "f_y1", "f_y2", "node1", "node2", "plastic1", "plastic2"});
     lua_getiuservalue(L, 1, 1);  // the arrays, by place
     const bool there = lua_rawgeti(L, -1, place + 1) == LUA_TTABLE;
     if (there && box.filled[place]) return 1;

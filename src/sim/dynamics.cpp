@@ -308,8 +308,10 @@ void Dynamics::commit() {
     }
     if (with_fracture())
         for (const Yielding& y : yielding_) heed_fracture(y.element);
-    if (built::fracture && !to_break_.empty())
+    if (built::fracture && !to_break_.empty()) {
+        wake_bodies();
         right_.assign(nodal_.size(), Vec6::Zero());  // what breaking asks of the nodes
+    }
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
         const BreakReport report = break_off(*structure_, state_, element, end, right_);

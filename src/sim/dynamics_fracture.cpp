@@ -14,6 +14,9 @@ namespace {
 
 using Where = FractureRule::Where;
 
+/// The script's node at an end of an element, -1 inside a member.
+int joint_at(const Structure& s, const Element& e, int end) { return e.node[end - 1] < int(s.model().nodes().size()) ? e.node[end - 1] : -1; }
+
 double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
 
 /// Whether limits alone could be met by elastic strain on top of the plastic one. (Elastic curvature is a mean of the two end
@@ -146,7 +149,7 @@ SectionView Dynamics::view_of(int index, int side, const Vec6& elastic, const Ve
     const double r = side == 1 ? -1 : 1;
     SectionView v{};
     v.time = state_.time + settings_.dt, v.dt = settings_.dt, v.step = double(state_.step + 1);
-    v.member = e.member, v.element = index, v.end = side;
+    v.member = e.member, v.element = index, v.end = side, v.node = joint_at(*structure_, e, side);
     v.curvature_x = now.curvature_x, v.curvature_y = now.curvature_y, v.axial_strain = now.axial, v.twist = now.twist;
     v.plastic_curvature_x = stays.curvature_x, v.plastic_curvature_y = stays.curvature_y, v.plastic_axial_strain = stays.axial, v.plastic_twist = stays.twist;
     v.curvature_rate_x = rate.curvature_x, v.curvature_rate_y = rate.curvature_y, v.axial_strain_rate = rate.axial, v.twist_rate = rate.twist;
@@ -232,6 +235,7 @@ void Dynamics::Asked::read(SectionField field, int end, double* out) const {
                 case SectionField::member: return e.member + 1;
                 case SectionField::element: return index + 1;
                 case SectionField::end: return end;
+                case SectionField::node: return joint_at(*run_.structure_, e, end) + 1;
                 case SectionField::broken: return broken;
                 case SectionField::plastic_work: return run_.state_.plastic_work[index] + (flow ? flow->dissipation : 0);
                 case SectionField::time: return time();

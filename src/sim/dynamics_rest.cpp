@@ -69,20 +69,22 @@ void Dynamics::let_rest() {
     if (operator_) operator_->leave_out(resting_);
 }
 
-/// Contact has found something that reaches a body at rest: it takes part again.
+/// A body at rest that something reaches, or that breaks, takes part again.
 void Dynamics::wake_bodies() {
     if (resting_.empty()) return;
     std::vector<int> woken;
-    const auto heed = [&](const auto& pairs) {
-        for (const auto& pair : pairs)
-            for (int e : pair.element)
-                if (const int b = resting_[structure_->elements()[e].node[0]]; b >= 0 && std::find(woken.begin(), woken.end(), b) == woken.end()) {
-                    woken.push_back(b);
-                    note_waking("body", true, "it was at rest; reached at " + structure_->element_name(e));
-                }
+    const auto heed = [&](int e, const char* what) {
+        const int b = resting_[structure_->elements()[e].node[0]];
+        if (b < 0 || std::find(woken.begin(), woken.end(), b) != woken.end()) return;
+        woken.push_back(b);
+        note_waking("body", true, std::string("it was at rest; ") + what + " at " + structure_->element_name(e));
     };
-    heed(state_.contact->touches());
-    heed(state_.contact->bonds());
+    const auto heed_pairs = [&](const auto& pairs) {
+        for (const auto& pair : pairs)
+            for (int e : pair.element) heed(e, "reached");
+    };
+    for (const auto& [element, end] : to_break_) heed(element, "broken");
+    if (with_contact()) heed_pairs(state_.contact->touches()), heed_pairs(state_.contact->bonds());
     if (woken.empty()) return;
     const auto wakes = [&](int node) { return resting_[node] >= 0 && std::find(woken.begin(), woken.end(), resting_[node]) != woken.end(); };
     for (std::size_t e = 0; e < structure_->elements().size(); ++e)

@@ -179,4 +179,18 @@ do
   text(kept[1][4], "the run made at ... of a model that was closed at ...")
 end
 
+-- A fracture rule is told which joint a section is at; inside a member there is none.
+do
+  local model, n, m = portal()
+  local at, lists = {}, {}
+  model:fracture { where = "all", group = "posts", rule = function(section)
+    if section.member == m[1].index then at[#at + 1] = tostring(section.node) end
+  end }
+  model:fracture { group = "beams", batch = function(elements) lists = { elements.node1[1], elements.node2[1], elements.node1[2], elements.node2[elements.count] } end }
+  model:dynamic { dt = 1e-5, duration = 1e-5 }:finish()
+  table.sort(at)
+  checks.equal(table.concat(at, " "), "1 2 nil nil", "the joints of a post's sections")
+  checks.equal(table.concat({ lists[1], lists[2], lists[3], lists[4] }, " "), "2.0 0.0 0.0 3.0", "the joints of a beam's elements, as arrays")
+end
+
 checks.done()

@@ -174,6 +174,32 @@ do
   expect(math.abs(start[5]) > 1e-5, "a moment in equilibrium: the corner has turned by %g", start[5])
 end
 
+-- A beam at rest on three posts loses the middle one: it wakes, and falls as if it had never rested.
+do
+  local function robbed(rest)
+    local model = hinge.model {}
+    local head
+    for i = 0, 2 do
+      local foot, top = model:node { 3 * i, 0, 0 }, model:node { 3 * i, 0, 3 }
+      model:fix(foot)
+      model:member { foot, top, section = bar, material = elastic, group = i == 1 and "middle" or "sides" }
+      if head then model:member { head, top, section = bar, material = elastic } end
+      head = top
+    end
+    model:gravity { 0, 0, -9.80665 }
+    local post = model:group "middle":members()[1]
+    model:fracture { group = "middle", where = "all", rule = function(s) return s.time >= 2e-3 and s.node == post.b.index end }
+    local run = completed(model:dynamic { from = model:static():finish(), dt = 1e-4, duration = 0.1, rest = rest }, "a post lost")
+    return run, select(3, post.b:displacement(run))
+  end
+  local run, depth = robbed(true)
+  local _, exact = robbed(false)
+  local woken = waking(run, "body", true)
+  expect(woken and support.says(woken.why, "it was at rest; broken at element ...") and math.abs(woken.time - 2e-3) < 2e-4, "a post lost: woken by %s", woken and woken.why)
+  expect(exact < -5e-4 and math.abs(depth / exact - 1) < 1e-6, "a post lost: the head falls by %g m, without rest by %g m", depth, exact)
+  expect(math.abs(run.energy.remainder) < 1e-6 * -run.energy.gravity, "a post lost: remainder %g J", run.energy.remainder)
+end
+
 -- Contact between looks ---------------------------------------------------------------------------------------------------
 
 -- Case I of the ten-storey impact, from its rest; `rule` goes to model:contact.

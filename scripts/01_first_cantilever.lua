@@ -1,8 +1,8 @@
 -- How far does the tip of a cantilever go?
 --
--- Run     hinge run scripts/first_beam.lua
+-- Run     hinge run scripts/01_first_cantilever.lua
 -- Shows   a square steel bar, 1 m long, 50 mm thick, clamped at one end and pushed down at the other
--- Expect  3.112854 mm for 1 kN: P L^3 / (3 E I) + P L / (k G A)
+-- Expect  tip_mm = 3.112854 within 0.00002 %       P L^3 / (3 E I) + P L / (k G A) for P = 1 kN
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
