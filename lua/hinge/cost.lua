@@ -1,0 +1,254 @@
+-- What accuracy costs in time: a scenario over its accuracy settings, each compared with a reference that is tested itself.
+--
+-- Every setting runs in this process, with models of its own: a scenario is a function of this Lua state, its start-up is then in
+-- no time, and runs of different settings can take turns. The most memory held is counted anew for each (/proc/self/clear_refs).
+local check = require "hinge.check"
+local scenarios = require "hinge.scenario"
+local benches = require "hinge.cost.bench"
+local judge = require "hinge.cost.judge"
+local ladder = require "hinge.cost.ladder"
+
+local cost = {}
+local where = "hinge.cost"
+local perturbations = 3
+local least_scatter = 1e-6 -- of an answer: what stays below is rounding, however strict `within` is
+
+local rules = {
+  within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true }, case = { "string", optional = true },
+  parameters = { "table", default = {} }, budget = { "number", unit = "s", above = 0, optional = true },
+  repeats = { "number", whole = true, at_least = 1, default = 3 }, out = { "string", optional = true },
+  accuracy = { "table", optional = true }, finer = { "table", default = {} }, orders = { "table", default = {} },
+  perturbation = { "number", above = 0, below = 1e-3, default = 1e-9 }, progress = { "boolean", default = false },
+}
+
+local function references(knobs, compared)
+  return { ladder.reference(knobs, compared, 1), ladder.reference(knobs, compared, 2) }
+end
+
+-- The setting whose numbers are changed a little: the scenario's default, or the most laborious where that was not reached.
+local function default_of(knobs, compared)
+  for _, s in ipairs(compared) do
+    local all = true
+    for _, knob in ipairs(knobs) do all = all and s.values[knob.name] == knob.values[1] end
+    if all then return s end
+  end
+  return compared[#compared]
+end
+
+-- Seconds that the references of these settings and the changed runs would take.
+local function still_to_come(bench, knobs, compared)
+  local seconds = 0
+  for _, r in ipairs(references(knobs, compared)) do seconds = seconds + bench:estimate(r) end
+  local default = default_of(knobs, compared)
+  for turn = 1, perturbations do
+    if not bench:record(default, turn) then seconds = seconds + math.max(bench:estimate(default, turn), bench:estimate(compared[#compared], turn)) end
+  end
+  return seconds
+end
+
+-- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget. Returns those that have
+-- an answer, those that failed, and those left out.
+local function run_settings(bench, knobs, settings)
+  local compared, failed, left_out, first_fits = {}, {}, {}, true
+  for i, s in ipairs(settings) do
+    local with = table.move(compared, 1, #compared, 1, {})
+    with[#with + 1] = s
+    local own = bench:estimate(s)
+    local rest = #compared > 0 and still_to_come(bench, knobs, with) or 0
+    if #compared == 1 then first_fits = bench:fits(still_to_come(bench, knobs, compared)) end
+    bench:progress(s.label, i - 1, #settings, own + rest)
+    local fits = #compared == 0 or bench:fits(own + (first_fits and rest or 0))
+    local record = (bench:record(s) or fits and bench:fits(0)) and bench:run(s)
+    if not record then
+      left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest }
+    elseif record.failed then
+      s.failed = record.failed
+      failed[#failed + 1] = s
+    else
+      s.record = record
+      compared[#compared + 1] = s
+    end
+  end
+  return compared, failed, left_out
+end
+
+-- The two references with their answers, or nil and why not.
+local function run_references(bench, knobs, compared)
+  local refs = references(knobs, compared)
+  for i, r in ipairs(refs) do
+    local estimate = still_to_come(bench, knobs, compared)
+    bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
+    if not bench:record(r) and not bench:fits(bench:estimate(r)) then
+      return nil, ("the budget leaves no time for the reference (%s), about %.2g s with what belongs to it; the next call goes on with a larger one")
+        :format(r.label, estimate)
+    end
+    r.record = bench:run(r)
+    if not r.record then return nil, ("the budget ended in the reference (%s); give the next call a larger one"):format(r.label) end
+    if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
+  end
+  return refs
+end
+
+-- By name, how far the default's answers scatter when every number that is not whole changes by a part of 1e-9; nil where none could be changed.
+local function scatter_of(bench, knobs, compared)
+  local default = default_of(knobs, compared)
+  local _, changed = bench:parameters(default, 1)
+  if changed == 0 then return nil, "no number of the scenario could be changed a little, so chaos was not looked for" end
+  local scatter = {}
+  for turn = 1, perturbations do
+    bench:progress("changed by a trifle, " .. default.label, turn - 1, perturbations, (perturbations - turn + 1) * bench:estimate(default, turn))
+    local record = (bench:record(default, turn) or bench:fits(bench:estimate(default, turn))) and bench:run(default, turn)
+    if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
+    for name, answer in pairs(default.record.answers) do
+      scatter[name] = math.max(scatter[name] or 0, record.failed and math.huge or judge.error(record.answers[name], answer))
+    end
+  end
+  return scatter
+end
+
+-- Times everything again, one after the other so that a slow moment of the machine meets all of them.
+local function time_by_turns(bench, compared, repeats)
+  local moving = {}
+  for _, s in ipairs(compared) do
+    for name in pairs(s.record.moving or {}) do moving[name] = true end
+  end
+  for round = 2, repeats do
+    for i, s in ipairs(compared) do
+      local seconds = s.record.seconds
+      if #seconds < round and bench:fits(seconds[1] + s.record.outside) then
+        bench:progress(("timing %d of %d, %s"):format(round, repeats, s.label), i - 1, #compared, (repeats - round + 1) * seconds[1])
+        bench:time_again(s, moving)
+      end
+    end
+  end
+  return moving
+end
+
+-- What is known of every answer: whether it can be trusted to `within`, and if not why.
+local function judge_answers(refs, scatter, moving, compared, within)
+  local quantities = {}
+  local sample = refs and refs[2].record.answers or compared[#compared].record.answers
+  for name, answer in pairs(sample) do
+    local agreement = refs and judge.error(refs[1].record.answers[name], answer) or nil
+    local spread = scatter and scatter[name] or nil
+    local state = moving[name] and "moving" or spread and spread > math.max(within / 2, least_scatter) and "chaotic"
+      or not refs and "unknown" or agreement > within / 2 and "unsettled" or "sound"
+    quantities[name] = { state = state, agreement = agreement, scatter = spread, value = type(answer) == "number" and answer or nil,
+      kind = type(answer) == "number" and "number" or "history" }
+  end
+  return quantities
+end
+
+local function set_errors(compared, refs, quantities, chosen)
+  for _, s in ipairs(compared) do
+    s.errors = {}
+    for name, q in pairs(quantities) do
+      if q.state == "sound" then
+        local error = judge.error(s.record.answers[name], refs[2].record.answers[name])
+        s.errors[name] = error
+        local bounded = math.max(error, q.agreement)
+        if (not chosen or chosen == name) and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
+          s.error, s.worst, s.below = bounded, name, error < q.agreement
+        end
+      end
+    end
+  end
+end
+
+-- For each knob whose finer side is known, the order at which answers converge along it, all others at their finest; by the finest three.
+local function orders_of(knobs, compared, refs, quantities, chosen)
+  local orders, sided = {}, 0
+  for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
+  for _, knob in ipairs(knobs) do
+    if knob.side then
+      local line = {}
+      for _, s in ipairs(compared) do
+        local along = true
+        for _, other in ipairs(knobs) do along = along and (other == knob or s.values[other.name] == ladder.finest(other, compared)) end
+        if along then line[#line + 1] = s end
+      end
+      if sided == 1 and refs then table.move(refs, 1, 2, #line + 1, line) end
+      table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
+      local found, all, n = {}, {}, #line
+      for name, q in pairs(quantities) do
+        if n >= 3 and q.state == "sound" and (not chosen or chosen == name) then
+          local h, answers = {}, {}
+          for i = 1, 3 do
+            h[i] = 1 / ladder.finer(knob, line[n - 3 + i].values[knob.name], line[n - 2].values[knob.name])
+            answers[i] = line[n - 3 + i].record.answers[name]
+          end
+          found[name] = judge.order(h, answers)
+          all[#all + 1] = found[name]
+        end
+      end
+      orders[knob.name] = { observed = judge.median(all), theory = knob.side.order, why = knob.side.why, quantities = found,
+        note = n < 3 and "three values of it are needed, with all else at its finest" or nil }
+    end
+  end
+  return orders
+end
+
+local function finish(compared, within)
+  local cheapest, items = math.huge, {}
+  for i, s in ipairs(compared) do
+    local r = s.record
+    s.seconds, s.times, s.outside, s.stages, s.memory, s.remainder = judge.median(r.seconds), r.seconds, r.outside, r.stages, r.memory, r.remainder
+    cheapest = math.min(cheapest, s.seconds)
+    items[i] = { time = s.seconds, error = s.error, setting = s }
+  end
+  local front = {}
+  for i, item in ipairs(judge.front(items)) do front[i], item.setting.front = item.setting, true end
+  table.sort(compared, function(a, b) return a.seconds < b.seconds end)
+  local best
+  for _, s in ipairs(compared) do
+    s.ratio, s.front = s.seconds / cheapest, s.front or false
+    s.meets = s.error ~= nil and s.error <= within
+    best = best or s.meets and s or nil
+    s.answers, s.record, s.weight, s.place = s.record.answers, nil, nil, nil
+  end
+  return front, best
+end
+
+local function parameters_of(scenario, o)
+  local base = scenario:values(o.case)
+  for name, value in pairs(o.parameters) do
+    local default = scenario.parameters[name]
+    if default == nil then check.unknown(where .. ": parameters", "parameter", name, check.keys(scenario.parameters)) end
+    if type(value) ~= type(default) then check.fail("%s: parameter %s is %s; must be a %s, like its default", where, name, check.show(value), type(default)) end
+    base[name] = value
+  end
+  return base
+end
+
+--- hinge.cost: see hinge.d.lua.
+function cost.compare(scenario, options)
+  if not scenarios.is(scenario) then check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario)) end
+  local o = check.options(where, options, rules)
+  local knobs = ladder.knobs(where, scenario, o, o.parameters)
+  local bench = benches.open(scenario, parameters_of(scenario, o), knobs, o)
+  local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
+  if #compared == 0 then
+    check.fail("%s: %s", where, failed[1] and "no setting has an answer: " .. failed[1].failed or "the budget is over before the first setting is; give a larger one")
+  end
+  local notes = {}
+  local refs, problem = run_references(bench, knobs, compared)
+  notes[#notes + 1] = problem
+  local scatter, silent = scatter_of(bench, knobs, compared)
+  notes[#notes + 1] = silent
+  local moving = time_by_turns(bench, compared, o.repeats)
+  local quantities = judge_answers(refs, scatter, moving, compared, o.within)
+  if o.quantity and not quantities[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities)) end
+  if refs then set_errors(compared, refs, quantities, o.quantity) end
+  local orders = orders_of(knobs, compared, refs, quantities, o.quantity)
+  local front, best = finish(compared, o.within)
+  for i, r in ipairs(refs or {}) do refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers } end
+  local result = {
+    within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation, knobs = knobs, settings = compared, failed = failed, left_out = left_out,
+    references = refs, quantities = quantities, orders = orders, front = front, cheapest = best, notes = notes,
+    complete = #left_out == 0 and refs ~= nil, elapsed = bench:elapsed(),
+  }
+  if o.out then require "hinge.cost.report".write(result, o.out) end
+  return result
+end
+
+return cost
