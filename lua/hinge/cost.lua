@@ -7,11 +7,12 @@ local scenarios = require "hinge.scenario"
 local benches = require "hinge.cost.bench"
 local judge = require "hinge.cost.judge"
 local ladder = require "hinge.cost.ladder"
+local verdict = require "hinge.cost.verdict"
 
 local cost = {}
 local where = "hinge.cost"
 local perturbations = 3
-local least_scatter = 1e-6 -- of an answer: what stays below is rounding, however strict `within` is
+local enough, most_repeats = 0.1, 21 -- s; what takes less is timed more often, until all its times together are that long
 
 local rules = {
   within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true }, case = { "string", optional = true },
@@ -46,21 +47,22 @@ local function still_to_come(bench, knobs, compared)
   return seconds
 end
 
--- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget. Returns those that have
--- an answer, those that failed, and those left out.
+-- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that does not even fit
+-- for those that there are, while they fit themselves. Returns those that have an answer, those that failed, and those left out.
 local function run_settings(bench, knobs, settings)
-  local compared, failed, left_out, first_fits = {}, {}, {}, true
+  local compared, failed, left_out = {}, {}, {}
+  local function leave_out(s, own, rest) left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest } end
   for i, s in ipairs(settings) do
     local with = table.move(compared, 1, #compared, 1, {})
     with[#with + 1] = s
     local own = bench:estimate(s)
     local rest = #compared > 0 and still_to_come(bench, knobs, with) or 0
-    if #compared == 1 then first_fits = bench:fits(still_to_come(bench, knobs, compared)) end
+    local comparable = #compared > 0 and bench:fits(still_to_come(bench, knobs, compared))
     bench:progress(s.label, i - 1, #settings, own + rest)
-    local fits = #compared == 0 or bench:fits(own + (first_fits and rest or 0))
+    local fits = #compared == 0 or bench:fits(own + (comparable and rest or 0))
     local record = (bench:record(s) or fits and bench:fits(0)) and bench:run(s)
     if not record then
-      left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest }
+      leave_out(s, own, rest)
     elseif record.failed then
       s.failed = record.failed
       failed[#failed + 1] = s
@@ -68,6 +70,12 @@ local function run_settings(bench, knobs, settings)
       s.record = record
       compared[#compared + 1] = s
     end
+  end
+  local fewer = #compared -- the most settings whose references fit
+  while fewer > 0 and not bench:fits(still_to_come(bench, knobs, table.move(compared, 1, fewer, 1, {}))) do fewer = fewer - 1 end
+  for _ = 1, fewer > 0 and #compared - fewer or 0 do
+    leave_out(compared[#compared], 0, still_to_come(bench, knobs, compared))
+    compared[#compared] = nil
   end
   return compared, failed, left_out
 end
@@ -87,6 +95,20 @@ local function run_references(bench, knobs, compared)
     if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
   end
   return refs
+end
+
+-- Settings and references as many as fit. With the references measured there may be room for more settings, which are then tried; where
+-- their references do not fit after all, what was compared before stands.
+local function compare_within(bench, knobs)
+  local found
+  repeat
+    local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
+    local refs, problem
+    if #compared > 0 then refs, problem = run_references(bench, knobs, compared) end
+    local more = not found or refs and #compared > #found[1]
+    if more then found = table.pack(compared, failed, left_out, refs, problem) end
+  until not more or not refs or #left_out == 0
+  return table.unpack(found, 1, 5)
 end
 
 -- By name, how far the default's answers scatter when every number that is not whole changes by a part of 1e-9; nil where none could be changed.
@@ -112,101 +134,19 @@ local function time_by_turns(bench, compared, repeats)
   for _, s in ipairs(compared) do
     for name in pairs(s.record.moving or {}) do moving[name] = true end
   end
-  for round = 2, repeats do
+  local again = {}
+  for round = 2, repeats > 1 and most_repeats or 1 do
     for i, s in ipairs(compared) do
       local seconds = s.record.seconds
-      if #seconds < round and bench:fits(seconds[1] + s.record.outside) then
-        bench:progress(("timing %d of %d, %s"):format(round, repeats, s.label), i - 1, #compared, (repeats - round + 1) * seconds[1])
+      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough) and bench:fits(seconds[1] + s.record.outside) then
+        bench:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared, math.max(1, repeats - round + 1) * seconds[1])
         bench:time_again(s, moving)
+        again[s] = true
       end
     end
   end
+  for s in pairs(again) do bench:keep(s) end
   return moving
-end
-
--- What is known of every answer: whether it can be trusted to `within`, and if not why.
-local function judge_answers(refs, scatter, moving, compared, within)
-  local quantities = {}
-  local sample = refs and refs[2].record.answers or compared[#compared].record.answers
-  for name, answer in pairs(sample) do
-    local agreement = refs and judge.error(refs[1].record.answers[name], answer) or nil
-    local spread = scatter and scatter[name] or nil
-    local state = moving[name] and "moving" or spread and spread > math.max(within / 2, least_scatter) and "chaotic"
-      or not refs and "unknown" or agreement > within / 2 and "unsettled" or "sound"
-    quantities[name] = { state = state, agreement = agreement, scatter = spread, value = type(answer) == "number" and answer or nil,
-      kind = type(answer) == "number" and "number" or "history" }
-  end
-  return quantities
-end
-
-local function set_errors(compared, refs, quantities, chosen)
-  for _, s in ipairs(compared) do
-    s.errors = {}
-    for name, q in pairs(quantities) do
-      if q.state == "sound" then
-        local error = judge.error(s.record.answers[name], refs[2].record.answers[name])
-        s.errors[name] = error
-        local bounded = math.max(error, q.agreement)
-        if (not chosen or chosen == name) and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
-          s.error, s.worst, s.below = bounded, name, error < q.agreement
-        end
-      end
-    end
-  end
-end
-
--- For each knob whose finer side is known, the order at which answers converge along it, all others at their finest; by the finest three.
-local function orders_of(knobs, compared, refs, quantities, chosen)
-  local orders, sided = {}, 0
-  for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
-  for _, knob in ipairs(knobs) do
-    if knob.side then
-      local line = {}
-      for _, s in ipairs(compared) do
-        local along = true
-        for _, other in ipairs(knobs) do along = along and (other == knob or s.values[other.name] == ladder.finest(other, compared)) end
-        if along then line[#line + 1] = s end
-      end
-      if sided == 1 and refs then table.move(refs, 1, 2, #line + 1, line) end
-      table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
-      local found, all, n = {}, {}, #line
-      for name, q in pairs(quantities) do
-        if n >= 3 and q.state == "sound" and (not chosen or chosen == name) then
-          local h, answers = {}, {}
-          for i = 1, 3 do
-            h[i] = 1 / ladder.finer(knob, line[n - 3 + i].values[knob.name], line[n - 2].values[knob.name])
-            answers[i] = line[n - 3 + i].record.answers[name]
-          end
-          found[name] = judge.order(h, answers)
-          all[#all + 1] = found[name]
-        end
-      end
-      orders[knob.name] = { observed = judge.median(all), theory = knob.side.order, why = knob.side.why, quantities = found,
-        note = n < 3 and "three values of it are needed, with all else at its finest" or nil }
-    end
-  end
-  return orders
-end
-
-local function finish(compared, within)
-  local cheapest, items = math.huge, {}
-  for i, s in ipairs(compared) do
-    local r = s.record
-    s.seconds, s.times, s.outside, s.stages, s.memory, s.remainder = judge.median(r.seconds), r.seconds, r.outside, r.stages, r.memory, r.remainder
-    cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.error, setting = s }
-  end
-  local front = {}
-  for i, item in ipairs(judge.front(items)) do front[i], item.setting.front = item.setting, true end
-  table.sort(compared, function(a, b) return a.seconds < b.seconds end)
-  local best
-  for _, s in ipairs(compared) do
-    s.ratio, s.front = s.seconds / cheapest, s.front or false
-    s.meets = s.error ~= nil and s.error <= within
-    best = best or s.meets and s or nil
-    s.answers, s.record, s.weight, s.place = s.record.answers, nil, nil, nil
-  end
-  return front, best
 end
 
 local function parameters_of(scenario, o)
@@ -226,21 +166,19 @@ function cost.compare(scenario, options)
   local o = check.options(where, options, rules)
   local knobs = ladder.knobs(where, scenario, o, o.parameters)
   local bench = benches.open(scenario, parameters_of(scenario, o), knobs, o)
-  local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
+  local compared, failed, left_out, refs, problem = compare_within(bench, knobs)
   if #compared == 0 then
     check.fail("%s: %s", where, failed[1] and "no setting has an answer: " .. failed[1].failed or "the budget is over before the first setting is; give a larger one")
   end
-  local notes = {}
-  local refs, problem = run_references(bench, knobs, compared)
-  notes[#notes + 1] = problem
+  local notes = { problem }
   local scatter, silent = scatter_of(bench, knobs, compared)
   notes[#notes + 1] = silent
   local moving = time_by_turns(bench, compared, o.repeats)
-  local quantities = judge_answers(refs, scatter, moving, compared, o.within)
+  local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
   if o.quantity and not quantities[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities)) end
-  if refs then set_errors(compared, refs, quantities, o.quantity) end
-  local orders = orders_of(knobs, compared, refs, quantities, o.quantity)
-  local front, best = finish(compared, o.within)
+  if refs then verdict.errors(compared, refs, quantities, o.quantity) end
+  local orders = verdict.orders(knobs, compared, refs, quantities, o.quantity)
+  local front, best = verdict.front(compared, o.within)
   for i, r in ipairs(refs or {}) do refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers } end
   local result = {
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation, knobs = knobs, settings = compared, failed = failed, left_out = left_out,

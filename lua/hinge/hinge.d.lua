@@ -562,7 +562,7 @@ function hinge.cost(scenario, options) end
 ---@field case? string
 ---@field parameters? table<string, any> changes of the scenario's; an accuracy setting among them is held
 ---@field budget? number s; cheap settings come first, and none is begun that does not fit with the references that it needs. The plot comes on top, a second or so. Default: no end
----@field repeats? integer how often each setting is timed, by turns; default 3
+---@field repeats? integer how often each setting is timed, by turns; default 3. More than 1: short ones more often, up to 21 times or 0.1 s
 ---@field out? string folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the script's content, the settings and hinge's version; default: nothing is written
 ---@field accuracy? table<string, any[]> in the place of the scenario's own; where neither is given, those of its parameters that are called dt, elements_per_member, formulation and the like
 ---@field finer? table<string, string> "smaller" or "larger" is finer, of numbers with names of your own; others are varied, but the reference has their default
@@ -600,7 +600,7 @@ function hinge.cost(scenario, options) end
 ---@field times number[]
 ---@field ratio number over the cheapest setting's
 ---@field outside number s in the rest: models, what the script does itself
----@field stages table<string, number> s by stage of a step, of the first time
+---@field stages table<string, number> s by stage of a step, of the shortest time
 ---@field memory? number bytes, the most that it held
 ---@field remainder number the largest energy remainder of its runs over the energy at the start and the work at the end
 ---@field front boolean

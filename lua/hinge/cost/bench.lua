@@ -39,13 +39,33 @@ end
 
 function Bench:record(setting, turn) return self.store:get(self:key(setting, turn or 0)) end
 
---- Seconds that a setting would take once: as measured, or as the finished one nearest to it in work did. 0 while nothing is known.
+-- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else what is usual,
+-- corrected by how the time of all grew with what is usual.
+function Bench:growth(knob)
+  local found, all = {}, {}
+  for i, a in ipairs(self.paces) do
+    for j = 1, i - 1 do
+      local b = self.paces[j]
+      local alone = a.values[knob.name] ~= b.values[knob.name]
+      for _, other in ipairs(self.knobs) do alone = alone and (other == knob or a.values[other.name] == b.values[other.name]) end
+      if a.weight ~= b.weight then all[#all + 1] = math.log(a.seconds / b.seconds) / math.log(a.weight / b.weight) end
+      if alone then found[#found + 1] = math.log(a.seconds / b.seconds) / math.log(ladder.finer(knob, a.values[knob.name], b.values[knob.name])) end
+    end
+  end
+  return math.max(0, judge.median(found) or knob.side.work * (judge.median(all) or 1))
+end
+
+--- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and for what is finished.
 function Bench:estimate(setting, turn)
-  if self:record(setting, turn) then return 0 end
-  local nearest, seconds = math.huge, 0
+  if self:record(setting, turn) or #self.paces == 0 then return 0 end
+  local nearest, from = math.huge, nil
   for _, pace in ipairs(self.paces) do
     local apart = math.abs(math.log(setting.weight / pace.weight))
-    if apart <= nearest then nearest, seconds = apart, pace.seconds * setting.weight / pace.weight end
+    if apart <= nearest then nearest, from = apart, pace end
+  end
+  local seconds = from.seconds
+  for _, knob in ipairs(self.knobs) do
+    if knob.side then seconds = seconds * ladder.finer(knob, setting.values[knob.name], from.values[knob.name]) ^ self:growth(knob) end
   end
   return seconds
 end
@@ -63,7 +83,7 @@ function Bench:run(setting, turn)
     record.seconds, record.outside = { record.seconds }, record.outside or 0
     self.store:put(key, record)
   end
-  if not record.failed then self.paces[#self.paces + 1] = { weight = setting.weight, seconds = took(record) } end
+  if not record.failed then self.paces[#self.paces + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) } end
   return record
 end
 
@@ -72,14 +92,17 @@ function Bench:time_again(setting, moving)
   local record, again = self:record(setting), nil
   again = measure.once(self.scenario, self:parameters(setting, 0), self.case, self.budget and self.start + self.budget)
   if not again or again.failed then return end
+  if again.seconds < math.min(table.unpack(record.seconds)) then record.stages = again.stages end
   record.seconds[#record.seconds + 1] = again.seconds
   record.outside = math.min(record.outside, again.outside)
   for name, answer in pairs(record.answers) do
     if judge.error(again.answers[name], answer) > 0 then moving[name] = true end
   end
   record.moving = moving
-  self.store:put(self:key(setting, 0), record)
 end
+
+--- Keeps what was timed again.
+function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
 
 --- A line on stderr: what is being done, how far along, and how long the rest will take.
 function Bench:progress(what, done, all, left)

@@ -28,7 +28,6 @@ local states = {
   chaotic = "chaotic: it scatters by %s when every number changes by %g of itself, so it has no error",
   unsettled = "not settled: two references, each finer than all settings, differ by %s; give finer settings, or a greater --within",
   moving = "differs from run to run of the same setting (%s): a time, or chance; left out",
-  unknown = "has nothing to be compared with (%s)",
 }
 
 -- What keeps answers from having an error, in their own words; those that share words stand together.
@@ -60,8 +59,10 @@ local function settings_table(result)
       percent(s.remainder) }, 1, 6, #row + 1, row)
     rows[i] = row
   end
-  paper.table(("%d settings, timed up to %d times by turns (time: median over that of the cheapest; * on the Pareto front)")
-    :format(#result.settings, #result.settings[1].times), head, rows)
+  local fewest, most = math.huge, 0
+  for _, s in ipairs(result.settings) do fewest, most = math.min(fewest, #s.times), math.max(most, #s.times) end
+  paper.table(("%d settings, timed %s times by turns (time: median over that of the cheapest; * on the Pareto front)")
+    :format(#result.settings, fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)), head, rows)
 end
 
 local function answers_table(result)
@@ -100,7 +101,7 @@ local function stages_table(result)
   for i in ipairs(result.settings) do head[i + 1] = tostring(i) end
   for i, name in ipairs(stages_of(result.settings)) do
     rows[i] = { name }
-    for _, s in ipairs(result.settings) do table.insert(rows[i], ("%.3g"):format(1e3 * (s.stages[name] or 0))) end
+    for _, s in ipairs(result.settings) do table.insert(rows[i], ("%.2f"):format(1e3 * (s.stages[name] or 0))) end
   end
   if #rows > 0 then paper.table("Time by stage, ms", head, rows) end
 end
@@ -123,16 +124,20 @@ function report.show(result)
   orders_table(result)
   print ""
   if result.references then
-    local worst = 0
+    local worst
     for _, q in pairs(result.quantities) do
-      if q.state == "sound" then worst = math.max(worst, q.agreement) end
+      if q.state == "sound" then worst = math.max(worst or 0, q.agreement) end
     end
-    print(("reference: %s; a coarser one (%s) agrees with it to %s"):format(result.references[2].label, result.references[1].label, percent(worst)))
+    print(("reference: %s; a coarser one (%s) %s"):format(result.references[2].label, result.references[1].label,
+      worst and "agrees with it to " .. percent(worst) or "agrees with it on nothing"))
   end
   for _, line in ipairs(doubts(result)) do print(line) end
   for _, note in ipairs(result.notes) do print("note: " .. note) end
   for _, s in ipairs(result.failed) do print(("no answer: %s: %s"):format(s.label, s.failed)) end
-  for _, s in ipairs(result.left_out) do print(("left out by the budget: %s, about %.2g s, and %.2g s for its reference"):format(s.label, s.estimate, s.rest)) end
+  local out = result.left_out[1]
+  if out then
+    print(("left out by the budget: %d settings, such as %s, about %.2g s and %.2g s for its reference"):format(#result.left_out, out.label, out.estimate, out.rest))
+  end
   local judged, all = 0, 0
   for _, q in pairs(result.quantities) do judged, all = judged + (q.state == "sound" and 1 or 0), all + 1 end
   local by = result.quantity or ("%d of %d answers"):format(judged, all)
