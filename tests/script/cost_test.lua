@@ -202,6 +202,7 @@ r = hinge.cost(slow, { budget = 30, out = folder .. "/kept" })
 expect(r.complete and #r.settings == 5, "a second call goes on to the end: %d", #r.settings)
 for _, dt in ipairs(calls) do expect(dt ~= 1 and dt ~= 0.5 or #find(r, { dt = dt }).times >= 3, "dt %g is run again", dt) end
 expect(done >= 2 and #first >= 2, "settings of the first call")
+support.write(folder .. "/kept/finished.lua", support.read(folder .. "/kept/finished.lua") .. "\n{[\"key\"]=\"cut sho")
 calls = {}
 local again = hinge.cost(slow, { out = folder .. "/kept" })
 equal(#calls, 0, "runs of a third call")
@@ -276,6 +277,13 @@ for arguments, message in pairs {
   status, _, complaint = support.run(command .. arguments)
   expect(status == 2 and support.says(complaint:gsub("^cost[^\n]*\n", ""), message), "cost%s: %s %s", arguments, status, complaint)
 end
+support.write(folder .. "/confined.lua", [[
+local hinge = require "hinge"
+local r = hinge.cost(hinge.scenario { accuracy = { dt = { 1, 2, 4 } }, run = function(p) return { v = 900 + p.dt ^ 2 } end })
+print(("order %.2f"):format(r.orders.dt.observed))
+]])
+status, printed, complaint = support.run(("%s run --sandbox %s/confined.lua --out %s/c"):format(program, folder, folder))
+expect(status == 0 and printed:find "order 2.00", "in the sandbox: %s %s %s", status, printed, complaint)
 support.write(folder .. "/plain.lua", "return 1")
 status, _, complaint = support.run(("%s cost %s/plain.lua --out %s/q"):format(program, folder, folder))
 expect(status == 2 and complaint:find "it does not return a hinge.scenario", "plain statements: %s", complaint)

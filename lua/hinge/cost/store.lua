@@ -60,7 +60,7 @@ function Store:get(key) return self.lines[key] end
 --- Keeps a measurement; a later one of the same key takes its place.
 function Store:put(key, record)
   self.lines[key] = record
-  if self.path then core.append(self.path, text { key = key, mark = self.mark, record = record } .. "\n") end
+  if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end -- after a line that was cut short, too
 end
 
 return store
