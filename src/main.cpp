@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using hinge::script::Context;
 
 struct Request {
-    std::string verb = "run", script, case_name, out, code;
+    std::string verb = "run", script, case_name, out, code, within, budget, quantity;
     std::vector<std::string> overrides;
     bool sandbox = false;
     hinge::script::Limits limits;
@@ -45,6 +45,9 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("out", request.out);
     if (request.sandbox) set("sandbox", std::to_string(std::llround(request.limits.memory / (1 << 20))) + "M");
     set("code", request.code);
+    set("within", request.within);
+    set("budget", request.budget);
+    set("quantity", request.quantity);
     if (request.verb == "prompt") {
         hinge::stop_on_interrupt(L);
         hinge::push_line_reader(L), lua_setfield(L, -2, "read");
@@ -71,7 +74,7 @@ int with_lua(const Request& request, const char* module, const char* function, b
     const auto context = hinge::script::prepare(L);
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
-    context->out_dir = request.out;
+    if (request.verb != "cost") context->out_dir = request.out;  // runs that are only compared leave nothing
     context->progress = progress;
     context->sandbox = request.sandbox;
     if (request.sandbox) hinge::script::confine(L, request.limits);
@@ -88,10 +91,11 @@ bool are_settings(const std::vector<std::string>& words) {
 int run(Request request, bool named) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
-    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name);
+    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name) + (request.verb == "cost" ? "-cost" : "");
+    if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
     return status;
@@ -100,7 +104,7 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "plan", "check", "render", "reference", "do", "prompt"};
+    const std::vector<std::string> verbs = {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
@@ -128,6 +132,14 @@ int main(int argc, char** argv) {
     check_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*check_verb, request);
     check_verb->footer("Exit status: 0, warnings or not; 2 the script or its input is wrong.");
+    auto* cost_verb = app.add_subcommand("cost", "Compare a scenario's accuracy settings: what each costs in time and how far it is from a finer reference");
+    cost_verb->add_option("script", request.script, "Lua script that returns a hinge.scenario")->required();
+    cost_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value; one of the accuracy settings is then held");
+    cost_verb->add_option("--within", request.within, "Error that is good enough, as 1% or 0.01 (default 1%)");
+    cost_verb->add_option("--quantity", request.quantity, "Judge by this answer alone (default: by the worst)");
+    cost_verb->add_option("--case", request.case_name, "One of the scenario's cases");
+    cost_verb->add_option("--budget", request.budget, "Stop in this time, as 60s, 5min, 1h; what is finished is kept, and a second call goes on");
+    cost_verb->add_option("--out", request.out, "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost)");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
@@ -156,6 +168,6 @@ int main(int argc, char** argv) {
         if (!are_settings(request.overrides)) return 2;
         return with_lua(request, "hinge.prompt", *do_verb ? "line" : "main", bool(*prompt_verb));
     }
-    if (*plan_verb || *check_verb) request.verb = *plan_verb ? "plan" : "check";
+    if (*plan_verb || *check_verb || *cost_verb) request.verb = *plan_verb ? "plan" : *check_verb ? "check" : "cost";
     return run(std::move(request), named);
 }

@@ -415,6 +415,7 @@ function model:dynamic(options) end
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
 ---@field counts { element_updates: integer, element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer, pair_tests: integer, pair_lists: integer } work done: elements whose forces were recovered, elements whose stiffness was built, systems solved, pairs of members looked at closely, lists of near pairs made
+---@field probes hinge.probe[] those asked for so far
 ---@field wakings { time: number, effect: string, awake: boolean, why: string }[] what woke because it had something to do, or went to sleep; the first thousand
 local run = {}
 
@@ -543,5 +544,67 @@ function hinge.ground(options) end
 function hinge.scenario(options) end
 
 ---@class hinge.scenario
+
+-- What accuracy costs --------------------------------------------------------------------------------------------------
+
+---Runs a scenario over its accuracy settings, in this process and with models of its own each, and compares each with a reference
+---that is finer than all of them and is tested by another one: where the two differ by more than half of `within`, or an answer
+---scatters that much under trifling changes, it gets no error. Answers are the numbers that the scenario returns, lists of numbers, and
+---the probes of its runs (as histories). Nothing is printed or drawn by the scenario meanwhile. `hinge cost SCRIPT` prints it.
+---@param scenario hinge.scenario
+---@param options? hinge.cost_options
+---@return hinge.cost_result
+function hinge.cost(scenario, options) end
+
+---@class hinge.cost_options
+---@field within? number error that is good enough, a part; default 0.01
+---@field quantity? string the answer that settings are judged by; default: the worst of all that can be trusted
+---@field case? string
+---@field parameters? table<string, any> changes of the scenario's; an accuracy setting among them is held
+---@field budget? number s; cheap settings come first, and none is begun that does not fit with the references that it needs. The plot comes on top, a second or so. Default: no end
+---@field repeats? integer how often each setting is timed, by turns; default 3. More than 1: short ones more often, up to 21 times or 0.1 s
+---@field out? string folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the script's content, the settings and hinge's version; default: nothing is written
+---@field accuracy? table<string, any[]> in the place of the scenario's own; where neither is given, those of its parameters that are called dt, elements_per_member, formulation and the like
+---@field finer? table<string, string> "smaller" or "larger" is finer, of numbers with names of your own; others are varied, but the reference has their default
+---@field orders? table<string, number> the order of convergence that theory has for a number; of dt and elements 2, of tolerances and steps 1
+---@field perturbation? number by which part of itself every number that is not whole is changed to look for chaos, default 1e-9
+---@field progress? boolean lines on stderr, default false
+
+---@class hinge.cost_result
+---@field settings hinge.cost_setting[] those with an answer, the cheapest first
+---@field front hinge.cost_setting[] the Pareto front: nothing is both cheaper and better
+---@field cheapest? hinge.cost_setting that is within `within`
+---@field quantities table<string, { state: string, kind: string, value?: number, agreement?: number, scatter?: number }> by answer: "sound"; "chaotic", it scatters; "unsettled", the references differ; "moving", it differs from run to run; "unknown", there is no reference. value and agreement: of the references; scatter: parts of the value, or of the largest of a history
+---@field orders table<string, { observed?: number, theory?: number, why?: string, note?: string, quantities: table<string, number> }> by number: the order of convergence, the median over the answers; math.huge: exact
+---@field references? { values: table, label: string, seconds: number, answers: table }[] the coarser and the finer one; nil: `notes` says why
+---@field failed hinge.cost_setting[] with `failed`, why they have no answer
+---@field left_out { label: string, values: table, estimate: number, rest: number }[] by the budget; s that each would take, and its references
+---@field complete boolean nothing is left out
+---@field notes string[]
+---@field knobs table[] what is varied: name, values, and of numbers their side
+---@field elapsed number s
+---@field within number
+---@field perturbation number
+---@field quantity? string
+---@field case? string
+
+---@class hinge.cost_setting
+---@field values table<string, any>
+---@field label string
+---@field error? number of the answer that is worst, a part; not below what the references differ by. nil where no answer can be trusted
+---@field worst? string the answer's name
+---@field below? boolean its error is below what the references differ by
+---@field errors table<string, number> by answer; of histories the root mean square difference over the largest value of the reference
+---@field answers table<string, number|{ x: number[], y: number[] }>
+---@field seconds number in the steps of all its runs, the median of `times`; of a scenario without runs, in all of it
+---@field times number[]
+---@field ratio number over the cheapest setting's
+---@field outside number s in the rest: models, what the script does itself
+---@field stages table<string, number> s by stage of a step, of the shortest time
+---@field memory? number bytes, the most that it held
+---@field remainder number the largest energy remainder of its runs over the energy at the start and the work at the end
+---@field front boolean
+---@field meets boolean
+---@field failed? string
 
 return hinge

@@ -9,4 +9,5 @@ return check.strict({
   section = require "hinge.section",
   ground = require "hinge.ground",
   scenario = require "hinge.scenario".new,
+  cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for
 }, "hinge")

@@ -97,4 +97,11 @@ function Job:note(text)
   print("note: " .. text)
 end
 
-return { new = new }
+-- For runs that are only measured: draws nothing and says nothing.
+local function quiet(case)
+  local job = new("", case)
+  for _, name in ipairs { "frame", "picture", "strip", "plot", "note" } do job[name] = function() end end
+  return job
+end
+
+return { new = new, quiet = quiet }

@@ -397,6 +397,28 @@ int write_summary(lua_State* L) {
     return 2;
 }
 
+/// core.write_text(path, text), core.write_json(path, value): whole files; core.append(path, text).
+int write_text(lua_State* L) {
+    const char *file = luaL_checkstring(L, 1), *text = luaL_checkstring(L, 2);  // these raise: nothing may be pending yet
+    prepare_folder(*context(L), file);
+    write_whole(file, text);
+    return 0;
+}
+
+int write_json(lua_State* L) {
+    const char* file = luaL_checkstring(L, 1);
+    prepare_folder(*context(L), file);
+    write_whole(file, to_json(L, 2, 0).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return 0;
+}
+
+int append_text(lua_State* L) {
+    const char *file = luaL_checkstring(L, 1), *text = luaL_checkstring(L, 2);
+    prepare_folder(*context(L), file);
+    append(file, text);
+    return 0;
+}
+
 int out_dir(lua_State* L) {
     const std::string& dir = context(L)->out_dir;
     lua_pushstring(L, dir.empty() ? "." : dir.c_str());
@@ -408,7 +430,7 @@ int out_dir(lua_State* L) {
 void open_output(lua_State* L, int module) {
     static const luaL_Reg functions[] = {{"plan", guarded<plan>}, {"planning", guarded<planning>}, {"runs_made", guarded<runs_made>}, {"time_product", guarded<time_product>}, {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
                                          {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
-                                         {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
+                                         {"write_text", guarded<write_text>}, {"write_json", guarded<write_json>}, {"append", guarded<append_text>}, {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -38,6 +38,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     std::erase_if(record->model->runs, [](const auto& r) { return r.expired(); });
     record->model->runs.push_back(record);
     tell_collector(L, 2000 * record->run->structure().elements().size());
+    tell_of_run(L);
     return 1;
 }
 
@@ -211,6 +212,9 @@ int fields(lua_State* L) {
         lua_pushnumber(L, d->fastest().speed), lua_setfield(L, -2, "speed");
         lua_pushnumber(L, d->fastest().time), lua_setfield(L, -2, "time");
         lua_pushstring(L, run.structure().node_name(d->fastest().node).c_str()), lua_setfield(L, -2, "node");
+    } else if (key == "probes") {
+        lua_createtable(L, int(r.probes.size()), 0);
+        for (std::size_t i = 0; i < r.probes.size(); ++i) push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
     } else if (key == "stages") {
         lua_newtable(L);
         int i = 0;
@@ -264,7 +268,7 @@ void open_run(lua_State* L) {
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
     name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages",
-                                      "wall_seconds", "fastest", "hash", "counts", "wakings"});
+                                      "wall_seconds", "fastest", "hash", "counts", "wakings", "probes"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }

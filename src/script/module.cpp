@@ -33,6 +33,7 @@ int open_core(lua_State* L) {
     open_run(L);
     open_reading(L);
     open_output(L, module);
+    open_measure(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
     lua_pushstring(L, HINGE_VERSION);

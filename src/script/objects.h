@@ -141,6 +141,7 @@ void open_objects(lua_State* L);              ///< nodes, members, groups, loads
 void open_run(lua_State* L);
 void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
+void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
 
 int add_load(lua_State* L);                   ///< model:load
 int move_support(lua_State* L);               ///< model:move
@@ -159,6 +160,8 @@ const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const st
 std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
 /// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is what is asked.
 int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy = nullptr);
+/// Tells who listens (core.on_run) of the run on top of the stack.
+void tell_of_run(lua_State* L);
 /// The index of a node that the run has.
 int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
 /// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order of Probe::Quantity.

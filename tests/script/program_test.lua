@@ -19,6 +19,7 @@ for arguments, wanted in pairs {
   ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "Exit status: 0 done, 1 the run failed, 2 " },
   ["plan --help"] = { "script", "--case", "runs nothing" },
   ["check --help"] = { "script", "--case", "natural periods", "Exit status: 0, warnings or not; 2 " },
+  ["cost --help"] = { "Usage: hinge cost ", "script", "--case", "--within", "--quantity", "--budget", "--out" },
   ["-e --help"] = { "Usage: hinge do ", "code", "key=value" },
   ["-i --help"] = { "Usage: hinge prompt ", "script", "--case", "--out" },
   ["reference --help"] = { "name" },

@@ -167,6 +167,7 @@ local calls = {
   ["hinge.section.general.size"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) } end,
   ["hinge.ground"] = function(x) hinge.ground(with({ dt = 1, acceleration = { 0, 0 } }, x)) end,
   ["hinge.scenario"] = function(x) hinge.scenario(x) end,
+  ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["model:member"] = function(x) s.model:member(x) end,
   ["model:load"] = function(x) s.model:load(x) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,

@@ -1,0 +1,192 @@
+-- What accuracy costs in time: a scenario over its accuracy settings, each compared with a reference that is tested itself.
+--
+-- Every setting runs in this process, with models of its own: a scenario is a function of this Lua state, its start-up is then in
+-- no time, and runs of different settings can take turns. The most memory held is counted anew for each (/proc/self/clear_refs).
+local check = require "hinge.check"
+local scenarios = require "hinge.scenario"
+local benches = require "hinge.cost.bench"
+local judge = require "hinge.cost.judge"
+local ladder = require "hinge.cost.ladder"
+local verdict = require "hinge.cost.verdict"
+
+local cost = {}
+local where = "hinge.cost"
+local perturbations = 3
+local enough, most_repeats = 0.1, 21 -- s; what takes less is timed more often, until all its times together are that long
+
+local rules = {
+  within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true }, case = { "string", optional = true },
+  parameters = { "table", default = {} }, budget = { "number", unit = "s", above = 0, optional = true },
+  repeats = { "number", whole = true, at_least = 1, default = 3 }, out = { "string", optional = true },
+  accuracy = { "table", optional = true }, finer = { "table", default = {} }, orders = { "table", default = {} },
+  perturbation = { "number", above = 0, below = 1e-3, default = 1e-9 }, progress = { "boolean", default = false },
+}
+
+local function references(knobs, compared)
+  return { ladder.reference(knobs, compared, 1), ladder.reference(knobs, compared, 2) }
+end
+
+-- The setting whose numbers are changed a little: the scenario's default, or the most laborious where that was not reached.
+local function default_of(knobs, compared)
+  for _, s in ipairs(compared) do
+    local all = true
+    for _, knob in ipairs(knobs) do all = all and s.values[knob.name] == knob.values[1] end
+    if all then return s end
+  end
+  return compared[#compared]
+end
+
+-- Seconds that the references of these settings and the changed runs would take.
+local function still_to_come(bench, knobs, compared)
+  local seconds = 0
+  for _, r in ipairs(references(knobs, compared)) do seconds = seconds + bench:estimate(r) end
+  local default = default_of(knobs, compared)
+  for turn = 1, perturbations do
+    if not bench:record(default, turn) then seconds = seconds + math.max(bench:estimate(default, turn), bench:estimate(compared[#compared], turn)) end
+  end
+  return seconds
+end
+
+-- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that does not even fit
+-- for those that there are, while they fit themselves. Returns those that have an answer, those that failed, and those left out.
+local function run_settings(bench, knobs, settings)
+  local compared, failed, left_out = {}, {}, {}
+  local function leave_out(s, own, rest) left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest } end
+  for i, s in ipairs(settings) do
+    local with = table.move(compared, 1, #compared, 1, {})
+    with[#with + 1] = s
+    local own = bench:estimate(s)
+    local rest = #compared > 0 and still_to_come(bench, knobs, with) or 0
+    local comparable = #compared > 0 and bench:fits(still_to_come(bench, knobs, compared))
+    bench:progress(s.label, i - 1, #settings, own + rest)
+    local fits = #compared == 0 or bench:fits(own + (comparable and rest or 0))
+    local record = (bench:record(s) or fits and bench:fits(0)) and bench:run(s)
+    if not record then
+      leave_out(s, own, rest)
+    elseif record.failed then
+      s.failed = record.failed
+      failed[#failed + 1] = s
+    else
+      s.record = record
+      compared[#compared + 1] = s
+    end
+  end
+  local fewer = #compared -- the most settings whose references fit
+  while fewer > 0 and not bench:fits(still_to_come(bench, knobs, table.move(compared, 1, fewer, 1, {}))) do fewer = fewer - 1 end
+  for _ = 1, fewer > 0 and #compared - fewer or 0 do
+    leave_out(compared[#compared], 0, still_to_come(bench, knobs, compared))
+    compared[#compared] = nil
+  end
+  return compared, failed, left_out
+end
+
+-- The two references with their answers, or nil and why not.
+local function run_references(bench, knobs, compared)
+  local refs = references(knobs, compared)
+  for i, r in ipairs(refs) do
+    local estimate = still_to_come(bench, knobs, compared)
+    bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
+    if not bench:record(r) and not bench:fits(bench:estimate(r)) then
+      return nil, ("the budget leaves no time for the reference (%s), about %.2g s with what belongs to it; the next call goes on with a larger one")
+        :format(r.label, estimate)
+    end
+    r.record = bench:run(r)
+    if not r.record then return nil, ("the budget ended in the reference (%s); give the next call a larger one"):format(r.label) end
+    if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
+  end
+  return refs
+end
+
+-- Settings and references as many as fit. With the references measured there may be room for more settings, which are then tried; where
+-- their references do not fit after all, what was compared before stands.
+local function compare_within(bench, knobs)
+  local found
+  repeat
+    local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
+    local refs, problem
+    if #compared > 0 then refs, problem = run_references(bench, knobs, compared) end
+    local more = not found or refs and #compared > #found[1]
+    if more then found = table.pack(compared, failed, left_out, refs, problem) end
+  until not more or not refs or #left_out == 0
+  return table.unpack(found, 1, 5)
+end
+
+-- By name, how far the default's answers scatter when every number that is not whole changes by a part of 1e-9; nil where none could be changed.
+local function scatter_of(bench, knobs, compared)
+  local default = default_of(knobs, compared)
+  local _, changed = bench:parameters(default, 1)
+  if changed == 0 then return nil, "no number of the scenario could be changed a little, so chaos was not looked for" end
+  local scatter = {}
+  for turn = 1, perturbations do
+    bench:progress("changed by a trifle, " .. default.label, turn - 1, perturbations, (perturbations - turn + 1) * bench:estimate(default, turn))
+    local record = (bench:record(default, turn) or bench:fits(bench:estimate(default, turn))) and bench:run(default, turn)
+    if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
+    for name, answer in pairs(default.record.answers) do
+      scatter[name] = math.max(scatter[name] or 0, record.failed and math.huge or judge.error(record.answers[name], answer))
+    end
+  end
+  return scatter
+end
+
+-- Times everything again, one after the other so that a slow moment of the machine meets all of them.
+local function time_by_turns(bench, compared, repeats)
+  local moving = {}
+  for _, s in ipairs(compared) do
+    for name in pairs(s.record.moving or {}) do moving[name] = true end
+  end
+  local again = {}
+  for round = 2, repeats > 1 and most_repeats or 1 do
+    for i, s in ipairs(compared) do
+      local seconds = s.record.seconds
+      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough) and bench:fits(seconds[1] + s.record.outside) then
+        bench:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared, math.max(1, repeats - round + 1) * seconds[1])
+        bench:time_again(s, moving)
+        again[s] = true
+      end
+    end
+  end
+  for s in pairs(again) do bench:keep(s) end
+  return moving
+end
+
+local function parameters_of(scenario, o)
+  local base = scenario:values(o.case)
+  for name, value in pairs(o.parameters) do
+    local default = scenario.parameters[name]
+    if default == nil then check.unknown(where .. ": parameters", "parameter", name, check.keys(scenario.parameters)) end
+    if type(value) ~= type(default) then check.fail("%s: parameter %s is %s; must be a %s, like its default", where, name, check.show(value), type(default)) end
+    base[name] = value
+  end
+  return base
+end
+
+--- hinge.cost: see hinge.d.lua.
+function cost.compare(scenario, options)
+  if not scenarios.is(scenario) then check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario)) end
+  local o = check.options(where, options, rules)
+  local knobs = ladder.knobs(where, scenario, o, o.parameters)
+  local bench = benches.open(scenario, parameters_of(scenario, o), knobs, o)
+  local compared, failed, left_out, refs, problem = compare_within(bench, knobs)
+  if #compared == 0 then
+    check.fail("%s: %s", where, failed[1] and "no setting has an answer: " .. failed[1].failed or "the budget is over before the first setting is; give a larger one")
+  end
+  local notes = { problem }
+  local scatter, silent = scatter_of(bench, knobs, compared)
+  notes[#notes + 1] = silent
+  local moving = time_by_turns(bench, compared, o.repeats)
+  local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
+  if o.quantity and not quantities[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities)) end
+  if refs then verdict.errors(compared, refs, quantities, o.quantity) end
+  local orders = verdict.orders(knobs, compared, refs, quantities, o.quantity)
+  local front, best = verdict.front(compared, o.within)
+  for i, r in ipairs(refs or {}) do refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers } end
+  local result = {
+    within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation, knobs = knobs, settings = compared, failed = failed, left_out = left_out,
+    references = refs, quantities = quantities, orders = orders, front = front, cheapest = best, notes = notes,
+    complete = #left_out == 0 and refs ~= nil, elapsed = bench:elapsed(),
+  }
+  if o.out then require "hinge.cost.report".write(result, o.out) end
+  return result
+end
+
+return cost

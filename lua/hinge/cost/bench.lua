@@ -1,0 +1,116 @@
+-- The bench: runs settings of a scenario within a budget, keeps what is finished, and knows how long the others would take.
+local core = require "hinge.core"
+local ladder = require "hinge.cost.ladder"
+local measure = require "hinge.cost.measure"
+local judge = require "hinge.cost.judge"
+local store = require "hinge.cost.store"
+
+local Bench = {}
+Bench.__index = Bench
+
+--- base: the scenario's parameters; options: see hinge.cost.
+local function open(scenario, base, knobs, options)
+  return setmetatable({
+    scenario = scenario, base = base, knobs = knobs, case = options.case, part = options.perturbation, say = options.progress,
+    store = store.open(options.out, scenario.run), start = core.clock(), budget = options.budget, names = {}, paces = {},
+  }, Bench)
+end
+
+function Bench:elapsed() return core.clock() - self.start end
+
+--- Whether so many seconds more are within the budget.
+function Bench:fits(seconds) return not self.budget or self:elapsed() + seconds <= self.budget end
+
+-- The parameters of a setting; `turn` > 0: every number that is not whole changed by a part of 1e-9 or so, and how many were.
+function Bench:parameters(setting, turn)
+  local p = {}
+  for name, value in pairs(self.base) do p[name] = value end
+  for name, value in pairs(setting.values) do p[name] = value end
+  if turn == 0 then return p end
+  local names = {}
+  for name in pairs(p) do names[#names + 1] = name end
+  table.sort(names)
+  return measure.perturbed(p, names, self.part, turn)
+end
+
+function Bench:key(setting, turn)
+  return store.key(self:parameters(setting, 0), ("%s case %s, changed by %g times %d"):format("", self.case or "", self.part, turn))
+end
+
+function Bench:record(setting, turn) return self.store:get(self:key(setting, turn or 0)) end
+
+-- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else what is usual,
+-- corrected by how the time of all grew with what is usual.
+function Bench:growth(knob)
+  local found, all = {}, {}
+  for i, a in ipairs(self.paces) do
+    for j = 1, i - 1 do
+      local b = self.paces[j]
+      local alone = a.values[knob.name] ~= b.values[knob.name]
+      for _, other in ipairs(self.knobs) do alone = alone and (other == knob or a.values[other.name] == b.values[other.name]) end
+      if a.weight ~= b.weight then all[#all + 1] = math.log(a.seconds / b.seconds) / math.log(a.weight / b.weight) end
+      if alone then found[#found + 1] = math.log(a.seconds / b.seconds) / math.log(ladder.finer(knob, a.values[knob.name], b.values[knob.name])) end
+    end
+  end
+  return math.max(0, judge.median(found) or knob.side.work * (judge.median(all) or 1))
+end
+
+--- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and for what is finished.
+function Bench:estimate(setting, turn)
+  if self:record(setting, turn) or #self.paces == 0 then return 0 end
+  local nearest, from = math.huge, nil
+  for _, pace in ipairs(self.paces) do
+    local apart = math.abs(math.log(setting.weight / pace.weight))
+    if apart <= nearest then nearest, from = apart, pace end
+  end
+  local seconds = from.seconds
+  for _, knob in ipairs(self.knobs) do
+    if knob.side then seconds = seconds * ladder.finer(knob, setting.values[knob.name], from.values[knob.name]) ^ self:growth(knob) end
+  end
+  return seconds
+end
+
+local function took(record) return record.seconds[1] + record.outside end
+
+--- Its measurement: the one that is kept, or a new one. nil where the budget ended it.
+function Bench:run(setting, turn)
+  local key = self:key(setting, turn or 0)
+  local record = self.store:get(key)
+  if not record then
+    local p = self:parameters(setting, turn or 0)
+    record = measure.once(self.scenario, p, self.case, self.budget and self.start + self.budget)
+    if not record then return nil end
+    record.seconds, record.outside = { record.seconds }, record.outside or 0
+    self.store:put(key, record)
+  end
+  if not record.failed then self.paces[#self.paces + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) } end
+  return record
+end
+
+--- Times a finished setting once more. What its answers are must not have changed: names of those that did are put into `moving`.
+function Bench:time_again(setting, moving)
+  local record, again = self:record(setting), nil
+  again = measure.once(self.scenario, self:parameters(setting, 0), self.case, self.budget and self.start + self.budget)
+  if not again or again.failed then return end
+  if again.seconds < math.min(table.unpack(record.seconds)) then record.stages = again.stages end
+  record.seconds[#record.seconds + 1] = again.seconds
+  record.outside = math.min(record.outside, again.outside)
+  for name, answer in pairs(record.answers) do
+    if judge.error(again.answers[name], answer) > 0 then moving[name] = true end
+  end
+  record.moving = moving
+end
+
+--- Keeps what was timed again.
+function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
+
+--- A line on stderr: what is being done, how far along, and how long the rest will take.
+function Bench:progress(what, done, all, left)
+  if not self.say or self.said and core.clock() - self.said < 0.5 then return end
+  self.said = core.clock()
+  local filled = all > 0 and math.floor(20 * done / all) or 20
+  local spent = self.budget and ("%.1f s of %.3g s"):format(self:elapsed(), self.budget) or ("%.1f s"):format(self:elapsed())
+  io.stderr:write(("cost [%s%s] %d of %d, %s, about %.3g s left: %s\n"):format(("#"):rep(filled), ("-"):rep(20 - filled), done, all, spent, left, what))
+end
+
+return { open = open, label = ladder.label }

@@ -1,0 +1,104 @@
+-- Judging answers: how far two are apart, at which order they converge, and which settings nothing else beats.
+local judge = {}
+
+-- The value of a history at x by the cubic through the four points about it; its abscissae rise.
+local function value_at(h, x, from)
+  local n, k = #h.x, from
+  while k < n - 1 and h.x[k + 1] <= x do k = k + 1 end
+  if x == h.x[k] then return h.y[k], k end
+  local first = math.max(1, math.min(k - 1, n - 3))
+  local sum = 0
+  for i = first, math.min(first + 3, n) do
+    local weight = 1
+    for j = first, math.min(first + 3, n) do
+      if j ~= i then weight = weight * (x - h.x[j]) / (h.x[i] - h.x[j]) end
+    end
+    sum = sum + weight * h.y[i]
+  end
+  return sum, k
+end
+
+local function rises(x)
+  for i = 2, #x do
+    if not (x[i] > x[i - 1]) then return false end
+  end
+  return true
+end
+
+local function size(answer)
+  if type(answer) == "number" then return math.abs(answer) end
+  local peak = 0
+  for _, v in ipairs(answer.y) do peak = math.max(peak, math.abs(v)) end
+  return peak
+end
+
+-- Root of the mean square difference of two histories at the abscissae of the first, as far as both go.
+local function distance(a, b)
+  if type(a) ~= type(b) then return math.huge end
+  if type(a) == "number" then return math.abs(a - b) end
+  if #a.x < 2 or #b.x < 2 or not rises(a.x) or not rises(b.x) then -- a load factor that turns back: step by step
+    if #a.y ~= #b.y then return math.huge end
+    local sum = 0
+    for i, v in ipairs(a.y) do sum = sum + (v - b.y[i]) ^ 2 end
+    return math.sqrt(sum / math.max(1, #a.y))
+  end
+  local sum, count, k, last = 0, 0, 1, b.x[#b.x] * (1 + 1e-9)
+  for i, x in ipairs(a.x) do
+    if x > last then break end
+    local wanted
+    wanted, k = value_at(b, x, k)
+    sum, count = sum + (a.y[i] - wanted) ^ 2, count + 1
+  end
+  return count > 0 and math.sqrt(sum / count) or math.huge
+end
+
+--- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean square for histories.
+function judge.error(answer, reference)
+  if answer == nil or reference == nil then return math.huge end
+  local d, scale = distance(answer, reference), size(reference)
+  if d ~= d then return math.huge end
+  if d == 0 then return 0 end
+  return d / (scale > 0 and scale or size(answer))
+end
+
+--- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio of their
+-- differences. nil where none between 0.02 and 16 fits; 0 differences mean exact: math.huge.
+function judge.order(h, answers)
+  local first, second, noise = distance(answers[1], answers[2]), distance(answers[2], answers[3]), 1e-9 * size(answers[3])
+  if first <= noise and second <= noise then return math.huge end
+  if not (first < math.huge and second > 0) then return nil end
+  local function excess(p) return (h[1] ^ p - h[2] ^ p) / (h[2] ^ p - h[3] ^ p) - first / second end
+  local low, high = 0.02, 16
+  if excess(low) > 0 or excess(high) < 0 then return nil end
+  for _ = 1, 60 do
+    local middle = (low + high) / 2
+    if excess(middle) > 0 then high = middle else low = middle end
+  end
+  return (low + high) / 2
+end
+
+--- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other, by time.
+-- Items without an error are none of it.
+function judge.front(items)
+  local sorted, front, least = {}, {}, math.huge
+  for _, item in ipairs(items) do
+    if item.error then sorted[#sorted + 1] = item end
+  end
+  table.sort(sorted, function(a, b) return a.time < b.time or a.time == b.time and a.error < b.error end)
+  for _, item in ipairs(sorted) do
+    if item.error < least then
+      front[#front + 1] = item
+      least = item.error
+    end
+  end
+  return front
+end
+
+function judge.median(values)
+  local sorted = table.move(values, 1, #values, 1, {})
+  table.sort(sorted)
+  local n = #sorted
+  return n > 0 and (sorted[(n + 1) // 2] + sorted[n // 2 + 1]) / 2 or nil
+end
+
+return judge

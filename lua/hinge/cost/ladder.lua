@@ -1,0 +1,149 @@
+-- The settings that trade accuracy for time: which there are, which side of each is finer, and what is finer than all of them.
+local check = require "hinge.check"
+
+local ladder = {}
+
+-- Numbers whose finer side is known by their name. ratio: from one reference to the next; order: of the error, in theory;
+-- work: how the time grows as the number is refined, to plan with until something was measured.
+local sides = {
+  { "^dt$", finer = "smaller", ratio = 2, order = 2, work = 1, why = "Newmark's method and central differences, smooth motion" },
+  { "^elements", finer = "larger", ratio = 2, order = 2, work = 1, why = "linear elements; asi-gauss is exact in elastic statics" },
+  { "^steps$", finer = "larger", ratio = 2, order = 1, work = 1, why = "backward steps of load, where members yield" },
+  { "tolerance$", finer = "smaller", ratio = 10, order = 1, work = 0.05, why = "what is left out of balance" },
+  { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "operator of elements that have turned" },
+}
+
+-- Words, the finest first: the reference takes the first of them that is compared. Of other words it takes the script's default.
+local words = {
+  formulation = { "asi-gauss", "asi", "conventional" }, integrator = { "newmark", "explicit" }, displacement = { "large", "small" },
+  precision = { "double", "single" }, solver = { "direct", "cg" },
+}
+
+local function side_of(name, options)
+  local finer = options.finer and options.finer[name]
+  for _, side in ipairs(sides) do
+    if name:find(side[1]) and (not finer or finer == side.finer) then return side end
+  end
+  return finer and { finer = finer, ratio = 2, work = 1 }
+end
+
+-- What is tried where a script gives no list: its own value first.
+local function usual(name, value)
+  local list = { value }
+  if type(value) == "number" then
+    local side = side_of(name, {})
+    if not side or value <= 0 then return nil end
+    for i = 1, 2 do
+      local factor = side.ratio ^ i
+      list[i + 1] = side.finer == "smaller" and value * factor or math.type(value) == "integer" and math.tointeger(value * factor) or value * factor
+    end
+    return list
+  end
+  for _, word in ipairs(words[name] or {}) do
+    if word ~= value then list[#list + 1] = word end
+  end
+  return #list > 1 and list or nil
+end
+
+--- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }. What is in
+-- `held` keeps its value. options: accuracy, finer, orders (see hinge.cost).
+function ladder.knobs(where, scenario, options, held)
+  local lists, knobs = options.accuracy or scenario.accuracy, {}
+  if next(lists) == nil then
+    lists = {}
+    for name, value in pairs(scenario.parameters) do lists[name] = usual(name, value) end
+  end
+  for name, values in pairs(lists) do
+    if scenario.parameters[name] == nil then check.unknown(where .. ": accuracy", "parameter", name, check.keys(scenario.parameters)) end
+    if type(values) ~= "table" or #values == 0 then check.fail("%s: accuracy.%s is %s; must be a list of settings", where, name, check.show(values)) end
+    if held[name] == nil and #values > 1 then
+      local side = type(values[1]) == "number" and side_of(name, options) or nil
+      if side then
+        local order = options.orders and options.orders[name]
+        side = { finer = side.finer, ratio = side.ratio, order = order or side.order, work = side.work, why = not order and side.why or nil }
+      end
+      knobs[#knobs + 1] = { name = name, values = values, side = side }
+    end
+  end
+  if #knobs == 0 then
+    check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, and use p.dt in run", where)
+  end
+  table.sort(knobs, function(a, b) return a.name < b.name end)
+  return knobs
+end
+
+--- A value as tables and keys show it.
+function ladder.text(value) return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value) end
+
+function ladder.label(knobs, values)
+  local parts = {}
+  for _, knob in ipairs(knobs) do parts[#parts + 1] = knob.name .. " " .. ladder.text(values[knob.name]) end
+  return table.concat(parts, ", ")
+end
+
+--- How much finer a number is than another one of its knob: above 1 where it is.
+function ladder.finer(knob, value, than)
+  return knob.side.finer == "smaller" and than / value or value / than
+end
+
+local function setting(knobs, values)
+  local weight = 1
+  for _, knob in ipairs(knobs) do
+    if knob.side then weight = weight * ladder.finer(knob, values[knob.name], knob.values[1]) ^ knob.side.work end
+  end
+  return { values = values, label = ladder.label(knobs, values), weight = weight }
+end
+
+--- All combinations, the cheapest first as far as can be told before anything is measured.
+function ladder.grid(knobs)
+  local all = { {} }
+  for _, knob in ipairs(knobs) do
+    local more = {}
+    for _, values in ipairs(all) do
+      for _, value in ipairs(knob.values) do
+        local copy = { [knob.name] = value }
+        for name, v in pairs(values) do copy[name] = v end
+        more[#more + 1] = copy
+      end
+    end
+    all = more
+  end
+  for i, values in ipairs(all) do
+    all[i] = setting(knobs, values)
+    all[i].place = i
+  end
+  table.sort(all, function(a, b) return a.weight < b.weight or a.weight == b.weight and a.place < b.place end)
+  return all
+end
+
+--- The finest value of a knob among settings; of words the first that is known as finest, else its default.
+function ladder.finest(knob, settings)
+  local there, best = {}, nil
+  for _, s in ipairs(settings) do
+    local value = s.values[knob.name]
+    there[value] = true
+    if knob.side and (best == nil or ladder.finer(knob, value, best) > 1) then best = value end
+  end
+  if best ~= nil then return best end
+  for _, word in ipairs(words[knob.name] or {}) do
+    if there[word] then return word end
+  end
+  return knob.values[1]
+end
+
+--- A setting `level` steps of refinement finer than all of these.
+function ladder.reference(knobs, settings, level)
+  local values = {}
+  for _, knob in ipairs(knobs) do
+    local value = ladder.finest(knob, settings)
+    if knob.side then
+      local factor = knob.side.ratio ^ level
+      if knob.side.finer == "smaller" then value = value / factor
+      else value = math.type(value) == "integer" and math.tointeger(value * factor) or value * factor end
+    end
+    values[knob.name] = value
+  end
+  return setting(knobs, values)
+end
+
+return ladder

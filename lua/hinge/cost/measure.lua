@@ -1,0 +1,114 @@
+-- One run of a scenario as a measurement: its answers (numbers and histories), and what it took.
+local core = require "hinge.core"
+local jobs = require "hinge.job"
+
+local measure = {}
+local deepest = 6 -- tables within tables of what a script returns
+local late = "hinge.cost: the time that was given is over"
+
+local function is_curve(value)
+  for _, v in ipairs(value) do
+    if type(v) ~= "number" then return false end
+  end
+  return #value > 1
+end
+
+-- The numbers of what a script returned, by name: "uz", "damage.columns.broken". A list of numbers is a history over its index.
+local function flatten(answers, value, name, depth)
+  if type(value) == "number" then
+    answers[name] = value
+  elseif type(value) == "table" and depth < deepest then
+    if is_curve(value) then
+      answers[name] = { x = {}, y = table.move(value, 1, #value, 1, {}) }
+      for i = 1, #value do answers[name].x[i] = i end
+      return
+    end
+    for key, v in pairs(value) do flatten(answers, v, (name == "" and "" or name .. ".") .. tostring(key), depth + 1) end
+  end
+end
+
+-- What probes recorded, by their names; of several with one name, and of one that a result has too, the others are "uz#2" and so on.
+local function add_histories(answers, histories)
+  for _, h in ipairs(histories) do
+    local name, n = h.name, 1
+    while answers[name] do
+      n = n + 1
+      name = ("%s#%d"):format(h.name, n)
+    end
+    answers[name] = { x = h.x, y = h.y }
+  end
+end
+
+-- What a run that is over leaves; it is let go then, so that what it held does not count as the next one's memory.
+local function harvest(result, histories, run)
+  result.seconds = result.seconds + run.wall_seconds
+  for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
+  local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
+  if brought > 0 then result.remainder = math.max(result.remainder, math.abs(run.worst_remainder) / brought) end
+  for _, probe in ipairs(run.probes) do histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value } end
+  if run.verdict == "failed" then result.failed = run.reason end
+end
+
+--- Runs the scenario. Returns { answers = { name = number or { x =, y = } }, seconds = in the steps of all its runs, outside = of the rest,
+-- stages = { name = seconds }, memory = bytes, remainder = the largest as a part of the energy brought in, failed = why it has no answer };
+-- nil when `deadline` (of core.clock) came first. Models are the scenario's own, made anew by each call.
+function measure.once(scenario, parameters, case, deadline)
+  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0 }
+  local runs, histories, expired, say = {}, {}, false, print
+  collectgarbage()
+  collectgarbage()
+  local held = core.forget_peak()
+  core.on_run(function(run)
+    for i = #runs, 1, -1 do
+      if runs[i].verdict ~= "running" then harvest(result, histories, table.remove(runs, i)) end
+    end
+    runs[#runs + 1] = run
+    if not deadline then return end
+    run:on_step(function()
+      if core.clock() < deadline then return end
+      expired = true
+      error(late)
+    end)
+  end)
+  print = function() end
+  local start = core.clock()
+  local ok, returned = pcall(scenario.run, parameters, jobs.quiet(case))
+  local all = core.clock() - start
+  core.on_run(nil)
+  print = say
+  if expired then return nil end
+  if not ok then
+    if core.error_kind(returned) == "interrupted" or type(returned) ~= "string" or returned == "not enough memory" then error(returned, 0) end
+    result.failed = returned
+    return result
+  end
+  result.memory = held and math.max(0, core.peak() - held)
+  for _, run in ipairs(runs) do harvest(result, histories, run) end
+  if result.seconds == 0 then result.seconds = all end -- a scenario without a run, or without a step
+  result.outside = all - result.seconds
+  flatten(result.answers, returned, "", 0)
+  add_histories(result.answers, histories)
+  return result
+end
+
+-- Numbers that a run does not depend on by design: a change of this part, up and down by turns, shows whether its answer does.
+local function changed(value, by)
+  if math.type(value) == "float" and value ~= 0 then return value * (1 + by) end
+  if type(value) ~= "table" then return value end
+  local copy = {}
+  for key, v in pairs(value) do copy[key] = changed(v, by) end
+  return copy
+end
+
+--- The parameters with every number that is not whole changed by a part of itself, and how many of them there are.
+function measure.perturbed(parameters, names, part, turn)
+  local count = 0
+  local copy = {}
+  for i, name in ipairs(names) do
+    copy[name] = changed(parameters[name], part * ((i + turn) % 2 == 0 and 1 or -1) * (1 + turn) / 2)
+    if copy[name] ~= parameters[name] and type(copy[name]) ~= "table" or type(copy[name]) == "table" then count = count + 1 end
+  end
+  return copy, count
+end
+
+return measure

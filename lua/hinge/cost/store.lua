@@ -1,0 +1,66 @@
+-- Measurements that outlive the process: finished.lua in the output folder, one line each, by what was run.
+local core = require "hinge.core"
+
+local store = {}
+local Store = {}
+Store.__index = Store
+
+local function text(value)
+  if type(value) == "string" then return (("%q"):format(value):gsub("\\\n", "\\n")) end
+  if math.type(value) == "float" then
+    if value ~= value or math.abs(value) == math.huge then return value ~= value and "0/0" or value > 0 and "1/0" or "-1/0" end
+    return ("%.17g"):format(value)
+  end
+  if type(value) ~= "table" then return tostring(value) end
+  local names, parts = {}, {}
+  for i, v in ipairs(value) do parts[i] = text(v) end
+  for key in pairs(value) do
+    if math.type(key) ~= "integer" or key < 1 or key > #value then names[#names + 1] = key end
+  end
+  table.sort(names, function(a, b) return tostring(a) < tostring(b) end)
+  for _, key in ipairs(names) do parts[#parts + 1] = "[" .. text(key) .. "]=" .. text(value[key]) end
+  return "{" .. table.concat(parts, ",") .. "}"
+end
+
+-- Fowler, Noll and Vo's hash, 64 bits.
+local function digest(content)
+  local hash = 0xcbf29ce484222325
+  for i = 1, #content do hash = (hash ~ content:byte(i)) * 0x100000001b3 end
+  return ("%016x"):format(hash)
+end
+
+local function read(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local content = file:read "a"
+  file:close()
+  return content
+end
+
+--- folder: nil keeps nothing. `run`: the scenario's function; where its file can be read, that file's content is part of every key.
+function store.open(folder, run)
+  local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
+  if not self.path then return self end
+  local source = debug.getinfo(run, "S").source
+  local content = source:sub(1, 1) == "@" and read(source:sub(2)) or source
+  self.mark = core.version .. " " .. digest(content)
+  for line in (read(self.path) or ""):gmatch "[^\n]+" do
+    local f = load("return " .. line, "finished", "t", {})
+    local ok, entry = pcall(f or error)
+    if ok and type(entry) == "table" and entry.mark == self.mark then self.lines[entry.key] = entry.record end
+  end
+  return self
+end
+
+--- The key of a run: its parameters and what else decides it, such as which change of them.
+function store.key(parameters, more) return text(parameters) .. (more or "") end
+
+function Store:get(key) return self.lines[key] end
+
+--- Keeps a measurement; a later one of the same key takes its place.
+function Store:put(key, record)
+  self.lines[key] = record
+  if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end -- after a line that was cut short, too
+end
+
+return store
