@@ -1,7 +1,7 @@
 // What the program adds to lua/hinge/prompt.lua: lines from a terminal, and Ctrl-C.
 #pragma once
 
-#include <lua.hpp>
+struct lua_State;
 
 namespace hinge {
 
