@@ -4,7 +4,8 @@
 --         or, without the effects compiled out: hinge run tests/bench/bench.lua (quick=true: shorter; largest=1000000: bigger frames)
 -- Shows   Case I of the ten-storey impact stage by stage, in microseconds and in products of its own operator (6x6 blocks, one
 --         vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes; an effect that is
---         off against an engine without it; frames of growing size: time and memory; threads
+--         off against an engine without it; rules of the script's own against limits; threads; frames of growing size: time
+--         and memory
 -- Writes  a CSV of each table and growth.png in its output folder
 local hinge  = require "hinge"
 local core   = require "hinge.core"
@@ -23,12 +24,13 @@ end
 local function text(format, value) return format:format(value) end
 local function remainder(run) return run.energy.remainder / run.energy.initial end
 
--- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact.
-local function case_one(options, rule)
+-- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
+local function case_one(options, rule, breaks)
   local q = impact.parameters { dt = 1e-5 }
   local model = hinge.model {}
   local _, plane = impact.add(model, q)
   if rule then model:contact(rule) end
+  if breaks then model:fracture(breaks) end
   local loaded = model:static { hold = plane, record = false }
   loaded:finish()
   local all = { from = loaded, dt = q.dt, record = false }
@@ -202,6 +204,40 @@ local function growth(job, p)
   return rows
 end
 
+-- Case I by numbers, and by functions of the script that say the same (eq 16).
+local function rules(job, duration)
+  local abs = math.abs
+  local choices = {
+    { "limits" },
+    { "a function of a section", { rule = function(s) return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3 end } },
+    { "a function of all elements", { batch = function(elements)
+      local kx, ky, e, list = elements.curvature_x, elements.curvature_y, elements.axial_strain, nil
+      for i = 1, elements.count do
+        local x, y, z = kx[i], ky[i], e[i]
+        if x >= 0.4 or x <= -0.4 or y >= 0.4 or y <= -0.4 or z >= 0.3 or z <= -0.3 then
+          list = list or {}
+          list[#list + 1] = i
+        end
+      end
+      return list
+    end } },
+  }
+  local runs, rows = {}, {}
+  for i, choice in ipairs(choices) do runs[i] = case_one({ duration = duration }, nil, choice[2]) end
+  repeat -- by turns
+    local more
+    for _, run in ipairs(runs) do
+      for _ = 1, 100 do more = run:step() end
+    end
+  until not more
+  for i, run in ipairs(runs) do
+    rows[i] = { choices[i][1], text("%.1f", 1e6 * run.wall_seconds / run.index), text("%.3f", run.wall_seconds / runs[1].wall_seconds),
+      run:count { state = "broken" }, run.hash == runs[1].hash and "the same" or "OTHER" }
+  end
+  show(job, "rules", "Case I, who decides what breaks", { "rule", "us a step", "ratio", "members broken", "bits" }, rows)
+  return rows
+end
+
 local function threads(job, quick)
   local rows = {}
   for _, integrator in ipairs { "newmark", "explicit" } do
@@ -233,6 +269,7 @@ return hinge.scenario {
     result.explicit_auto = run
     if p.build ~= "" then result.compiled_out = compiled_out(job, p.build) end
     result.savings = savings(job, p.quick)
+    result.rules = rules(job, length)
     result.threads = threads(job, p.quick)
     result.growth = growth(job, p)
     return result

@@ -41,6 +41,30 @@ end }):finish()
 checks.equal(batch.hash, numbers.hash, "a batch against numbers")
 checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash, "limits beside a rule that never breaks")
 
+-- Debris: the same members of Case I break at the same steps.
+do
+  local impact = require "hinge.models.ten_storey_impact"
+  local abs = math.abs
+  local function breaks(s) return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3 end
+  local function case_one(rule)
+    local model = hinge.model()
+    local _, plane = impact.add(model, impact.parameters { dt = 1e-5 })
+    if rule then model:fracture(rule) end
+    return model:dynamic { from = model:static { hold = plane }:finish(), dt = 1e-5, duration = 0.02, beta = 0.4 }:finish()
+  end
+  local limits = case_one()
+  checks.expect(limits:count { state = "broken" } > 5, "members break in Case I")
+  checks.equal(case_one { rule = breaks }.hash, limits.hash, "Case I by a function")
+  checks.equal(case_one { batch = function(elements)
+    local list = {}
+    local kx, ky, e = elements.curvature_x, elements.curvature_y, elements.axial_strain
+    for i = 1, elements.count do
+      if breaks { curvature_x = kx[i], curvature_y = ky[i], axial_strain = e[i] } then list[#list + 1] = i end
+    end
+    return list
+  end }.hash, limits.hash, "Case I by a batch")
+end
+
 -- What a section shows --------------------------------------------------------------------------------------------------
 
 -- Two rules by groups; every field against what the run tells after the step.
