@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
 #include "contact/broad_phase.h"
+#include "core/text.h"
 
 namespace hinge {
 namespace {
 
-std::string number(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", v);
-    return text;
-}
-std::string at(const Vec3& x) { return "{" + number(x.x()) + ", " + number(x.y()) + ", " + number(x.z()) + "} m"; }
+std::string number(double v) { return number_text(v); }
+std::string at(const Vec3& x) { return vector_text(x) + " m"; }
 
 struct Finder {
     const Model& model;
@@ -84,7 +80,7 @@ void Finder::sections() {
 void Finder::gravity() {
     if (!model.gravity()) return;
     const Vec3& g = *model.gravity();
-    const std::string what = "gravity is {" + number(g.x()) + ", " + number(g.y()) + ", " + number(g.z()) + "} m/s^2";
+    const std::string what = "gravity is " + vector_text(g) + " m/s^2";
     if (g.norm() > 100) tell("gravity", what, "in mm/s^2? the earth's is 9.80665 m/s^2", model.asked_at("gravity"));
     if (g.z() > 0 && g.z() >= g.cwiseAbs().maxCoeff()) tell("upward", what + ", which pulls up", "write { 0, 0, -9.80665 } where z points up", model.asked_at("gravity"));
 }

@@ -2,23 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/errors.h"
+#include "core/text.h"
 
 namespace hinge {
 namespace {
 
-std::string number(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", v);
-    return text;
-}
-
-std::string triple(const Vec3& v) { return "{" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + "}"; }
-
 void must_be_finite(const Vec3& v, const char* what, const char* unit) {
-    if (!v.allFinite()) throw InputError(std::string(what) + " is " + triple(v) + " " + unit + "; all three must be finite");
+    if (!v.allFinite()) throw InputError(std::string(what) + " is " + vector_text(v) + " " + unit + "; all three must be finite");
 }
 
 }  // namespace
@@ -43,15 +35,15 @@ int Model::add_member(MemberData m) {
     const double length = chord.norm();
     const double scale = std::max(nodes_[m.node[0]].position.cwiseAbs().maxCoeff(), nodes_[m.node[1]].position.cwiseAbs().maxCoeff());
     if (!(length > 1e-9 * std::max(scale, 1e-3)))
-        throw InputError("member has length " + number(length) + " m: nodes " + std::to_string(m.node[0] + 1) + " and " +
-                         std::to_string(m.node[1] + 1) + " are both at " + triple(nodes_[m.node[0]].position) +
+        throw InputError("member has length " + number_text(length) + " m: nodes " + std::to_string(m.node[0] + 1) + " and " +
+                         std::to_string(m.node[1] + 1) + " are both at " + vector_text(nodes_[m.node[0]].position) +
                          " m; a member needs a length above 0 m");
     if (options_.formulation == Formulation::asi_gauss && m.elements % 2 != 0)
         throw InputError("elements per member is " + std::to_string(m.elements) +
                          "; formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...)");
     must_be_finite(m.up, "up", "");
     if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
-        throw InputError("up is " + triple(m.up) + ", parallel to the member (" + triple(chord) +
+        throw InputError("up is " + vector_text(m.up) + ", parallel to the member (" + vector_text(chord) +
                          " m); it gives the direction of the section's y axis and must point across the member");
     members_.push_back(std::move(m));
     return int(members_.size()) - 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
 #include "model/doubts.h"
 #include "sim/bodies.h"
 #include "sim/modes.h"
@@ -13,15 +14,10 @@ namespace {
 constexpr int periods_told = 3, bodies_told = 5;
 constexpr int most_nodes = 20000;   // of a body whose periods are looked for: some ten seconds
 
-std::string digits(double v, int n = 4) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*g", n, v);
-    return text;
-}
+std::string digits(double v, int n = 4) { return number_text(v, n); }
 std::string count(std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 std::string triple(const Vec3& v) {
-    const auto clean = [](double x) { return digits(std::abs(x) < 1e-9 ? 0 : x); };
-    return "{" + clean(v.x()) + ", " + clean(v.y()) + ", " + clean(v.z()) + "}";
+    return vector_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0 : x; }), 4);
 }
 
 struct Piece {

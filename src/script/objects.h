@@ -86,6 +86,7 @@ struct RunRecord {
     bool started = false, closed = false;
     bool stepping = false;                ///< a step is going on: the script's functions may not ask for another
     std::vector<LuaFunction> on_step;     ///< called after each step
+    long breaks_noted = 0;
     std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     double wall = 0;                      ///< s in steps

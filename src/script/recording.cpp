@@ -78,7 +78,8 @@ void add_row(RunRecord& r) {
 /// When elements broke and nodes lost their last one. What a run starts with broken, broke before it.
 void note_what_went(RunRecord& r) {
     const State& s = r.run->state();
-    if (s.stub.empty()) return;
+    if (s.stub.empty() || (r.started && r.run->breaks() == r.breaks_noted)) return;
+    r.breaks_noted = r.run->breaks();
     const double now = r.started ? s.time : -std::numeric_limits<double>::infinity();
     r.broken_at.resize(s.broken.size(), std::nan(""));
     r.left_at.resize(s.gone.size(), std::nan(""));

@@ -314,6 +314,7 @@ void Dynamics::commit() {
     }
     for (const auto& [element, end] : to_break_) {
         const Element& e = structure_->elements()[element];
+        ++breaks_;
         const BreakReport report = break_off(*structure_, state_, element, end, right_);
         if (operator_) operator_->remove(element), operator_->set_held(state_.held);
         renew_hung_operator(report.carrier);

@@ -28,6 +28,16 @@ bool within_reach(const FractureRule& rule, const Element& e, const beam::Fractu
            rule.axial_strain <= std::abs(plastic.axial) + elastic(e.yield.n, e.rigidity.EA);
 }
 
+/// Calls a rule of the script's own; where it fails, the message says which rule, and asked of whom.
+template <class Whom, class Ask>
+void saying_which(const FractureRule& rule, Whom whom, Ask ask) {
+    try {
+        ask();
+    } catch (const HookError& e) {
+        throw HookError(std::string(e.what()) + " (fracture rule" + (rule.asked_at.empty() ? "" : " of " + rule.asked_at) + ", " + whom() + ")");
+    }
+}
+
 /// The flow of an element, where it flows: `yielding` rises, and so must the elements asked for.
 class Flows {
 public:
@@ -167,12 +177,7 @@ void Dynamics::with_kept(int index, int side, SectionView& view, Ask ask) {
         view.kept = &state_.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
         kept_before_.push_back({view.kept, std::vector<double>(view.kept, view.kept + rule.keep.size())});
     }
-    try {
-        ask();
-    } catch (const HookError& e) {
-        throw HookError(std::string(e.what()) + " (fracture rule" + (rule.asked_at.empty() ? "" : " of " + rule.asked_at) + ", " + structure_->element_name(index) +
-                        ", end " + std::to_string(side) + ")");
-    }
+    saying_which(rule, [&] { return structure_->element_name(index) + ", end " + std::to_string(side); }, ask);
 }
 
 /// A rule's elements, read where the step has ended.
@@ -266,11 +271,7 @@ void Dynamics::ask_batch(int rule) {
     const FractureRule& declared = structure_->model().fracture()[rule];
     const std::vector<int>& elements = rule_elements_[rule];
     std::vector<int> places;
-    try {
-        declared.batch(Asked(*this, elements), places);
-    } catch (const HookError& e) {
-        throw HookError(std::string(e.what()) + " (fracture rule" + (declared.asked_at.empty() ? "" : " of " + declared.asked_at) + ", all its elements)");
-    }
+    saying_which(declared, [] { return std::string("all its elements"); }, [&] { declared.batch(Asked(*this, elements), places); });
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
     Flows flows(yielding_);

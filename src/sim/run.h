@@ -39,6 +39,7 @@ public:
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
     struct Waking { double time; std::string effect; bool awake; std::string why; };
     const std::vector<Waking>& wakings() const { return wakings_; }
+    long breaks() const { return breaks_; }              ///< elements that broke in this run
     long steps_done() const { return state_.step - first_step_; }
 
     Vec6 displacement(int node) const;   ///< ux uy uz (m), rotation vector rx ry rz (rad)
@@ -60,7 +61,7 @@ protected:
     Verdict verdict_ = Verdict::running;
     std::vector<Waking> wakings_;
     std::string reason_;
-    long first_step_;
+    long first_step_, breaks_ = 0;
 };
 
 }  // namespace hinge
