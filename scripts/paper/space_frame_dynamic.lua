@@ -16,10 +16,10 @@ local paper       = require "hinge.paper"
 
 -- The corner's displacement over time under a sudden load. `parts`: into how many the paper's step is cut; where hinges
 -- come and go too fast for balance to be found in a step, all are halved, and the table says so. `exact`: the elements get
--- the exact stiffness and keep their linear mass.
-local function respond(p, method, elements, plastic, parts, exact)
+-- the exact stiffness and keep their linear mass. `mass`: hinge.model's.
+local function respond(p, method, elements, plastic, parts, exact, mass)
   local model = hinge.model {
-    formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic,
+    formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic, mass = mass,
   }
   local steel = hinge.material { E = p.E, nu = p.nu, density = p.density, yield_stress = p.yield_stress }
   local frame = space_frame.add(model,
@@ -30,7 +30,7 @@ local function respond(p, method, elements, plastic, parts, exact)
   run:finish()
   if run.verdict ~= "completed" then
     if parts >= 256 then error(("%s, %d elements: %s"):format(method, elements, run.reason)) end
-    return respond(p, method, elements, plastic, 2 * parts, exact)
+    return respond(p, method, elements, plastic, 2 * parts, exact, mass)
   end
   local mm = paper.sampled(ux.time, paper.scaled(ux.value, 1e3), run.time, p.steps) -- at the ends of the paper's steps
   local ms = {}
@@ -76,6 +76,7 @@ local function study(p, job, number, title, plastic)
   local parts = {
     all = aim, element = paper.error(pair.y, exact.y),
     mass = paper.error(exact.y, fine.y), time = paper.error(fine.y, converged.y),
+    cubic = paper.error(respond(p, "asi-gauss", 2, plastic, 1, false, "cubic").y, converged.y),
   }
   result.parts = parts
   paper.table("What the error of two elements of asi-gauss is made of", { "part", "error, %" }, {
@@ -83,6 +84,7 @@ local function study(p, job, number, title, plastic)
     { "element: against two with the exact stiffness", percent(parts.element) },
     { ("mass: these against %d elements"):format(finest), percent(parts.mass) },
     { "time step: these against the converged run", percent(parts.time) },
+    { "all, with the cubic mass instead", percent(parts.cubic) },
   })
   return result
 end

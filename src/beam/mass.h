@@ -1,5 +1,7 @@
-// The element's consistent mass with rotary inertia, and what becomes of it when the element breaks.
+// The element's mass: linear as in the paper, cubic in pairs, or lumped; and what becomes of it when the element breaks.
 #pragma once
+
+#include <cmath>
 
 #include "beam/timoshenko.h"
 
@@ -8,30 +10,57 @@ namespace hinge::beam {
 /// Rotary inertia per length of the section in local axes, kg m: about x, about y, about z (polar).
 inline Vec3 rotary_inertia(const Rigidity& c) { return {c.rhoIx, c.rhoIy, c.rhoIx + c.rhoIy}; }
 
-/// Consistent mass, 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes. Linear shape functions;
-/// not changed by the position of the integration point (paper, after eq 15).
-inline Mat12 consistent_mass(const Rigidity& c, double L, const Mat3& axes) {
-    const Mat3 J = axes * rotary_inertia(c).asDiagonal() * axes.transpose();
-    Mat12 M = Mat12::Zero();
-    for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) {
-            const double share = L / 6 * (i == j ? 2 : 1);
-            M.block<3, 3>(6 * i, 6 * j) = share * c.rhoA * Mat3::Identity();
-            M.block<3, 3>(6 * i + 3, 6 * j + 3) = share * J;
+/// What an element weighs on its two nodes. Translation resists alike in all directions; rotary inertia is about the local axes.
+struct Inertia {
+    double own[2], across;           ///< of each node, and between the two, kg
+    Vec3 rotary[2], rotary_across;   ///< likewise, kg m^2
+
+    double weight(int end) const { return own[end] + across; }   ///< what an even acceleration asks of the node, kg
+
+    /// 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes.
+    Mat12 matrix(const Mat3& axes) const {
+        const auto turned = [&](const Vec3& J) -> Mat3 { return axes * J.asDiagonal() * axes.transpose(); };
+        const Mat3 between = turned(rotary_across);
+        Mat12 M = Mat12::Zero();
+        for (int i : {0, 1}) {
+            M.block<3, 3>(6 * i, 6 * i).diagonal().setConstant(own[i]);
+            M.block<3, 3>(6 * i, 6 * (1 - i)).diagonal().setConstant(across);
+            M.block<3, 3>(6 * i + 3, 6 * i + 3) = turned(rotary[i]);
+            M.block<3, 3>(6 * i + 3, 6 * (1 - i) + 3) = between;
         }
-    return M;
+        return M;
+    }
+};
+
+/// Consistent mass of linear shape functions; not changed by the position of the integration point (paper, after eq 15).
+inline Inertia linear_inertia(const Rigidity& c, double L) {
+    const double m = L / 6 * c.rhoA;
+    const Vec3 J = L / 6 * rotary_inertia(c);
+    return {{2 * m, 2 * m}, m, {2 * J, 2 * J}, J};
 }
 
-/// Lumped, for each of its two nodes: kg, and kg m^2 about every axis (the section's polar inertia).
-inline double lumped_mass(const Rigidity& c, double L) { return 0.5 * c.rhoA * L; }
-inline double lumped_rotary(const Rigidity& c, double L) { return 0.5 * (c.rhoIx + c.rhoIy) * L; }
+/// What the linear mass misses of a pair of asi-gauss elements; `middle`: the element's end (0, 1) at the pair's middle. The pair's
+/// stiffness is that of a cubic, but its middle node sags only (3 - sqrt 3)/3 of what the cubic does. Here
+///   - a pair that bows has the momentum of the parabola: 2/3 of its mass at the true sag;
+///   - a part of its moment of inertia is the middle node's own, which turns ahead of the chord where the pair bends like an S: so the
+///     masses off the chord count there too. A pair that does not bend has its mass and moment of inertia as before.
+/// In parts of rho A l: 1/4 on the outer node, 1/4 + 1/sqrt 3 on the middle one, 1/4 - 1/(2 sqrt 3) between; and rho A l^3/12 on the
+/// middle node about the two axes across. Translation alone couples the nodes, so it holds in any position. Not in the paper.
+inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
+    Inertia i = linear_inertia(c, L);
+    const double m = c.rhoA * L, root = 1 / std::sqrt(3.0), turning = m * L * L / 12;
+    i.own[1 - middle] = 0.25 * m;
+    i.own[middle] = (0.25 + root) * m;
+    i.across = (0.25 - 0.5 * root) * m;
+    i.rotary[middle] += Vec3(turning, turning, 0);
+    return i;
+}
 
-/// The lumped mass as a matrix, 12 x 12.
-inline Mat12 lumped_matrix(const Rigidity& c, double L) {
-    Vec12 d;
-    const double m = lumped_mass(c, L), j = lumped_rotary(c, L);
-    d << m, m, m, j, j, j, m, m, m, j, j, j;
-    return d.asDiagonal();
+/// Lumped: half on each node, the rotary part about every axis the section's polar inertia.
+inline Inertia lumped_inertia(const Rigidity& c, double L) {
+    const double m = 0.5 * c.rhoA * L;
+    const Vec3 J = Vec3::Constant(0.5 * (c.rhoIx + c.rhoIy) * L);
+    return {{m, m}, 0, {J, J}, Vec3::Zero()};
 }
 
 /// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes` likewise.
@@ -50,7 +79,7 @@ inline Stub rigid_stub(const Rigidity& c, const Vec3& span, const Mat3& axes) {
 /// would gain energy as it takes over their angular momentum.
 inline Stub lumped_stub(const Rigidity& c, const Vec3& span) {
     const double L = span.norm(), m = c.rhoA * L;
-    return {m, 0.5 * m * span, 2 * lumped_rotary(c, L) * Mat3::Identity() + 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
+    return {m, 0.5 * m * span, (c.rhoIx + c.rhoIy) * L * Mat3::Identity() + 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
 /// Mass of a rigid body hung on a node, 6 x 6 in space, for first moment and inertia in space.

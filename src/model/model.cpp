@@ -84,7 +84,12 @@ void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
     has_velocity_ = true;
 }
 
-void Model::add_fracture(FractureRule rule) { check_open(), fracture_.push_back(std::move(rule)); }
+void Model::add_fracture(FractureRule rule) {
+    check_open();
+    if (options_.mass == MassShape::cubic)
+        throw InputError("model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its own; declare it with mass = 'linear'");
+    fracture_.push_back(std::move(rule));
+}
 void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std::move(rule)); }
 void Model::add_motion(SupportMotion motion) { fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion)); }
 void Model::set_damping(double d) { check_open(), damping_ = d; }

@@ -42,6 +42,8 @@ enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF a
 
 /// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness stays that
 /// of the Gauss points and the pair stays exact. `whole`: the paper's letter, elastic and plastic together.
+/// The elements' mass: the paper's linear one, or that of the cubic shape which two elements of asi-gauss stand for.
+enum class MassShape : std::uint8_t { linear, cubic };
 enum class Shift : std::uint8_t { plastic, whole };
 
 struct NodeData {
@@ -90,6 +92,7 @@ struct ModelOptions {
     Formulation formulation = Formulation::asi_gauss;
     Displacement displacement = Displacement::large;
     Shift shift = Shift::plastic;
+    MassShape mass = MassShape::linear;
     bool plasticity = true;
     int elements_per_member = 2;
 };

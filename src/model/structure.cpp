@@ -90,6 +90,12 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         for (int node : elements_[i].node) at_[next[node]++] = int(i);
 }
 
+beam::Inertia Structure::inertia(int index) const {
+    const Element& e = elements_[index];
+    if (lumped()) return beam::lumped_inertia(e.rigidity, e.length);
+    return cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0) : beam::linear_inertia(e.rigidity, e.length);
+}
+
 std::vector<Vec6> Structure::initial_velocity() const {
     std::vector<Vec6> v = model_->velocities();
     v.reserve(position_.size());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "beam/mass.h"
 #include "beam/timoshenko.h"
 #include "beam/yield.h"
 #include "model/model.h"
@@ -46,7 +47,9 @@ public:
     std::span<const int> elements_at(int node) const { return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])}; }  ///< rising
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
+    beam::Inertia inertia(int element) const;
     bool lumped() const { return mass_ == MassKind::lumped; }
+    bool cubic() const { return !lumped() && model_->options().mass == MassShape::cubic; }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }
     bool in_group(int element, int group) const;

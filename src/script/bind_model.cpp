@@ -31,6 +31,9 @@ int model(lua_State* L) {
     m.formulation = formulation == "conventional" ? Formulation::conventional : formulation == "asi" ? Formulation::asi : Formulation::asi_gauss;
     m.displacement = o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
     m.shift = o.word("shift", {"plastic", "whole"}, "plastic") == "whole" ? Shift::whole : Shift::plastic;
+    m.mass = o.word("mass", {"linear", "cubic"}, "linear") == "cubic" ? MassShape::cubic : MassShape::linear;
+    if (m.mass == MassShape::cubic && m.formulation != Formulation::asi_gauss)
+        o.complain("mass", "'cubic'", "belongs to formulation 'asi-gauss', whose pairs of elements have the stiffness of a cubic; '" + formulation + "' takes 'linear'");
     m.plasticity = o.flag("plasticity", true);
     m.elements_per_member = o.integer("elements_per_member", 1, 2);
     if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)

@@ -261,8 +261,8 @@ int pieces(lua_State* L) {
     std::vector<double> mass(still.points.size(), 0);
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
-        for (int n : e.node)
-            if (!run.state().broken[i]) mass[n] += 0.5 * e.rigidity.rhoA * e.length;
+        for (int end : {0, 1})
+            if (!run.state().broken[i]) mass[e.node[end]] += structure.inertia(int(i)).weight(end);
     }
     for (std::size_t i = 0; i < run.state().hung.size(); ++i) mass[i] += run.state().hung[i].mass;
     const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };

@@ -11,16 +11,10 @@ Mat3 frame(const Structure& structure, const State& state, int index) {
     if (!structure.large()) return e.axes.toRotationMatrix();
     const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
     const Vec3 c = e.chord + (state.displacement[e.node[1]] - state.displacement[e.node[0]]);
-    const auto p = beam::place<double>({c.x(), c.y(), c.z()}, quad(state.rotation[e.node[0]]), quad(state.rotation[e.node[1]]), quad(e.axes));
-    Mat3 m;
-    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
-    return m;
+    return axes_of(beam::place<double>({c.x(), c.y(), c.z()}, quad(state.rotation[e.node[0]]), quad(state.rotation[e.node[1]]), quad(e.axes)));
 }
 
-Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
-    const Element& e = structure.elements()[index];
-    return structure.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, frame(structure, state, index));
-}
+Mat12 mass_matrix(const Structure& structure, const State& state, int index) { return structure.inertia(index).matrix(frame(structure, state, index)); }
 
 Vec12 element_velocity(const Element& e, const State& state) {
     Vec12 v;
@@ -53,13 +47,9 @@ double kinetic_energy(const Structure& structure, const State& state) {
         const Mat3 axes = frame(structure, state, int(i)).transpose();
         const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
         const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = axes * a.tail<3>(), wb = axes * b.tail<3>();
-        if (structure.lumped()) {
-            energy += 0.5 * (beam::lumped_mass(e.rigidity, e.length) * (va.dot(va) + vb.dot(vb)) + beam::lumped_rotary(e.rigidity, e.length) * (wa.dot(wa) + wb.dot(wb)));
-            continue;
-        }
-        const Vec3 J = beam::rotary_inertia(e.rigidity);
-        energy += e.length / 6 * (e.rigidity.rhoA * (va.dot(va) + va.dot(vb) + vb.dot(vb)) +
-                                  wa.dot(J.cwiseProduct(wa)) + wa.dot(J.cwiseProduct(wb)) + wb.dot(J.cwiseProduct(wb)));
+        const beam::Inertia m = structure.inertia(int(i));
+        energy += 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) + wb.dot(m.rotary[1].cwiseProduct(wb))) +
+                  m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i)
         if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);

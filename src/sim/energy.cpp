@@ -16,9 +16,8 @@ double Ledger::potential(const State& state) const {
     for (std::size_t i = 0; i < structure_.elements().size(); ++i) {
         if (state.broken[i]) continue;
         const Element& e = structure_.elements()[i];
-        Vec3 x = Vec3::Zero();
-        for (int n : e.node) x += structure_.position()[n] + state.displacement[n];
-        moment += 0.5 * e.rigidity.rhoA * e.length * x;
+        const beam::Inertia m = structure_.inertia(int(i));
+        for (int end : {0, 1}) moment += m.weight(end) * (structure_.position()[e.node[end]] + state.displacement[e.node[end]]);
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i)
         if (state.hung[i].mass > 0)

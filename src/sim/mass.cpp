@@ -27,36 +27,23 @@ Mat6 inverse_of_free(Mat6 m, int held) {  // what is held takes no part: a stub 
     return blocks::inverse_by_halves(m);
 }
 
-/// Of one element, in space: rho A L/6 (kg) and rho I L/6 (kg m^2); zero when it is broken.
+/// Of one element with the linear mass, in space: rho A L/6 (kg) and rho I L/6 (kg m^2); zero when it is broken.
 struct Part {
     double mass = 0;
     Mat3 rotary = Mat3::Zero();
-
-    Mat12 matrix() const {
-        Mat12 M = Mat12::Zero();
-        for (int i : {0, 1})
-            for (int j : {0, 1}) {
-                const double share = i == j ? 2 : 1;
-                M.block<3, 3>(6 * i, 6 * j).diagonal().setConstant(share * mass);
-                M.block<3, 3>(6 * i + 3, 6 * j + 3) = share * rotary;
-            }
-        return M;
-    }
 };
 
 Part part_of(const Structure& structure, int index, const State& state, const Pose& pose) {
     Part part;
     if (state.broken[index]) return part;
     const Element& e = structure.elements()[index];
-    const auto f = place_element(structure, index, pose).frame;
-    Mat3 axes;
-    axes << f.x.x, f.y.x, f.z.x, f.x.y, f.y.y, f.z.y, f.x.z, f.y.z, f.z.z;
+    const Mat3 axes = axes_of(place_element(structure, index, pose));
     part.mass = e.rigidity.rhoA * e.length / 6;
     part.rotary = e.length / 6 * (axes * beam::rotary_inertia(e.rigidity).asDiagonal() * axes.transpose());
     return part;
 }
 
-/// change = M^-1 r by conjugate gradients on products element by element, each node's own block as preconditioner.
+/// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as preconditioner.
 void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change, const State& state, double tolerance) {
     const std::size_t n = r.size();
     const Pose pose = pose_of(state);
@@ -136,7 +123,8 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
     const bool first = !blocks_;
     if (first) keep_blocks(state);
     const auto take_up = [&](int index) {
-        blocks_->parts.set(index, part_of(structure_, index, state, pose).matrix());
+        const Mat3 axes = axes_of(place_element(structure_, index, pose));
+        blocks_->parts.set(index, state.broken[index] ? Mat12::Zero() : structure_.inertia(index).matrix(axes));
         for (int node : structure_.elements()[index].node) mark(node);
     };
     if (first)
@@ -158,9 +146,9 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
         double mass = 0, rotary = 0;
         for (int index : structure_.elements_at(int(i))) {
             if (state.broken[index]) continue;
-            const Element& e = structure_.elements()[index];
-            mass += beam::lumped_mass(e.rigidity, e.length);
-            rotary += beam::lumped_rotary(e.rigidity, e.length);
+            const beam::Inertia lumped = structure_.inertia(index);
+            mass += lumped.own[0];
+            rotary += lumped.rotary[0].x();
         }
         lumped_inverse_[i].setZero();
         for (int c = 0; c < 6; ++c)
@@ -214,6 +202,7 @@ void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, co
         hold(change, state);
         return;
     }
+    if (!blocks_ && structure_.cubic()) renew({}, state, pose_of(state));
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
     take_up_held(state);
     std::sort(blocks_->dirty.begin(), blocks_->dirty.end());

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <random>
 
-#include "beam/mass.h"
 #include "beam/tangent.h"
 
 namespace hinge {
@@ -31,7 +30,7 @@ struct Matrices {
                 if (e.node[0] != n) continue;
                 const Mat3 axes = e.axes.toRotationMatrix();
                 const Mat12 k = beam::linear_tangent(axes.transpose(), e.length, e.stiffness.matrix());
-                const Mat12 m = structure.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, axes);
+                const Mat12 m = structure.inertia(index).matrix(axes);
                 for (int i = 0; i < 12; ++i)
                     for (int j = 0; j < 12; ++j) {
                         const int row = place[6 * e.node[i / 6] + i % 6], column = place[6 * e.node[j / 6] + j % 6];

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "beam/mass.h"
 #include "beam/tangent.h"
 #include "sim/blocks.h"
 #include "sim/hinges.h"
@@ -30,9 +29,7 @@ void Operator::mark(int node) {
 Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
     const Element& e = structure_.elements()[index];
     const beam::Placement<double> place = place_element(structure_, index, pose);
-    Mat3 axes;
-    const auto& f = place.frame;
-    axes << f.x.x, f.y.x, f.z.x, f.x.y, f.y.y, f.z.y, f.x.z, f.y.z, f.z.z;
+    const Mat3 axes = axes_of(place);
     const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
     const auto stiffness = [&](bool geometric) {
         return structure_.large() ? beam::tangent(place, state.force[index], k, geometric) : beam::linear_tangent(axes.transpose(), e.length, k);
@@ -42,7 +39,7 @@ Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6
     if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
     else A = (0.5 * stiffness_factor_) * (K + K.transpose());
     if (mass_factor_ == 0) return A;
-    const Mat12 M = mass_factor_ * (structure_.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, axes));
+    const Mat12 M = mass_factor_ * structure_.inertia(index).matrix(axes);
     A += M;
     if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) && A.llt().info() != Eigen::Success)
         A = stiffness_factor_ * stiffness(false) + M;

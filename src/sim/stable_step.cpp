@@ -15,7 +15,7 @@ namespace {
 double highest(const Element& e) {
     const auto T = beam::linear_deformation(e.length);
     Mat12 K = T.transpose() * e.stiffness.matrix() * T;
-    const Vec12 root = beam::lumped_matrix(e.rigidity, e.length).diagonal().cwiseSqrt().cwiseInverse();
+    const Vec12 root = beam::lumped_inertia(e.rigidity, e.length).matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
     K = root.asDiagonal() * K * root.asDiagonal();
     return Eigen::SelfAdjointEigenSolver<Mat12>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }

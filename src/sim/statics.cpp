@@ -35,7 +35,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
         const Element& e = structure_->elements()[i];
         length += e.length;
         if (model.gravity() && !state_.broken[i])
-            for (int n : e.node) gravity_load_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
+            for (int end : {0, 1}) gravity_load_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
     }
     if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
     for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());

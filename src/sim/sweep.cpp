@@ -29,7 +29,8 @@ struct Sweep::Kind {
     Lanes length, axes[4];             // w x y z
     Lanes k[8];                        // x11 x12 x22 y11 y12 y22 axial twist
     Lanes yield[4];                    // x y n z
-    Lanes mass, rotary[3];             // rho A L/6, rho I L/6
+    Lanes mass, rotary[3];             // rho A L/6, rho I L/6: the linear mass
+    Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
     bool can_yield;
 };
 
@@ -110,6 +111,12 @@ const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
         kind.mass[i] = e.rigidity.rhoA * e.length / 6;
         const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
         for (int c = 0; c < 3; ++c) kind.rotary[c][i] = rotary[c];
+        const beam::Inertia linear = beam::linear_inertia(e.rigidity, e.length), whole = structure_.inertia(index[i]);
+        for (int end : {0, 1}) {
+            kind.more[end][i] = whole.own[end] - linear.own[end];
+            kind.more_rotary[end][i] = whole.rotary[end].x() - linear.rotary[end].x();
+        }
+        kind.more_across[i] = whole.across - linear.across;
         kind.can_yield |= !e.yield.elastic();
     }
     return kind;
@@ -183,7 +190,7 @@ template <bool large, bool inertia>
 void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found) {
     double section[2];
     const int section_count = sections(section);
-    const bool watching = watching_;
+    const bool watching = watching_, cubic = structure_.cubic();
     for (int block = first; block < end; ++block) {
         const Block& b = blocks_[block];
         if (!b.whole) continue;
@@ -245,12 +252,19 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 w1 = local(gather(pose.velocity, b.node[0], 3));
                 w2 = local(gather(pose.velocity, b.node[1], 3));
             }
-            const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, local(m1.angular));
-            const Triple<Lanes> h2 = rotary_force(kind.rotary, w2, local(m2.angular));
+            const Triple<Lanes> s1 = local(m1.angular), s2 = local(m2.angular);
+            const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, s1), h2 = rotary_force(kind.rotary, w2, s2);
             const auto space = [&](const Triple<Lanes>& v) { return v.x * place.frame.x + v.y * place.frame.y + v.z * place.frame.z; };
             const Triple<Lanes> g1 = space(h1), g2 = space(h2);
             out.moment[0] = out.moment[0] + two * g1 + g2;
             out.moment[1] = out.moment[1] + g1 + two * g2;
+            if (cubic) {
+                out.force[0] = out.force[0] + (kind.more[0] * a1 + kind.more_across * a2);
+                out.force[1] = out.force[1] + (kind.more_across * a1 + kind.more[1] * a2);
+                const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none}, across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
+                out.moment[0] = out.moment[0] + space(rotary_force(across1, w1, s1));
+                out.moment[1] = out.moment[1] + space(rotary_force(across2, w2, s2));
+            }
         }
 
         // element by element again
@@ -320,6 +334,12 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
     }
     for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
+}
+
+Mat3 axes_of(const beam::Placement<double>& p) {
+    Mat3 axes;
+    axes << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
+    return axes;
 }
 
 beam::Placement<double> place_element(const Structure& structure, int index, const Pose& pose) {

@@ -77,6 +77,7 @@ private:
 };
 
 /// Where one element is (for its tangent and for reading it).
+Mat3 axes_of(const beam::Placement<double>& placement);   ///< columns: the local axes in space
 beam::Placement<double> place_element(const Structure& structure, int element, const Pose& pose);
 Vec6 element_deformation(const Structure& structure, int element, const Pose& pose);
 

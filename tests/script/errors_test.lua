@@ -64,6 +64,16 @@ end
 wrong("hinge.model: field 'formulation' is 'asi_gaus'; must be one of 'conventional', 'asi', 'asi-gauss' (did you mean 'asi-gauss'?)",
   function() hinge.model { formulation = "asi_gaus" } end)
 wrong("hinge.model: field 'formulation' is 3; must be a string", function() hinge.model { formulation = 3 } end)
+wrong("hinge.model: field 'mass' is 'cubick'; must be one of 'linear', 'cubic' (did you mean 'cubic'?)", function() hinge.model { mass = "cubick" } end)
+wrong("hinge.model: field 'mass' is 'cubic'; belongs to formulation 'asi-gauss', ... 'asi' takes 'linear'",
+  function() hinge.model { mass = "cubic", formulation = "asi" } end)
+wrong("model:fracture: a model with mass = 'cubic' cannot break, ... declare it with mass = 'linear'",
+  function() hinge.model { mass = "cubic" }:fracture { curvature_x = 0.4 } end)
+wrong("model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes 'newmark'", function()
+  local model = hinge.model { mass = "cubic" }
+  model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1, density = 1 } }
+  model:dynamic { integrator = "explicit", dt = "auto", duration = 1 }
+end)
 wrong("hinge.model: field 'displacement' is 'lagre'; must be one of 'small', 'large' (did you mean 'large'?)",
   function() hinge.model { displacement = "lagre" } end)
 wrong("hinge.model: field 'shift' is 'hole'; must be one of 'plastic', 'whole' (did you mean 'whole'?)", function() hinge.model { shift = "hole" } end)

@@ -79,7 +79,7 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
             M.block<6, 6>(6 * carrier, 6 * carrier) += beam::hung_mass(s.mass, s.moment, s.inertia);
             continue;
         }
-        const Mat12 m = structure.lumped() ? beam::lumped_matrix(e.rigidity, e.length) : beam::consistent_mass(e.rigidity, e.length, axes);
+        const Mat12 m = structure.inertia(int(i)).matrix(axes);
         for (int a : {0, 1})
             for (int b : {0, 1}) M.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += m.block<6, 6>(6 * a, 6 * b);
     }
@@ -256,8 +256,8 @@ TEST_CASE("solver: a stub weighs what its element does when that moves as a rigi
     Eigen::Matrix<double, 12, 6> follow = Eigen::Matrix<double, 12, 6>::Zero();  // both nodes as the first one bids
     for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
     follow.block<3, 3>(6, 3) = -skew(e.chord);
-    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {{"consistent", {beam::consistent_mass(e.rigidity, e.length, axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
-                                                                          {"lumped", {beam::lumped_matrix(e.rigidity, e.length), beam::lumped_stub(e.rigidity, e.chord)}}};
+    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {{"consistent", {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
+                                                                          {"lumped", {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_stub(e.rigidity, e.chord)}}};
     for (const auto& [name, both] : kinds) {
         const Mat6 element = follow.transpose() * both.first * follow, stub = beam::hung_mass(both.second.mass, both.second.moment, both.second.inertia);
         CHECK_FIGURE(std::string("stub, ") + name, (element - stub).norm() / element.norm(), 1e-14);
