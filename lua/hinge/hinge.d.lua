@@ -23,6 +23,7 @@ function hinge.model(options) end
 ---@field formulation? "asi-gauss"|"asi"|"conventional" where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi: in the middle while elastic. conventional: always in the middle
 ---@field displacement? "large"|"small" large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
 ---@field shift? "plastic"|"whole" what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of elements keeps its exact elastic stiffness and the energy ledger closes. whole: the paper's letter (eqs 6, 10), elastic point and all, and its partner's point to the middle; forces stay continuous but the elastic energy jumps, which the remainder shows
+---@field mass? "linear"|"cubic" linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: what a pair of asi-gauss elements weighs in the cubic shape that its stiffness stands for; not in the paper, equally fast, frequencies of two elements a member within 0.2 % where linear has 1 to 4 %. Newmark's method and statics only, no fracture
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---@field elements_per_member? integer default 2, the paper's
 
@@ -383,10 +384,11 @@ function model:dynamic(options) end
 ---@field duration number s
 ---@field integrator? "newmark"|"explicit" default newmark
 ---@field from? hinge.run starts from another run's state, such as gravity at rest
+---@field energy_tolerance? number default 0.1 (0 with shift = "whole", whose ledger cannot close): the run ends by itself, with verdict "failed", when the ledger's remainder is a larger part of the energy turned over (the most that any one account of run.energy has had). It is looked at every 100 steps, or 20 times in a short run, and at the end; the state is then that of the last look at which it closed (models of up to 200 000 elements). 0: never
 ---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
 ---@field threads? integer how many share a step's work, default 1, the same bits for any number
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
----@field iterations? integer 1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's first; 0 (default) is one solve, or Newton's method where hinges form in steps longer than the fastest vibration allows for one
+---@field iterations? integer 1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer than the fastest vibration allows for one
 ---@field tolerance? number see iterations; default 1e-10
 ---@field predictor? "auto"|"acceleration"|"displacement" where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the first while dt is shorter than an axial wave needs for the shortest element
 ---@field geometric? boolean initial stress in the operator, default true

@@ -21,7 +21,10 @@ int best_axis(const std::vector<Box>& boxes) {
             high = std::max(high, box.low[axis]);
         }
         const float scale = high > low ? (bins - 1) / (high - low) : 0.0f;
-        const auto bin = [&](float x) { return static_cast<int>(std::min(std::max((x - low) * scale, 0.0f), bins - 1.0f)); };
+        const auto bin = [&](float x) {
+            const float place = (x - low) * scale;  // not a number where boxes reach beyond all bounds
+            return place > 0 ? static_cast<int>(std::min(place, bins - 1.0f)) : 0;
+        };
         std::array<int, bins + 1> begun{};
         for (const Box& box : boxes) ++begun[bin(box.low[axis]) + 1];
         for (int i = 0; i < bins; ++i) begun[i + 1] += begun[i];
@@ -81,8 +84,9 @@ std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<
 Box::Box(const Vec3& low, const Vec3& high) {
     constexpr float far = std::numeric_limits<float>::infinity();
     for (int c = 0; c < 3; ++c) {
-        this->low[c] = std::nextafter(static_cast<float>(low[c]), -far);
-        this->high[c] = std::nextafter(static_cast<float>(high[c]), far);
+        // what is not a number is everywhere: a run that comes to this is ended by the solver, which names the place
+        this->low[c] = std::isnan(low[c]) ? -far : std::nextafter(static_cast<float>(low[c]), -far);
+        this->high[c] = std::isnan(high[c]) ? far : std::nextafter(static_cast<float>(high[c]), far);
     }
 }
 

@@ -128,9 +128,11 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest"});
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance"});
     const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
     const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
+    if (in_explicit_steps && m->options().mass == MassShape::cubic)
+        throw InputError("model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes 'newmark'");
     require_density(*structure);
     DynamicSettings s;
     s.duration = o.number("duration", "s", Range::positive);
@@ -149,6 +151,7 @@ int dynamic_run(lua_State* L) {
     s.turn = o.number("turn", "rad", Range::positive, s.turn);
     s.narrow = o.word("precision", {"single", "double"}, "single") == "single";
     s.rest = o.flag("rest", s.rest);
+    if (o.has("energy_tolerance")) s.energy_tolerance = o.number("energy_tolerance", "", Range::not_negative);
     s.threads = o.integer("threads", 1, 1);
     if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
     if (in_explicit_steps)

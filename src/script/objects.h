@@ -92,6 +92,7 @@ struct RunRecord {
     double wall = 0;                      ///< s in steps
     std::size_t wakings_shown = 0;
     double worst_remainder = 0, last_remainder = 0, initial = 0;
+    long row_of = -1;                          ///< the step of the last row
 };
 struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
 

@@ -64,7 +64,9 @@ void add_row(RunRecord& r) {
     r.initial = e.initial;
     r.last_remainder = e.remainder;
     r.worst_remainder = std::max(r.worst_remainder, std::abs(e.remainder));
-    if (r.history_path.empty()) return;
+    const long step = r.run->state().step;
+    if (r.history_path.empty() || step < r.row_of) return;  // a run that failed may have gone back to its last good step
+    r.row_of = step;
     char text[400];
     std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time, r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.work, e.remainder);
     r.rows += text;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "beam/mass.h"
 #include "core/errors.h"
 #include "core/rotation.h"
 #include "sim/hinges.h"
@@ -29,12 +28,6 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
 
 double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
 
-Mat3 frame_of(const beam::Placement<double>& p) {
-    Mat3 m;
-    m << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
-    return m;
-}
-
 }  // namespace
 
 bool Dynamics::advance() {
@@ -43,22 +36,23 @@ bool Dynamics::advance() {
         verdict_ = Verdict::completed;
         return false;
     }
-    if (!has_rules_) return take_step();
-    remember();
+    if (has_rules_) remember();
     try {
-        return take_step();
+        take_step();
     } catch (const HookError& e) {
         take_back();
         char at[100];
         std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1, state_.time + settings_.dt);
         throw HookError(e.what() + std::string(at));
     } catch (...) {
-        take_back();
+        if (has_rules_) take_back();
         throw;
     }
+    guard();
+    return verdict_ != Verdict::failed;
 }
 
-bool Dynamics::take_step() {
+void Dynamics::take_step() {
     if (settings_.automatic) choose_step();
     std::size_t recover_at = 0;
     iteration_ = 0;
@@ -71,8 +65,7 @@ bool Dynamics::take_step() {
         if (!failure_.empty()) {
             char at[64];
             std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + settings_.dt);
-            fail(at + failure_);
-            return false;
+            return fail(at + failure_);
         }
         if (stage.run != &Dynamics::correct) continue;
         if (again_) {
@@ -85,7 +78,6 @@ bool Dynamics::take_step() {
         }
     }
     if (over()) verdict_ = Verdict::completed;
-    return true;
 }
 
 // ---- stages ------------------------------------------------------------------------------------------------------
@@ -183,7 +175,7 @@ void Dynamics::renew_operator() {
             if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end()) at->second = operator_->part(rebuild_[i], state_, trial_, given[i]);
         force_.swap(state_.force);
         for (int e : rebuild_) {
-            sweep_.mark_built(e, frame_of(place_element(*structure_, e, trial_)));
+            sweep_.mark_built(e, axes_of(place_element(*structure_, e, trial_)));
             in_rebuild_[e] = 0;
             if (mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
         }
@@ -320,8 +312,9 @@ void Dynamics::commit() {
         renew_hung_operator(report.carrier);
         if (!in_mass_stale_[element]) in_mass_stale_[element] = 1, mass_stale_.push_back(element);
         if (structure_->model().gravity())
-            for (int n : e.node) {
-                const Vec3 weight = 0.5 * e.rigidity.rhoA * e.length * *structure_->model().gravity();
+            for (int at : {0, 1}) {
+                const int n = e.node[at];
+                const Vec3 weight = structure_->inertia(element).weight(at) * *structure_->model().gravity();
                 external_[n].head<3>() -= weight;
                 for (Loaded& l : loaded_)
                     if (l.node == n) l.gravity.head<3>() -= weight;

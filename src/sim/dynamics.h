@@ -34,12 +34,15 @@ struct DynamicSettings {
     bool automatic = false;         ///< dt is the shortest step (Dynamics::shortest_step); longer ones where nothing happens
     double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
     int iterations = 0;             ///< 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to
-                                    ///< 1e-6) where hinges form in steps too long for one, which then would not hold
+                                    ///< 1e-6) where hinges form or displacements are large, in steps too long for one
     Predictor predictor = Predictor::by_step;
     double tolerance = 1e-10;       ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;          ///< initial-stress stiffness in the operator (not in the forces, which are exact)
     double turn = 0.01;             ///< rad: an element's part of the operator is rebuilt when it has turned by this much
     bool narrow = true;             ///< in steps no longer than the fastest waves need, the operator in single precision
+    /// The run ends, failed, when the ledger's remainder is a larger part of the energy turned over. 0: never, the default of Shift::whole,
+    /// whose ledger cannot close; with Shift::plastic a tenth.
+    std::optional<double> energy_tolerance;
     bool rest = true;               ///< bodies at rest are left alone until something reaches them
     int threads = 1;                ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
@@ -121,7 +124,9 @@ private:
     void with_kept(int element, int side, SectionView& view, Ask ask);
     class Asked;
     void ask_batch(int rule);
-    bool take_step();
+    void take_step();
+    void guard();
+    double remainder_share();
     void remember();
     void take_back();
     void renew_hung_operator(std::size_t node);
@@ -173,6 +178,10 @@ private:
     double first_change_ = 0, last_change_ = 0, damping_ = 1;
     int iteration_ = 0;
     std::string failure_;
+    struct Good { State state; double share; };
+    std::optional<Good> good_;                   ///< when the ledger was last looked at and closed
+    long looked_at_ = 0;                         ///< the step of that
+    double turned_over_ = 0, ledger_floor_ = 0;  ///< J
     std::vector<Quat> hung_built_;               ///< orientation that a hung mass has in the operator
     std::vector<Vec3> contact_position_;
     std::vector<int> fracture_candidates_;       ///< elements that could break without flowing in the step, rising

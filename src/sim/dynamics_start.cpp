@@ -75,7 +75,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         for (std::size_t i = 0; i < elements; ++i) {
             const Element& e = structure_->elements()[i];
             if (!state_.broken[i])
-                for (int n : e.node) external_[n].head<3>() += 0.5 * e.rigidity.rhoA * e.length * *model.gravity();
+                for (int end : {0, 1}) external_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
         }
     std::vector<int> place(nodes, -1);
     for (const NodalLoad& load : model.loads()) {
@@ -89,7 +89,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const Element& e : structure_->elements())
         for (int n : e.node) lumped_mass_[n] += 0.5 * e.rigidity.rhoA * e.length;
     if (settings_.iterations == 0) {
-        const bool newton = from_rest_ && can_yield();
+        const bool newton = from_rest_ && (can_yield() || structure_->large());
         settings_.iterations = newton ? 30 : 1;
         if (newton) settings_.tolerance = std::max(settings_.tolerance, 1e-6);
     }
@@ -128,7 +128,7 @@ std::vector<Effect> Dynamics::effects() const {
     std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
     char how[120];
     std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * pace_.shortest);
-    list.front().because = how;
+    list.front().because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
     for (Effect& e : list)
         if (explicit_steps() && e.active && e.name == "geometric stiffness") e.active = false, e.because = "explicit steps form no stiffness; the forces have it";
     for (Effect& e : list)

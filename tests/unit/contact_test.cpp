@@ -511,6 +511,17 @@ TEST_CASE("contact: to the letter, a step that jumps over the window misses", "[
 
 // ------------------------------------------------------------------------------------------------------------- broad phase
 
+TEST_CASE("contact: boxes beyond all bounds, or of what is not a number, meet every other", "[contact]") {
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    std::vector<Box> boxes;
+    for (int i = 0; i < 200; ++i) boxes.emplace_back(Vec3(10.0 * i, 0, 0), Vec3(10.0 * i + 1, 1, 1));
+    boxes.emplace_back(Vec3(nan, nan, nan), Vec3(nan, nan, nan));
+    boxes.emplace_back(Vec3(-inf, -inf, -inf), Vec3(inf, inf, inf));
+    boxes.emplace_back(Vec3(-1e300, -1e300, 0), Vec3(1e300, 1e300, 1));
+    const auto pairs = overlapping(boxes, [](int, int) { return true; });
+    CHECK(pairs.size() == 3 * 200 + 3);
+}
+
 TEST_CASE("contact: overlapping boxes agree with testing every pair", "[contact]") {
     Dice dice(7);
     for (int round = 0; round < 60; ++round) {

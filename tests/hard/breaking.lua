@@ -1,0 +1,48 @@
+-- Hard fractures: all at once, one a step, down to single elements, with contact bound.
+local parts = require "parts"
+
+local function falling_frame(hinge)
+  local model = hinge.model {}
+  parts.frame(model, { storeys = 3, bays = 2 })
+  model:gravity { 0, 0, -9.80665 }
+  return model
+end
+
+return {
+  { "all columns of a storey break in one step", remainder = 1e-2, dt = 1e-4, steps = 3000,
+    make = function(hinge)
+      local model = falling_frame(hinge)
+      model:fracture { group = "storey 2", where = "all", rule = function(s) return s.time > 0.01 end }
+      return model
+    end },
+  { "every member breaks, one a step", remainder = 1e-2, dt = 1e-4, steps = 1000,
+    make = function(hinge)
+      local model = falling_frame(hinge)
+      local next_one, last = 1, 0
+      model:fracture { where = "all", rule = function(s)
+        if s.time > last and s.member == model:members()[next_one] then
+          next_one, last = next_one + 1, s.time
+          return true
+        end
+      end }
+      return model
+    end },
+  { "a body in flight breaks into single elements", remainder = 1e-2, momentum = 2e-6, dt = 1e-5, steps = 1000, free = true,
+    make = function(hinge)
+      local model = hinge.model { elements_per_member = 4 }
+      local nodes = parts.row(model, { 0, 0, 0 }, { 4, 0, 0 }, { members = 4, group = "body" })
+      model:velocity("body", { 10, 0, 0 }, { 0, 0, 20 })
+      model:fracture { where = "all", rule = function(s) return s.time > 1e-3 end }
+      return model, nodes
+    end },
+  { "a bond of contact holds while its member breaks", remainder = 2e-2, momentum = 2e-3, dt = 5e-6, steps = 1000, free = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      parts.row(model, { -0.5, 0, 0 }, { 0.5, 0, 0 }, { members = 2, group = "struck" })
+      parts.row(model, { 0, -0.5, 0.08 }, { 0, 0.5, 0.08 }, { members = 2, group = "striker" })
+      model:velocity("striker", { 0, 0, -50 })
+      model:contact { rule = "gap" }
+      model:fracture { group = "struck", where = "all", rule = function(s) return s.time > 1e-3 end }
+      return model
+    end },
+}

@@ -1,0 +1,57 @@
+-- Hard contacts: slow to very fast, in every position that has no single closest point, and with masses far apart.
+local parts = require "parts"
+
+-- Two bars: the first between a and b, the second between c and d with a velocity. Free in space, nothing is lost.
+local function two(name, a, b, c, d, velocity, o)
+  o = o or {}
+  return { name, remainder = o.remainder or 2e-2, momentum = 1e-6, dt = o.dt or 5e-6, steps = o.steps or 2000, free = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      parts.row(model, a, b, { members = 2, group = "first", side = o.first })
+      parts.row(model, c, d, { members = 2, group = "second", side = o.second, material = o.material and parts.steel(o.material) })
+      model:velocity("second", velocity)
+      model:contact { friction = o.friction }
+      return model
+    end }
+end
+
+local scenes = {}
+local function add(...) scenes[#scenes + 1] = two(...) end
+
+for _, speed in ipairs { 1, 50, 300, 1000 } do
+  add(("crossing at %d m/s"):format(speed), { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0.1, 0.5, 0.06 }, { 0, 0, -speed },
+    { dt = speed > 100 and 2e-6 or 5e-6, steps = speed == 1 and 4000 or 1000 })
+end
+add("end on, collinear", { 0, 0, 0 }, { 1, 0, 0 }, { 1.06, 0, 0 }, { 2.06, 0, 0 }, { -20, 0, 0 })
+add("parallel, side by side", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0.06 }, { 1, 0, 0.06 }, { 0, 0, -20 })
+add("parallel, half beside", { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0, 0.06 }, { 1.5, 0, 0.06 }, { 0, 0, -20 })
+add("in one plane, a tip into a side", { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 0, 0.06 }, { 0.3, 0, 1.06 }, { 0, 0, -20 })
+add("at a joint", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0, -0.5, 0.06 }, { 0, 0.5, 0.06 }, { 0, 0, -20 })
+add("coincident from the start", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 5 })
+add("crossing in overlap from the start", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0, -0.5, 0.01 }, { 0, 0.5, 0.01 }, { 0, 0, -20 })
+add("sliding along each other with friction", { 0, 0, 0 }, { 1, 0, 0 }, { 0, -0.5, 0.06 }, { 0.2, 0.5, 0.06 }, { 20, 0, -10 }, { friction = 0.3 })
+add("1 to 1000 in mass", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0.1, 0.5, 0.06 }, { 0, 0, -50 }, { material = { density = 7.85 }, dt = 1e-6 })
+
+scenes[#scenes + 1] = { "500 bars pile up on a floor", remainder = 5e-2, dt = 2e-5, steps = 20000, slow = true,
+  make = function(hinge)
+    local model = hinge.model {}
+    local soft = parts.steel { yield_stress = 100e6 }
+    for i = -10, 10 do
+      for _, row in ipairs { { { 0.25 * i, -2.5, 0 }, { 0.25 * i, 2.5, 0 } } } do
+        local ends = parts.row(model, row[1], row[2], { group = "floor" })
+        model:fix(ends)
+      end
+    end
+    for i = 0, 499 do
+      local x, y, z = i % 10, i // 10 % 10, i // 100
+      local turned = (x + y + z) % 2 == 0
+      local at = { 0.4 * x - 2, 0.4 * y - 2, 0.3 + 0.3 * z }
+      parts.row(model, at, { at[1] + (turned and 0.36 or 0.02), at[2] + (turned and 0.02 or 0.36), at[3] + 0.05 },
+        { side = 0.04, group = "debris", material = soft })
+    end
+    model:gravity { 0, 0, -9.80665 }
+    model:contact { friction = 0.5, stiffness = 1e6 }
+    return model
+  end }
+
+return scenes

@@ -1,0 +1,166 @@
+-- Hard structures: contrasts, slenderness, spin, hinges everywhere, loads that jump, supports that go.
+local parts = require "parts"
+
+return {
+  { "stiffness 1 to 1e8 in one row", remainder = 1e-2, dt = 1e-5, steps = 1000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local stiff, soft = parts.steel(), parts.steel { E = 2060 }
+      local a = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { material = stiff })
+      local b = model:node { 2, 0, 0 }
+      model:member { a[2], b, section = parts.square(0.05), material = soft }
+      local c = model:node { 3, 0, 0 }
+      model:member { b, c, section = parts.square(0.05), material = stiff }
+      model:fix(a[1])
+      model:velocity(c, { 0, 1, 0 })
+      return model
+    end },
+  { "masses 1 to 1e6 in one row", remainder = 1e-2, dt = 1e-5, steps = 1000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = { model:node { 0, 0, 0 } }
+      for i = 1, 4 do
+        nodes[i + 1] = model:node { i, 0, 0 }
+        model:member { nodes[i], nodes[i + 1], section = parts.square(0.05), material = parts.steel { density = i % 2 == 0 and 7850 or 7.85e-3 } }
+      end
+      model:fix(nodes[1])
+      model:velocity(nodes[5], { 0, 0, 3 })
+      return model
+    end },
+  { "1:2000 in compression, three times Euler's load", remainder = 2e-2, dt = 1e-3, steps = 2000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local side, length = 5e-3, 10
+      local nodes = parts.row(model, { 0, 0, 0 }, { 0, 0, length }, { members = 8, side = side, up = { 1, 0, 0 } })
+      model:fix(nodes[1])
+      local euler = math.pi ^ 2 * 206e9 * side ^ 4 / 12 / (4 * length ^ 2)
+      model:load { node = nodes[9], force = { 1e-3 * euler, 0, -3 * euler } }
+      return model
+    end },
+  { "members of 1 mm beside 10 m", remainder = 1e-2, dt = 2e-5, steps = 1000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local long = parts.row(model, { 0, 0, 0 }, { 10, 0, 0 }, {})
+      local tip = model:node { 10.001, 0, 0 }
+      model:member { long[2], tip, section = parts.square(0.05), material = parts.steel() }
+      local far = model:node { 20.001, 0, 0 }
+      model:member { tip, far, section = parts.square(0.05), material = parts.steel() }
+      model:fix(long[1])
+      model:velocity(far, { 0, 2, 1 })
+      return model
+    end },
+  { "10 000 turns of a free body", remainder = 1e-2, momentum = 1e-6, dt = 2e-4, steps = 1000000, free = true, slow = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { group = "body" })
+      model:velocity("body", { 1, 0, 0 }, { 0, 0, 314.15926535 })
+      return model
+    end },
+  { "a chain of 200 members whips freely", remainder = 1e-2, momentum = 1e-5, dt = 2e-5, steps = 5000, free = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 20, 0, 0 }, { members = 200, side = 0.01 })
+      for i = 1, 20 do model:velocity(nodes[i], { 0, 20 - i, 0 }) end
+      return model
+    end },
+  { "hinges in every section under gravity", remainder = 2e-2, dt = 1e-4, steps = 3000,
+    make = function(hinge)
+      local model = hinge.model {}
+      parts.frame(model, { storeys = 2, bays = 2, material = parts.steel { yield_stress = 1e6 } })
+      model:gravity { 0.5, 0, -9.80665 }
+      return model
+    end },
+  { "both bendings and axial force on the yield surface's tip", remainder = 2e-2, dt = 1e-5, steps = 2000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { members = 2, material = parts.steel { yield_stress = 245e6 } })
+      model:fix(nodes[1])
+      model:load { node = nodes[3], force = { 5.9e5, 400, 300 }, history = function(t) return math.min(1, t / 5e-3) end }
+      return model
+    end },
+  { "a hinge loaded and unloaded 10 000 times", remainder = 2e-2, dt = 5e-4, steps = 200000, slow = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { material = parts.steel { yield_stress = 245e6 } })
+      model:fix(nodes[1])
+      model:load { node = nodes[2], force = { 0, 6500, 0 }, history = function(t) return math.sin(2 * math.pi * 100 * t) end }
+      return model
+    end },
+  { "a support is removed", remainder = 1e-2, dt = 2e-4, steps = 2000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local joints = parts.frame(model, { storeys = 2, bays = 2 })
+      model:gravity { 0, 0, -9.80665 }
+      local at_rest = model:static { steps = 2 }:finish()
+      local _, _, up = at_rest:reaction(joints[0][1])
+      local without = hinge.model {}
+      local again = parts.frame(without, { storeys = 2, bays = 2 })
+      without:gravity { 0, 0, -9.80665 }
+      without:load { node = again[1][1], force = { 0, 0, -5 * up } }
+      return without
+    end },
+  { "a load that jumps every third step", remainder = 2e-2, dt = 1e-4, steps = 1000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 2, 0, 0 }, { members = 2 })
+      model:fix(nodes[1])
+      model:load { node = nodes[3], force = { 0, 2e4, 1e4 }, history = function(t) return math.floor(t / 3e-4 + 0.5) % 2 == 0 and 1 or -1 end }
+      return model
+    end },
+  { "up almost along the member", remainder = 1e-2, dt = 1e-5, steps = 500,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { up = { 1, 1e-5, 0 } })
+      model:fix(nodes[1])
+      model:velocity(nodes[2], { 0, 1, 2 })
+      return model
+    end },
+  { "up along the member", says = "up", make = function(hinge)
+      parts.row(hinge.model {}, { 0, 0, 0 }, { 1, 0, 0 }, { up = { 1, 1e-13, 0 } })
+    end },
+  { "one node and nothing else", says = "no members", dt = 1e-4, steps = 10, make = function(hinge)
+      local model = hinge.model {}
+      model:node { 0, 0, 0 }
+      return model
+    end },
+  { "two nodes and a member in flight", remainder = 1e-6, momentum = 1e-9, dt = 1e-4, steps = 1000, free = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { group = "bar" })
+      model:velocity("bar", { 3, 2, 1 })
+      return model
+    end },
+  { "fifty bodies that have nothing to do with each other", remainder = 1e-6, momentum = 1e-9, dt = 1e-4, steps = 500, free = true,
+    make = function(hinge)
+      local model = hinge.model {}
+      for i = 1, 50 do
+        parts.row(model, { 0, 2 * i, 0 }, { 1, 2 * i, 0 }, { group = "bar " .. i })
+        model:velocity("bar " .. i, { i, -i, 1 })
+      end
+      return model
+    end },
+  { "statics of a mechanism", names = "mechanism", static = true, make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, {})
+      model:fix(nodes[1], "xyz")
+      model:load { node = nodes[2], force = { 0, 0, -1 } }
+      return model
+    end },
+  { "statics of a body that nothing holds", names = "mechanism", static = true, make = function(hinge)
+      local model = hinge.model {}
+      local joints = parts.frame(model, { storeys = 1, bays = 1 })
+      local loose = parts.row(model, { 10, 0, 0 }, { 11, 0, 0 }, {})
+      model:load { node = joints[1][1], force = { 1, 0, 0 } }
+      model:load { node = loose[2], force = { 0, 0, 1 } }
+      return model
+    end },
+  { "statics without one brace", names = "mechanism", static = true, make = function(hinge)
+      local model = hinge.model {}
+      local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+      model:fix({ a, b }, "xyz")
+      local top = model:node { 1.5, 0, 3 }
+      for _, foot in ipairs { a, b } do model:member { foot, top, section = parts.square(0.05), material = parts.steel(), up = { 0, 1, 0 } } end
+      model:load { node = top, force = { 0, 1, 0 } } -- nothing keeps the two legs in their plane
+      return model
+    end },
+}

@@ -1,0 +1,67 @@
+-- A run whose energy ledger no longer closes ends by itself, says where, and goes back to its last good state.
+--
+-- Run: lua5.4 tests/script/guard_test.lua BUILD, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "guard"
+
+-- A bar that turns by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
+local function turning(options)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
+  model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
+  options.dt, options.duration, options.record = 1e-4, options.duration or 0.05, false
+  return model:dynamic(options)
+end
+
+local run = turning { iterations = 1 }
+local last = 0
+run:on_step(function(r) last = r.time end)
+run:finish()
+checks.equal(run.verdict, "failed", "verdict")
+checks.expect(support.says(run.reason, "step ..., t = ... s: the energy ledger no longer closes, its remainder is ... % of the energy turned over (energy_tolerance 10 %); "
+  .. "fastest was node ... with ... m/s at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt may hold"), "reason: %s", run.reason)
+checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial, "it went back, from %g to %g s, where the ledger closes", last, run.time)
+checks.expect(not run:step(), "there is no further step")
+
+local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()
+checks.expect(blind.verdict == "completed" or not blind.reason:find "ledger", "energy_tolerance = 0 does not look: %s", blind.reason)
+checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "and the ledger does not close")
+
+-- What turns far in long steps takes Newton's method by itself, and then holds.
+local held = turning {}:finish()
+checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial, "Newton: %s, remainder %g", held.verdict, held.energy.remainder)
+
+-- Rows of history.csv never go back in time.
+local build = arg[1]
+local folder = os.tmpname()
+os.remove(folder)
+local script = os.tmpname()
+local file = assert(io.open(script, "w"))
+file:write [[
+local hinge = require "hinge"
+local model = hinge.model {}
+local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
+model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
+return model:dynamic { dt = 1e-4, duration = 0.05, iterations = 1, record = 3 }:finish().verdict
+]]
+file:close()
+local _, _, status = os.execute(("%s run %s --out %s > /dev/null 2>&1"):format(support.quote(build .. "/hinge"), support.quote(script), support.quote(folder)))
+checks.equal(status, 1, "the program's status")
+local before, rows = -1, 0
+for line in io.lines(folder .. "/history.csv") do
+  local time = tonumber(line:match "^[^,]*")
+  if time then
+    rows = rows + 1
+    checks.expect(time >= before, "row %d goes back from %g to %g s", rows, before, time)
+    before = time
+  end
+end
+checks.expect(rows > 3, "%d rows", rows)
+os.remove(script)
+os.execute("rm -r " .. support.quote(folder))
+
+checks.done()
