@@ -42,8 +42,9 @@ local function line_of(numbers, settings)
   return best
 end
 
--- Whether every point of a line lies on one of an earlier line, which a solid line would hide.
+-- Whether half of a line's points or more lie on those of earlier lines, which a solid line would hide.
 local function hides(line, others)
+  local hidden = 0
   for i, x in ipairs(line.x) do
     local found = false
     for _, other in ipairs(others) do
@@ -51,9 +52,9 @@ local function hides(line, others)
         found = found or math.max(x / ox, ox / x, line.y[i] / other.y[j], other.y[j] / line.y[i]) < near
       end
     end
-    if not found then return false end
+    hidden = hidden + (found and 1 or 0)
   end
-  return true
+  return 2 * hidden >= #line.x
 end
 
 function plot.draw(result, job)
