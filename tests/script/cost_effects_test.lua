@@ -160,6 +160,22 @@ expect(tostring(refusal):find "unknown quantity 'vx' %(did you mean 'vz'%?%)", "
 _, refusal = pcall(hinge.cost, hinge.scenario { run = function() error "broken" end }, { effects = true })
 expect(tostring(refusal):find "hinge.cost: the scenario has no answer: .*broken", "a scenario that fails: %s", refusal)
 
+-- A budget: what does not fit is named; nothing at all is an error. An answer that goes with its effect has no finite change.
+local clock = require "hinge.core".clock
+local slow = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false }, accuracy = { needs = { false, true } }, run = function(p)
+  local start = clock()
+  while clock() - start < 0.05 do end
+  local answers = falling(p)
+  answers.falls = answers.vz ~= 0 and 1 or nil
+  return answers
+end }
+r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
+expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s", table.concat(r.left_out, ", "))
+r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
+equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
+_, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
+expect(tostring(refusal):find "hinge.cost: the budget is over before the scenario is; give a larger one", "no time at all: %s", refusal)
+
 -- The program ----------------------------------------------------------------------------------------------------------------------------
 
 local folder, program = support.temporary_folder(), support.quote(arg[1] .. "/hinge")
