@@ -17,7 +17,7 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out, code, within, budget, quantity;
     std::vector<std::string> overrides;
-    bool sandbox = false;
+    bool sandbox = false, effects = false;
     hinge::script::Limits limits;
 };
 
@@ -48,6 +48,7 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("within", request.within);
     set("budget", request.budget);
     set("quantity", request.quantity);
+    if (request.effects) set("effects", "all");
     if (request.verb == "prompt") {
         hinge::stop_on_interrupt(L);
         hinge::push_line_reader(L), lua_setfield(L, -2, "read");
@@ -94,7 +95,7 @@ int run(Request request, bool named) {
         return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
-    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name) + (request.verb == "cost" ? "-cost" : "");
+    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name) + (request.verb != "cost" ? "" : request.effects ? "-effects" : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
@@ -139,7 +140,8 @@ int main(int argc, char** argv) {
     cost_verb->add_option("--quantity", request.quantity, "Judge by this answer alone (default: by the worst)");
     cost_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     cost_verb->add_option("--budget", request.budget, "Stop in this time, as 60s, 5min, 1h; what is finished is kept, and a second call goes on");
-    cost_verb->add_option("--out", request.out, "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost)");
+    cost_verb->add_flag("--effects", request.effects, "Leave out one effect at a time instead (contact, plasticity, ...): what each changes in the answers and costs in time");
+    cost_verb->add_option("--out", request.out, "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost; with --effects effects.csv and summary.json, out/SCRIPT[-CASE]-effects)");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");

@@ -5,14 +5,13 @@
 local check = require "hinge.check"
 local scenarios = require "hinge.scenario"
 local benches = require "hinge.cost.bench"
-local judge = require "hinge.cost.judge"
+local effects = require "hinge.cost.effects"
 local ladder = require "hinge.cost.ladder"
+local methods = require "hinge.cost.methods"
 local verdict = require "hinge.cost.verdict"
 
 local cost = {}
 local where = "hinge.cost"
-local perturbations = 3
-local enough, most_repeats = 0.1, 21 -- s; what takes less is timed more often, until all its times together are that long
 
 local rules = {
   within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true }, case = { "string", optional = true },
@@ -20,6 +19,7 @@ local rules = {
   repeats = { "number", whole = true, at_least = 1, default = 3 }, out = { "string", optional = true },
   accuracy = { "table", optional = true }, finer = { "table", default = {} }, orders = { "table", default = {} },
   perturbation = { "number", above = 0, below = 1e-3, default = 1e-9 }, progress = { "boolean", default = false },
+  effects = { "boolean", default = false },
 }
 
 local function references(knobs, compared)
@@ -40,11 +40,7 @@ end
 local function still_to_come(bench, knobs, compared)
   local seconds = 0
   for _, r in ipairs(references(knobs, compared)) do seconds = seconds + bench:estimate(r) end
-  local default = default_of(knobs, compared)
-  for turn = 1, perturbations do
-    if not bench:record(default, turn) then seconds = seconds + math.max(bench:estimate(default, turn), bench:estimate(compared[#compared], turn)) end
-  end
-  return seconds
+  return seconds + bench:changed_runs(default_of(knobs, compared), compared[#compared])
 end
 
 -- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that does not even fit
@@ -111,44 +107,6 @@ local function compare_within(bench, knobs)
   return table.unpack(found, 1, 5)
 end
 
--- By name, how far the default's answers scatter when every number that is not whole changes by a part of 1e-9; nil where none could be changed.
-local function scatter_of(bench, knobs, compared)
-  local default = default_of(knobs, compared)
-  local _, changed = bench:parameters(default, 1)
-  if changed == 0 then return nil, "no number of the scenario could be changed a little, so chaos was not looked for" end
-  local scatter = {}
-  for turn = 1, perturbations do
-    bench:progress("changed by a trifle, " .. default.label, turn - 1, perturbations, (perturbations - turn + 1) * bench:estimate(default, turn))
-    local record = (bench:record(default, turn) or bench:fits(bench:estimate(default, turn))) and bench:run(default, turn)
-    if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
-    for name, answer in pairs(default.record.answers) do
-      scatter[name] = math.max(scatter[name] or 0, record.failed and math.huge or judge.error(record.answers[name], answer))
-    end
-  end
-  return scatter
-end
-
--- Times everything again, one after the other so that a slow moment of the machine meets all of them.
-local function time_by_turns(bench, compared, repeats)
-  local moving = {}
-  for _, s in ipairs(compared) do
-    for name in pairs(s.record.moving or {}) do moving[name] = true end
-  end
-  local again = {}
-  for round = 2, repeats > 1 and most_repeats or 1 do
-    for i, s in ipairs(compared) do
-      local seconds = s.record.seconds
-      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough) and bench:fits(seconds[1] + s.record.outside) then
-        bench:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared, math.max(1, repeats - round + 1) * seconds[1])
-        bench:time_again(s, moving)
-        again[s] = true
-      end
-    end
-  end
-  for s in pairs(again) do bench:keep(s) end
-  return moving
-end
-
 local function parameters_of(scenario, o)
   local base = scenario:values(o.case)
   for name, value in pairs(o.parameters) do
@@ -166,23 +124,28 @@ function cost.compare(scenario, options)
   local o = check.options(where, options, rules)
   local knobs = ladder.knobs(where, scenario, o, o.parameters)
   local bench = benches.open(scenario, parameters_of(scenario, o), knobs, o)
+  if o.effects then return effects.compare(bench, knobs, o) end
+  if #knobs == 0 then
+    check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, and use p.dt in run", where)
+  end
   local compared, failed, left_out, refs, problem = compare_within(bench, knobs)
   if #compared == 0 then
     check.fail("%s: %s", where, failed[1] and "no setting has an answer: " .. failed[1].failed or "the budget is over before the first setting is; give a larger one")
   end
   local notes = { problem }
-  local scatter, silent = scatter_of(bench, knobs, compared)
+  local scatter, silent = bench:scatter(default_of(knobs, compared))
   notes[#notes + 1] = silent
-  local moving = time_by_turns(bench, compared, o.repeats)
+  local moving = bench:time_by_turns(compared, o.repeats)
   local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
   if o.quantity and not quantities[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities)) end
   if refs then verdict.errors(compared, refs, quantities, o.quantity) end
   local orders = verdict.orders(knobs, compared, refs, quantities, o.quantity)
   local front, best = verdict.front(compared, o.within)
+  local equal = methods.compare(knobs, compared, o.within, best)
   for i, r in ipairs(refs or {}) do refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers } end
   local result = {
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation, knobs = knobs, settings = compared, failed = failed, left_out = left_out,
-    references = refs, quantities = quantities, orders = orders, front = front, cheapest = best, notes = notes,
+    references = refs, quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
     complete = #left_out == 0 and refs ~= nil, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.report".write(result, o.out) end

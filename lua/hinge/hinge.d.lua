@@ -413,6 +413,7 @@ function model:dynamic(options) end
 ---@field worst_remainder number J, the largest so far, of either sign
 ---@field contacts { bound: integer, released: integer } pairs of elements: bonds made, or touches begun; let go
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
+---@field effects { name: string, active: boolean, because: string, seconds: number, asked_at: string }[] which are in the step, why, what each took, and the script's line that asks for it, "" where none does
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
@@ -553,9 +554,11 @@ function hinge.scenario(options) end
 ---that is finer than all of them and is tested by another one: where the two differ by more than half of `within`, or an answer
 ---scatters that much under trifling changes, it gets no error. Answers are the numbers that the scenario returns, lists of numbers, and
 ---the probes of its runs (as histories). Nothing is printed or drawn by the scenario meanwhile. `hinge cost SCRIPT` prints it.
+---With effects = true the settings are not varied: the scenario runs as its parameters have it, and once more without each effect that
+---its models declare (gravity, large displacement, plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints that.
 ---@param scenario hinge.scenario
 ---@param options? hinge.cost_options
----@return hinge.cost_result
+---@return hinge.cost_result|hinge.effects_result
 function hinge.cost(scenario, options) end
 
 ---@class hinge.cost_options
@@ -571,6 +574,7 @@ function hinge.cost(scenario, options) end
 ---@field orders? table<string, number> the order of convergence that theory has for a number; of dt and elements 2, of tolerances and steps 1
 ---@field perturbation? number by which part of itself every number that is not whole is changed to look for chaos, default 1e-9
 ---@field progress? boolean lines on stderr, default false
+---@field effects? boolean leave out effects instead, default false: `accuracy` is then only refined, to say how large the setting's own error is, and `out` gets effects.csv in the place of cost.csv and cost.png
 
 ---@class hinge.cost_result
 ---@field settings hinge.cost_setting[] those with an answer, the cheapest first
@@ -578,6 +582,7 @@ function hinge.cost(scenario, options) end
 ---@field cheapest? hinge.cost_setting that is within `within`
 ---@field quantities table<string, { state: string, kind: string, value?: number, agreement?: number, scatter?: number }> by answer: "sound"; "chaotic", it scatters; "unsettled", the references differ; "moving", it differs from run to run; "unknown", there is no reference. value and agreement: of the references; scatter: parts of the value, or of the largest of a history
 ---@field orders table<string, { observed?: number, theory?: number, why?: string, note?: string, quantities: table<string, number> }> by number: the order of convergence, the median over the answers; math.huge: exact
+---@field equal table<string, { error: number, methods: hinge.cost_method[] }[]> by setting without a finer side (formulation, integrator, ...): what its values take at equal error, the largest error first: `within`, that of the cheapest, and the least that all values reach, as far as they differ and are more than rounding
 ---@field references? { values: table, label: string, seconds: number, answers: table }[] the coarser and the finer one; nil: `notes` says why
 ---@field failed hinge.cost_setting[] with `failed`, why they have no answer
 ---@field left_out { label: string, values: table, estimate: number, rest: number }[] by the budget; s that each would take, and its references
@@ -589,6 +594,45 @@ function hinge.cost(scenario, options) end
 ---@field perturbation number
 ---@field quantity? string
 ---@field case? string
+
+---@class hinge.cost_method
+---@field value any of the setting
+---@field seconds number with the best there is of all other settings; between two settings by the straight line on logarithmic axes
+---@field ratio number over the shortest of those that reach the error
+---@field settings hinge.cost_setting[] the one that has at most this error, or the two between which it lies
+---@field more? boolean not even its best setting reaches the error: seconds are that one's
+
+---@class hinge.effects_result
+---@field effects hinge.effect_cost[] those in the scene that can be left out
+---@field absent string[] those that can be left out and are not in the scene
+---@field left_out string[] by the budget
+---@field answers table<string, { scatter?: number, error?: number }> of those that are the same from run to run: how far each scatters when every number changes by a trifle, and how far it is from that of a setting twice as fine
+---@field finer? string that setting; nil: `notes` says why
+---@field seconds number with all effects: in the steps of all runs, the median of `times`
+---@field times number[]
+---@field remainder number as of a hinge.cost_setting
+---@field notes string[]
+---@field complete boolean nothing is left out by the budget
+---@field elapsed number s
+---@field within number
+---@field perturbation number
+---@field quantity? string
+---@field case? string
+
+---@class hinge.effect_cost
+---@field name string
+---@field change? number of the answer that changes most without it, a part of its value or of the largest of a history; of those that change by more than they scatter, else of all
+---@field worst? string that answer's name
+---@field changes table<string, number> by answer; math.huge where there is none without the effect
+---@field same boolean the effect is idle: states and answers are the same bits without it
+---@field lost boolean it changes, but by no more than that answer scatters
+---@field saves? number part of the time that it takes, the median over the turns; negative where the scene takes longer without it
+---@field spread? number of `saves`: half the width of the middle half of the turns
+---@field seconds? number without it, the median of `times`
+---@field times? number[]
+---@field remainder? number without it
+---@field answers? table<string, number|{ x: number[], y: number[] }> without it
+---@field failed? string why the scenario has no answer without it: the error's first line
 
 ---@class hinge.cost_setting
 ---@field values table<string, any>

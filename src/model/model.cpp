@@ -94,6 +94,24 @@ void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std
 void Model::add_motion(SupportMotion motion) { fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion)); }
 void Model::set_damping(double d) { check_open(), damping_ = d; }
 
+void Model::leave_out(const std::string& effect) {
+    if (effect == "gravity") gravity_.reset();
+    if (effect == "large displacement") options_.displacement = Displacement::small;
+    if (effect == "plasticity") options_.plasticity = false;
+    if (effect == "fracture") fracture_.clear();
+    if (effect == "contact") contact_.clear();
+    if (effect != "friction") return;
+    for (ContactRule& rule : contact_) {
+        rule.settings.friction = 0;
+        if (!rule.pairs) continue;
+        rule.pairs = [pairs = rule.pairs](int a, int b) {
+            auto settings = pairs(a, b);
+            if (settings) settings->friction = 0;
+            return settings;
+        };
+    }
+}
+
 void Model::check_open() const {
     if (locked_) throw InputError("the model cannot be changed while a run of it is inside a step; change it between steps, or before the run is made");
 }

@@ -97,6 +97,9 @@ struct ModelOptions {
     int elements_per_member = 2;
 };
 
+/// Effects that a model asks for and could do without, by the names that effects.h has for them.
+inline const std::vector<std::string> optional_effects = {"gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
+
 /// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it was.
 class Model {
 public:
@@ -117,6 +120,8 @@ public:
     /// While locked (a run of this model is inside a step) whatever would change it raises InputError.
     void lock(bool locked) { locked_ = locked; }
     void set_damping(double mass_proportional);
+    /// Takes back what declared one of `optional_effects`, as if the script had not; other names leave all as it is.
+    void leave_out(const std::string& effect);
     int group(const std::string& name);              ///< finds or makes
     int find_group(const std::string& name) const;   ///< -1 when there is none
 

@@ -1,4 +1,5 @@
-// What measuring runs takes and Lua lacks: a clock, the most memory held at once, and word of every run that is made.
+// What measuring runs takes and Lua lacks: a clock, the most memory held at once, word of every run that is made, and runs without
+// one of their effects.
 #include <malloc.h>
 
 #include <cstdio>
@@ -49,6 +50,19 @@ int on_run(lua_State* L) {
     return 0;
 }
 
+/// core.optional_effects(): names of those that can be left out.
+int list_optional_effects(lua_State* L) {
+    lua_createtable(L, int(optional_effects.size()), 0);
+    for (std::size_t i = 0; i < optional_effects.size(); ++i) lua_pushstring(L, optional_effects[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    return 1;
+}
+
+/// core.leave_out(name or nil): runs that are made from now on do without this effect.
+int leave_out(lua_State* L) {
+    context(L)->left_out = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
+    return 0;
+}
+
 }  // namespace
 
 void tell_of_run(lua_State* L) {
@@ -61,7 +75,7 @@ void tell_of_run(lua_State* L) {
 }
 
 void open_measure(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"clock", guarded<clock>}, {"forget_peak", guarded<forget_peak>}, {"peak", guarded<peak>}, {"on_run", guarded<on_run>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"clock", guarded<clock>}, {"forget_peak", guarded<forget_peak>}, {"peak", guarded<peak>}, {"on_run", guarded<on_run>}, {"optional_effects", guarded<list_optional_effects>}, {"leave_out", guarded<leave_out>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

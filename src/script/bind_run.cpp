@@ -215,6 +215,18 @@ int fields(lua_State* L) {
     } else if (key == "probes") {
         lua_createtable(L, int(r.probes.size()), 0);
         for (std::size_t i = 0; i < r.probes.size(); ++i) push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    } else if (key == "effects") {
+        lua_newtable(L);
+        int i = 0;
+        for (const Effect& e : run.effects()) {
+            lua_createtable(L, 0, 5);
+            lua_pushstring(L, e.name.c_str()), lua_setfield(L, -2, "name");
+            lua_pushboolean(L, e.active), lua_setfield(L, -2, "active");
+            lua_pushstring(L, e.because.c_str()), lua_setfield(L, -2, "because");
+            lua_pushnumber(L, e.seconds), lua_setfield(L, -2, "seconds");
+            lua_pushstring(L, e.asked_at.c_str()), lua_setfield(L, -2, "asked_at");
+            lua_rawseti(L, -2, ++i);
+        }
     } else if (key == "stages") {
         lua_newtable(L);
         int i = 0;
@@ -267,7 +279,7 @@ void open_run(lua_State* L) {
         {"on_step", guarded<on_step>}, {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages",
+    name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages", "effects",
                                       "wall_seconds", "fastest", "hash", "counts", "wakings", "probes"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);

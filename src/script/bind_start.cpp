@@ -10,6 +10,13 @@
 namespace hinge::script {
 namespace {
 
+/// The run's own copy of a model, without the effect that is left out just now (core.leave_out).
+std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m) {
+    auto copy = std::make_shared<Model>(m);
+    if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
+    return copy;
+}
+
 State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const std::shared_ptr<Model>& model) {
     lua_State* L = o.L();
     State state = initial_state(*structure);
@@ -45,7 +52,7 @@ int record_every(Options& o, int usual) {
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
-    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m));
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m));
     StaticSettings s;
     s.steps = o.integer("steps", 1, 10);
     s.iterations = o.integer("iterations", 2, s.iterations);
@@ -130,7 +137,7 @@ int dynamic_run(lua_State* L) {
     Options o(L, 2, "model:dynamic");
     o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance"});
     const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
-    const auto structure = std::make_shared<const Structure>(std::make_shared<const Model>(*m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
         throw InputError("model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes 'newmark'");
     require_density(*structure);

@@ -26,6 +26,7 @@ struct Context {
     bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
     bool planning = false;                ///< runs are described, not stepped; nothing is written
     bool checking = false;                ///< while planning: what a run works on is looked over, not its effects
+    std::string left_out;                 ///< an effect that runs do without, whatever their models declare; "" for none
     std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
     const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
     std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file

@@ -5,6 +5,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local judge = require "hinge.cost.judge"
+local methods = require "hinge.cost.methods"
 local checks = support.checks "cost"
 local expect, equal, near = checks.expect, checks.equal, checks.near
 
@@ -30,6 +31,7 @@ equal(#front, 3, "items on the front")
 for i, wanted in ipairs { { 1, 9 }, { 2, 3 }, { 5, 1 } } do
   expect(front[i] and front[i].time == wanted[1] and front[i].error == wanted[2], "item %d of the front", i)
 end
+equal(#judge.front { { time = 1, error = 2 }, { time = 2, error = 1.999 }, { time = 3, error = 1.99 } }, 2, "what is better by rounding alone is not on the front")
 for p, h in pairs { [1] = { 4, 2, 1 }, [2] = { 5, 3, 1 }, [4] = { 4, 3, 1 } } do
   local answers = {}
   for i, size in ipairs(h) do answers[i] = 10 - 0.01 * size ^ p end
@@ -48,6 +50,31 @@ local function sine(n, shift)
 end
 near(judge.error(sine(40, 0), sine(64, 0)), 0, 3e-6, "error of one curve at other points")
 near(judge.error(sine(40, 0.02), sine(64, 0)), 0.02, 3e-6, "error of a curve that lies 0.02 beside one of height 1")
+
+-- Methods at equal error: time n and error 1 / n^2 by one way, time 3 n and error 1 / n by another, so that the time is error^(-1/2) and 3 / error.
+local raced = {}
+for _, n in ipairs { 2, 4, 8, 16 } do
+  raced[#raced + 1] = { values = { n = n, way = "quick" }, seconds = n, error = 1 / n ^ 2 }
+  raced[#raced + 1] = { values = { n = n, way = "slow" }, seconds = 3 * n, error = 1 / n }
+  raced[#raced + 1] = { values = { n = n, way = "exact" }, seconds = 5 * n, error = 0 }
+end
+local race = methods.compare({ { name = "n", values = { 2, 4, 8, 16 }, side = {} }, { name = "way", values = { "quick", "slow", "exact" } } }, raced, 0.11,
+  { error = 0.03 })
+equal(race.n, nil, "a number with a finer side is no method")
+equal(#race.way, 3, "errors at which ways are compared: that asked for, that of the cheapest, the least that all reach")
+for i, error in ipairs { 0.11, 1 / 16, 0.03 } do
+  local row = race.way[i]
+  near(row.error, error, 1e-12, "error at which ways are compared")
+  near(row.methods[1].seconds, error ^ -0.5, 1e-9, "time of the quick way")
+  near(row.methods[2].seconds, math.min(3 / error, 48), 1e-9, "time of the slow way")
+  near(row.methods[2].ratio, math.min(3 / error, 48) * error ^ 0.5, 1e-9, "its ratio")
+  equal(row.methods[2].more or false, error < 1 / 16, "the slow way never comes nearer than 1/16")
+  near(row.methods[3].seconds, 10, 1e-12, "time of what is exact at its cheapest")
+end
+equal(race.way[1].methods[1].settings[1].values.n, 2, "the setting before")
+equal(race.way[1].methods[1].settings[2].values.n, 4, "and after")
+equal(#race.way[2].methods[1].settings, 1, "a setting that has just that error")
+equal(methods.time_at(methods.front {}, 0.1), nil, "time of no setting")
 
 -- Time steps: one freedom under a load from t = 0, u = F / k (1 - cos wt). Newmark's method is of second order. --------------
 
@@ -119,6 +146,13 @@ equal(r.references[2].values.elements_per_member, 32, "the reference's elements"
 equal(r.orders.elements_per_member.observed, math.huge, "asi-gauss is exact, whatever the elements")
 equal(r.cheapest.errors.uz <= 0.01, true, "cheapest within 1 %")
 equal(find(r, { formulation = "conventional", elements_per_member = 4 }).meets, false, "1.5 % is not within 1 %")
+local row = r.equal.formulation[1]
+near(row.error, 0.01, 1e-12, "formulations are compared at 1 %")
+equal(row.methods[1].value, "conventional", "the first formulation")
+equal(row.methods[1].settings[1].values.elements_per_member, 4, "1 % lies between 4")
+equal(row.methods[1].settings[2].values.elements_per_member, 8, "and 8 conventional elements")
+equal(row.methods[2].settings[1].values.elements_per_member, 2, "asi-gauss is there with 2")
+near(math.min(row.methods[1].ratio, row.methods[2].ratio), 1, 1e-12, "the shorter of both times is the measure")
 r = hinge.cost(cantilever, { parameters = { formulation = "conventional" }, repeats = 1, within = 0.01 })
 equal(#r.settings, 3, "a setting that is given is held")
 near(r.orders.elements_per_member.observed, 2, 1e-3, "order of the midpoint element")
@@ -248,7 +282,7 @@ support.write(script, "local hinge = require 'hinge'\n" .. text)
 local command = ("%s cost %s --out %s/p"):format(program, support.quote(script), folder)
 local status, printed, complaint = support.run(command .. " --within 5% --budget 60s")
 equal(status, 0, "status: " .. complaint)
-for _, part in ipairs { "6 settings", "Error of each answer", "Order of convergence", "dt      2.00       2", "reference: dt 0.025, way one", "cheapest within 5 %",
+for _, part in ipairs { "6 settings", "Error of each answer", "Order of convergence", "Time at equal error", "dt      2.00       2", "reference: dt 0.025, way one", "cheapest within 5 %",
   "written to " .. folder .. "/p" } do expect(printed:find(part, 1, true), "hinge cost does not say '%s':\n%s", part, printed) end
 expect(not printed:find "not seen" and complaint:find "^cost %[", "what the script prints is not shown, progress is: %s", complaint)
 local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")

@@ -1,4 +1,4 @@
--- The bench: runs settings of a scenario within a budget, keeps what is finished, and knows how long the others would take.
+-- The bench: runs settings of a scenario within a budget, keeps what is finished, times by turns, and knows how long others would take.
 local core = require "hinge.core"
 local ladder = require "hinge.cost.ladder"
 local measure = require "hinge.cost.measure"
@@ -7,6 +7,8 @@ local store = require "hinge.cost.store"
 
 local Bench = {}
 Bench.__index = Bench
+local perturbations = 3
+local enough, most_repeats = 0.1, 21 -- s; what takes less is timed more often, until all its times together are that long
 
 --- base: the scenario's parameters; options: see hinge.cost.
 local function open(scenario, base, knobs, options)
@@ -34,7 +36,8 @@ function Bench:parameters(setting, turn)
 end
 
 function Bench:key(setting, turn)
-  return store.key(self:parameters(setting, 0), ("%s case %s, changed by %g times %d"):format("", self.case or "", self.part, turn))
+  return store.key(self:parameters(setting, 0), (" case %s, changed by %g times %d%s"):format(self.case or "", self.part, turn,
+    setting.without and ", without " .. setting.without or ""))
 end
 
 function Bench:record(setting, turn) return self.store:get(self:key(setting, turn or 0)) end
@@ -72,13 +75,16 @@ end
 
 local function took(record) return record.seconds[1] + record.outside end
 
+function Bench:measure(setting, turn)
+  return measure.once(self.scenario, self:parameters(setting, turn), self.case, self.budget and self.start + self.budget, setting.without)
+end
+
 --- Its measurement: the one that is kept, or a new one. nil where the budget ended it.
 function Bench:run(setting, turn)
   local key = self:key(setting, turn or 0)
   local record = self.store:get(key)
   if not record then
-    local p = self:parameters(setting, turn or 0)
-    record = measure.once(self.scenario, p, self.case, self.budget and self.start + self.budget)
+    record = self:measure(setting, turn or 0)
     if not record then return nil end
     record.seconds, record.outside = { record.seconds }, record.outside or 0
     self.store:put(key, record)
@@ -89,8 +95,7 @@ end
 
 --- Times a finished setting once more. What its answers are must not have changed: names of those that did are put into `moving`.
 function Bench:time_again(setting, moving)
-  local record, again = self:record(setting), nil
-  again = measure.once(self.scenario, self:parameters(setting, 0), self.case, self.budget and self.start + self.budget)
+  local record, again = self:record(setting), self:measure(setting, 0)
   if not again or again.failed then return end
   if again.seconds < math.min(table.unpack(record.seconds)) then record.stages = again.stages end
   record.seconds[#record.seconds + 1] = again.seconds
@@ -103,6 +108,54 @@ end
 
 --- Keeps what was timed again.
 function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
+
+--- Times settings again, one after the other so that a slow moment of the machine meets all of them. Returns the names of answers that
+-- differed from one time to the next.
+function Bench:time_by_turns(compared, repeats)
+  local moving = {}
+  for _, s in ipairs(compared) do
+    for name in pairs(s.record.moving or {}) do moving[name] = true end
+  end
+  local again = {}
+  for round = 2, repeats > 1 and most_repeats or 1 do
+    for i, s in ipairs(compared) do
+      local seconds = s.record.seconds
+      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough) and self:fits(seconds[1] + s.record.outside) then
+        self:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared, math.max(1, repeats - round + 1) * seconds[1])
+        self:time_again(s, moving)
+        again[s] = true
+      end
+    end
+  end
+  for s in pairs(again) do self:keep(s) end
+  return moving
+end
+
+--- Seconds that the changed runs of a setting would take: see scatter. `like`: one of which it is known.
+function Bench:changed_runs(setting, like)
+  local seconds = 0
+  for turn = 1, perturbations do
+    if not self:record(setting, turn) then seconds = seconds + math.max(self:estimate(setting, turn), self:estimate(like, turn)) end
+  end
+  return seconds
+end
+
+--- By name, how far a setting's answers scatter when every number that is not whole changes by a part of 1e-9; nil and why where none
+-- could be changed.
+function Bench:scatter(setting)
+  local _, changed = self:parameters(setting, 1)
+  if changed == 0 then return nil, "no number of the scenario could be changed a little, so chaos was not looked for" end
+  local scatter = {}
+  for turn = 1, perturbations do
+    self:progress("changed by a trifle, " .. setting.label, turn - 1, perturbations, (perturbations - turn + 1) * self:estimate(setting, turn))
+    local record = (self:record(setting, turn) or self:fits(self:estimate(setting, turn))) and self:run(setting, turn)
+    if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
+    for name, answer in pairs(setting.record.answers) do
+      scatter[name] = math.max(scatter[name] or 0, record.failed and math.huge or judge.error(record.answers[name], answer))
+    end
+  end
+  return scatter
+end
 
 --- A line on stderr: what is being done, how far along, and how long the rest will take.
 function Bench:progress(what, done, all, left)

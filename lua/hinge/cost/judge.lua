@@ -1,5 +1,6 @@
 -- Judging answers: how far two are apart, at which order they converge, and which settings nothing else beats.
 local judge = {}
+local least_gain = 1e-3 -- part of an error by which a slower setting must be better to be on the front: less is rounding
 
 -- The value of a history at x by the cubic through the four points about it; its abscissae rise.
 local function value_at(h, x, from)
@@ -78,7 +79,7 @@ function judge.order(h, answers)
 end
 
 --- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other, by time.
--- Items without an error are none of it.
+-- Items without an error are none of it, nor those better by less than a thousandth.
 function judge.front(items)
   local sorted, front, least = {}, {}, math.huge
   for _, item in ipairs(items) do
@@ -86,7 +87,7 @@ function judge.front(items)
   end
   table.sort(sorted, function(a, b) return a.time < b.time or a.time == b.time and a.error < b.error end)
   for _, item in ipairs(sorted) do
-    if item.error < least then
+    if item.error < least * (1 - least_gain) then
       front[#front + 1] = item
       least = item.error
     end

@@ -65,9 +65,6 @@ function ladder.knobs(where, scenario, options, held)
       knobs[#knobs + 1] = { name = name, values = values, side = side }
     end
   end
-  if #knobs == 0 then
-    check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, and use p.dt in run", where)
-  end
   table.sort(knobs, function(a, b) return a.name < b.name end)
   return knobs
 end
@@ -86,7 +83,8 @@ function ladder.finer(knob, value, than)
   return knob.side.finer == "smaller" and than / value or value / than
 end
 
-local function setting(knobs, values)
+--- A setting: these values of the knobs.
+function ladder.setting(knobs, values)
   local weight = 1
   for _, knob in ipairs(knobs) do
     if knob.side then weight = weight * ladder.finer(knob, values[knob.name], knob.values[1]) ^ knob.side.work end
@@ -109,7 +107,7 @@ function ladder.grid(knobs)
     all = more
   end
   for i, values in ipairs(all) do
-    all[i] = setting(knobs, values)
+    all[i] = ladder.setting(knobs, values)
     all[i].place = i
   end
   table.sort(all, function(a, b) return a.weight < b.weight or a.weight == b.weight and a.place < b.place end)
@@ -143,7 +141,7 @@ function ladder.reference(knobs, settings, level)
     end
     values[knob.name] = value
   end
-  return setting(knobs, values)
+  return ladder.setting(knobs, values)
 end
 
 return ladder

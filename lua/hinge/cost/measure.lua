@@ -46,14 +46,17 @@ local function harvest(result, histories, run)
   local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
   if brought > 0 then result.remainder = math.max(result.remainder, math.abs(run.worst_remainder) / brought) end
   for _, probe in ipairs(run.probes) do histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value } end
+  for _, effect in ipairs(run.effects) do result.effects[effect.name] = result.effects[effect.name] or effect.active or nil end
+  result.hashes[#result.hashes + 1] = run.hash
   if run.verdict == "failed" then result.failed = run.reason end
 end
 
---- Runs the scenario. Returns { answers = { name = number or { x =, y = } }, seconds = in the steps of all its runs, outside = of the rest,
--- stages = { name = seconds }, memory = bytes, remainder = the largest as a part of the energy brought in, failed = why it has no answer };
--- nil when `deadline` (of core.clock) came first. Models are the scenario's own, made anew by each call.
-function measure.once(scenario, parameters, case, deadline)
-  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0 }
+--- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =, y = } },
+-- seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes, remainder = the largest as a
+-- part of the energy brought in, effects = { name = true } that were in a step, hashes = of the states at the end, failed = why it has no
+-- answer }; nil when `deadline` (of core.clock) came first. Models are the scenario's own, made anew by each call.
+function measure.once(scenario, parameters, case, deadline, without)
+  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {} }
   local runs, histories, expired, say = {}, {}, false, print
   collectgarbage()
   collectgarbage()
@@ -71,10 +74,12 @@ function measure.once(scenario, parameters, case, deadline)
     end)
   end)
   print = function() end
+  core.leave_out(without)
   local start = core.clock()
   local ok, returned = pcall(scenario.run, parameters, jobs.quiet(case))
   local all = core.clock() - start
   core.on_run(nil)
+  core.leave_out(nil)
   print = say
   if expired then return nil end
   if not ok then

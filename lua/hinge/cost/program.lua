@@ -1,7 +1,6 @@
 -- hinge cost: reads the command line, compares, prints and writes.
 local check = require "hinge.check"
 local cost = require "hinge.cost"
-local report = require "hinge.cost.report"
 local runner = require "hinge.runner"
 local values = require "hinge.values"
 
@@ -15,7 +14,7 @@ local function positive(option, text, units, allowed)
   return number * units[unit]
 end
 
---- options: script, case, overrides, out, within, budget, quantity, all as text. Returns the program's exit status.
+--- options: script, case, overrides, out, within, budget, quantity, effects (nil or not), all as text. Returns the program's exit status.
 function program.main(options)
   return runner.guard(function()
     local within = positive("--within", options.within, { [""] = 1, ["%"] = 0.01 }, "a part above 0, such as 1% or 0.01")
@@ -27,8 +26,8 @@ function program.main(options)
     local given, parameters = scenario:values(options.case, options.overrides), {}
     for _, override in ipairs(options.overrides) do parameters[override[1]] = given[override[1]] end
     local result = cost.compare(scenario, { within = within, budget = budget, quantity = options.quantity, case = options.case, parameters = parameters,
-      out = options.out, progress = true })
-    report.show(result)
+      out = options.out, progress = true, effects = options.effects ~= nil })
+    require(options.effects and "hinge.cost.effects_report" or "hinge.cost.report").show(result)
     print("written to " .. options.out)
     return 0
   end)

@@ -1,28 +1,14 @@
--- What came out of a comparison: tables for the reader, cost.csv, summary.json and the work-precision plot.
+-- What came out of a comparison: tables for the reader, cost.csv and summary.json.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
 local ladder = require "hinge.cost.ladder"
 local paper = require "hinge.paper"
+local plot = require "hinge.cost.plot"
+local text = require "hinge.cost.text"
 
 local report = {}
+local percent, bytes, sorted = text.percent, text.bytes, text.sorted
 local most_rows = 14 -- answers shown; cost.csv has them all
-local exact = 1e-16  -- where an error of nothing is drawn
-
-local function percent(part)
-  if part == nil then return "-" end
-  if part == math.huge then return "none" end
-  if part < 1e-12 then return "0 %" end
-  return ("%.3g %%"):format(100 * part)
-end
-
-local function bytes(n) return n and ("%.1f MB"):format(n / 1e6) or "-" end
-
-local function sorted(map, before)
-  local names = {}
-  for name in pairs(map) do names[#names + 1] = name end
-  table.sort(names, before)
-  return names
-end
 
 local states = {
   chaotic = "chaotic: it scatters by %s when every number changes by %g of itself, so it has no error",
@@ -116,11 +102,40 @@ local function orders_table(result)
   if #rows > 0 then paper.table("Order of convergence", { "", "observed", "theory", "" }, rows) end
 end
 
+-- The numbers and words of one setting, or of two between which it lies, but for one knob.
+local function others(result, settings, but)
+  local parts = {}
+  for _, knob in ipairs(result.knobs) do
+    if knob.name ~= but then
+      local a, b = settings[1].values[knob.name], settings[#settings].values[knob.name]
+      parts[#parts + 1] = ("%s %s"):format(knob.name, ladder.text(a) .. (a ~= b and " to " .. ladder.text(b) or ""))
+    end
+  end
+  return table.concat(parts, ", ")
+end
+
+local function equal_tables(result)
+  for _, name in ipairs(sorted(result.equal)) do
+    local head, rows = { name }, {}
+    for i, row in ipairs(result.equal[name]) do
+      head[2 * i], head[2 * i + 1] = "at " .. percent(row.error), ""
+      for j, m in ipairs(row.methods) do
+        rows[j] = rows[j] or { ladder.text(m.value) }
+        rows[j][2 * i] = ("%s%.2f"):format(m.more and "> " or "", m.ratio)
+        rows[j][2 * i + 1] = others(result, m.settings, name) .. (m.more and ": " .. percent(m.settings[1].error) or "")
+      end
+    end
+    paper.table("Time at equal error, over the shortest (a to b: on the straight line between two settings, on logarithmic axes; >: not even the best one is as near)",
+      head, rows)
+  end
+end
+
 --- Prints it all.
 function report.show(result)
   settings_table(result)
   answers_table(result)
   stages_table(result)
+  equal_tables(result)
   orders_table(result)
   print ""
   if result.references then
@@ -149,14 +164,9 @@ function report.show(result)
   end
 end
 
-local function quoted(text) return text:find '[,"\n]' and '"' .. text:gsub('"', '""'):gsub("\n", " ") .. '"' or text end
-
 local function csv(result)
   local names, stages, lines = sorted(result.quantities), stages_of(result.settings), {}
-  local function add(cells)
-    for i, cell in ipairs(cells) do cells[i] = quoted(tostring(cell)) end
-    lines[#lines + 1] = table.concat(cells, ",")
-  end
+  local function add(cells) lines[#lines + 1] = text.csv_line(cells) end
   local head = {}
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
   for title in ("error worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"):gmatch "%S+" do head[#head + 1] = title end
@@ -177,50 +187,30 @@ local function csv(result)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- The number along which a line of the plot goes: the one with the most values, dt before others.
-local function line_knob(knobs)
-  local best
-  for _, knob in ipairs(knobs) do
-    if knob.side and (not best or #knob.values > #best.values or #knob.values == #best.values and knob.name == "dt") then best = knob end
-  end
-  return best
-end
-
-local function plot(result, job)
-  local along, methods, names = line_knob(result.knobs), {}, {}
-  for _, s in ipairs(result.settings) do
-    if s.error then
-      local parts = {}
-      for _, knob in ipairs(result.knobs) do
-        if knob ~= along then parts[#parts + 1] = (type(s.values[knob.name]) == "number" and knob.name .. " " or "") .. ladder.text(s.values[knob.name]) end
+-- As result.equal, with labels in the place of settings.
+local function equal_summary(result)
+  local all = {}
+  for name, rows in pairs(result.equal) do
+    all[name] = {}
+    for i, row in ipairs(rows) do
+      all[name][i] = { error = row.error, methods = {} }
+      for j, m in ipairs(row.methods) do
+        local labels = {}
+        for k, s in ipairs(m.settings) do labels[k] = s.label end
+        all[name][i].methods[j] = { value = m.value, seconds = m.seconds, ratio = m.ratio, more = m.more or false, settings = labels }
       end
-      local name = #parts > 0 and table.concat(parts, ", ") or along.name
-      if not methods[name] then methods[name], names[#names + 1] = {}, name end
-      table.insert(methods[name], s)
     end
   end
-  if #names == 0 then return end
-  table.sort(names)
-  local series, front = {}, { name = "Pareto front", style = "points", x = {}, y = {} }
-  for _, name in ipairs(names) do
-    local line = { name = name, x = {}, y = {}, style = #methods[name] == 1 and "points" or "line" }
-    if along then table.sort(methods[name], function(a, b) return ladder.finer(along, b.values[along.name], a.values[along.name]) > 1 end) end
-    for i, s in ipairs(methods[name]) do line.x[i], line.y[i] = s.seconds, 100 * math.max(s.error, exact) end
-    series[#series + 1] = line
-  end
-  for i, s in ipairs(result.front) do front.x[i], front.y[i] = s.seconds, 100 * math.max(s.error, exact) end
-  series[#series + 1] = front
-  job:plot({ title = "Error against time" .. (result.quantity and ", " .. result.quantity or ""), x_label = "time of the steps, s", y_label = "error, %", log_x = true,
-    log_y = true, series = series, width = 1500, height = 950 }, "cost.png")
+  return all
 end
 
 --- Writes cost.csv, cost.png and summary.json into a folder.
 function report.write(result, out)
   core.write_text(out .. "/cost.csv", csv(result))
-  plot(result, jobs.new(out, result.case))
+  plot.draw(result, jobs.new(out, result.case))
   local summary = {}
   for name, value in pairs(result) do summary[name] = value end
-  summary.knobs, summary.settings, summary.references, summary.front, summary.cheapest = nil, {}, {}, {}, result.cheapest and result.cheapest.label
+  summary.knobs, summary.settings, summary.references, summary.front, summary.cheapest, summary.equal = nil, {}, {}, {}, result.cheapest and result.cheapest.label, equal_summary(result)
   for i, s in ipairs(result.settings) do
     summary.settings[i] = {}
     for name, value in pairs(s) do

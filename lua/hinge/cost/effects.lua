@@ -1,0 +1,120 @@
+-- What effects cost: a scenario with one of its effects left out at a time; what that changes in the answers, and in the time.
+--
+-- The script is not rewritten: while it runs, the engine takes back what its models declare of the effect (core.leave_out).
+local check = require "hinge.check"
+local core = require "hinge.core"
+local judge = require "hinge.cost.judge"
+local ladder = require "hinge.cost.ladder"
+
+local effects = {}
+local where = "hinge.cost"
+
+local function same_bits(a, b, changes)
+  local same = #a.hashes == #b.hashes
+  for i, hash in ipairs(a.hashes) do same = same and hash == b.hashes[i] end
+  for _, change in pairs(changes) do same = same and change == 0 end
+  return same
+end
+
+-- Median of the part of the time that is saved, turn by turn, and half the width of the middle half of them.
+local function saved(all, rest)
+  local parts = {}
+  for i = 1, math.min(#all, #rest) do parts[i] = 1 - rest[i] / all[i] end
+  table.sort(parts)
+  local n = #parts
+  return judge.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
+end
+
+-- The answer that changes most of those that change by more than they scatter; where none does, of all, and true if that one scatters more.
+local function worst(changes, scatter, chosen)
+  local name, most
+  for _, candidate in ipairs(check.keys(changes)) do
+    local change = changes[candidate]
+    local rank = change > (scatter[candidate] or 0) and 2 or change > 0 and 1 or 0
+    if (not chosen or chosen == candidate) and (not name or rank > most or rank == most and change > changes[name]) then name, most = candidate, rank end
+  end
+  return name, most == 1
+end
+
+-- How far the setting is from one twice as fine in all that has a finer side, by answer; nil and why where that is not known.
+local function own_error(bench, knobs, all)
+  local numbers = {}
+  for _, knob in ipairs(knobs) do numbers[#numbers + 1] = knob.side and knob end
+  if #numbers == 0 then return nil, "the scenario has no number to refine, so its own error is not known" end
+  local finer = ladder.reference(numbers, { all }, 1)
+  for name, value in pairs(all.values) do finer.values[name] = finer.values[name] or value end
+  bench:progress("twice as fine, " .. finer.label, 0, 1, bench:estimate(finer))
+  local record = (bench:record(finer) or bench:fits(bench:estimate(finer))) and bench:run(finer)
+  if not record then return nil, "the budget left no time for a run twice as fine, so the error is not known" end
+  if record.failed then return nil, ("a run twice as fine (%s) has no answer: %s"):format(finer.label, record.failed) end
+  local errors = {}
+  for name, answer in pairs(record.answers) do errors[name] = judge.error(all.record.answers[name], answer) end
+  return errors, nil, finer.label
+end
+
+local function judge_one(s, all, moving, scatter, o)
+  local row = { name = s.without, failed = s.failed, changes = {} }
+  if s.failed then return row end
+  local r = s.record
+  for name, answer in pairs(all.record.answers) do
+    if not moving[name] then row.changes[name] = judge.error(r.answers[name], answer) end
+  end
+  row.same = same_bits(all.record, r, row.changes)
+  row.worst, row.lost = worst(row.changes, scatter, o.quantity)
+  row.change = row.worst and row.changes[row.worst]
+  row.saves, row.spread = saved(all.record.seconds, r.seconds)
+  row.seconds, row.times, row.remainder, row.answers = judge.median(r.seconds), r.seconds, r.remainder, r.answers
+  return row
+end
+
+--- hinge.cost with effects = true: see hinge.d.lua.
+function effects.compare(bench, knobs, o)
+  local values = {}
+  for _, knob in ipairs(knobs) do values[knob.name] = bench.base[knob.name] end
+  local function without(name, label)
+    local s = ladder.setting(knobs, values)
+    s.without, s.label = name, label
+    return s
+  end
+  local all, notes, absent, settings, left_out, measured = without("nothing", "all effects"), {}, {}, {}, {}, {}
+  all.record = bench:run(all)
+  if not all.record then check.fail("%s: the budget is over before the scenario is; give a larger one", where) end
+  if all.record.failed then check.fail("%s: the scenario has no answer: %s", where, all.record.failed) end
+  local optional = core.optional_effects()
+  for i, name in ipairs(optional) do
+    local s = without(name, "without " .. name)
+    bench:progress(s.label, i - 1, #optional, (#optional - i + 1) * bench:estimate(all))
+    if not all.record.effects[name] then absent[#absent + 1] = name
+    else
+      s.record = (bench:record(s) or bench:fits(bench:estimate(s))) and bench:run(s)
+      if not s.record then left_out[#left_out + 1] = name
+      else
+        settings[#settings + 1] = s
+        s.failed = s.record.failed and s.record.failed:match "^[^\n]*"
+        if not s.failed then measured[#measured + 1] = s end
+      end
+    end
+  end
+  local scatter, silent = bench:scatter(all)
+  notes[#notes + 1] = silent
+  local errors, unknown, finer = own_error(bench, knobs, all)
+  notes[#notes + 1] = unknown
+  table.insert(measured, 1, all)
+  local moving = bench:time_by_turns(measured, o.repeats)
+  local answers = {}
+  for name in pairs(all.record.answers) do
+    if not moving[name] then answers[name] = { scatter = scatter and scatter[name], error = errors and errors[name] } end
+  end
+  if o.quantity and not answers[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(answers)) end
+  local rows = {}
+  for i, s in ipairs(settings) do rows[i] = judge_one(s, all, moving, scatter or {}, o) end
+  local result = {
+    effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes, within = o.within, quantity = o.quantity, case = o.case,
+    perturbation = o.perturbation, seconds = judge.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
+    complete = #left_out == 0, elapsed = bench:elapsed(),
+  }
+  if o.out then require "hinge.cost.effects_report".write(result, o.out) end
+  return result
+end
+
+return effects

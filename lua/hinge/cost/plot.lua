@@ -1,0 +1,87 @@
+-- The work-precision plot: error against time, a line for each method, the front marked.
+local ladder = require "hinge.cost.ladder"
+local methods = require "hinge.cost.methods"
+
+local plot = {}
+local exact = 1e-10   -- errors below it are rounding: drawn beneath all others
+local near = 1.05     -- two points on logarithmic axes that lie on each other: neither is more than this times the other
+
+local function method_of(result, s)
+  local parts = {}
+  for _, knob in ipairs(result.knobs) do
+    if not knob.side then parts[#parts + 1] = (type(s.values[knob.name]) == "string" and "" or knob.name .. " ") .. ladder.text(s.values[knob.name]) end
+  end
+  return table.concat(parts, ", ")
+end
+
+-- The settings with an error by method: { { name =, settings = }, ... }, by name.
+local function group(result)
+  local groups, by_name = {}, {}
+  for _, s in ipairs(result.settings) do
+    if s.error then
+      local name = method_of(result, s)
+      if not by_name[name] then
+        by_name[name] = { name = name, settings = {} }
+        groups[#groups + 1] = by_name[name]
+      end
+      table.insert(by_name[name].settings, s)
+    end
+  end
+  table.sort(groups, function(a, b) return a.name < b.name end)
+  return groups
+end
+
+-- The points of a method's line: where one number is varied all of them, the coarsest first; of several numbers the best there are.
+local function line_of(numbers, settings)
+  if #numbers == 1 then
+    table.sort(settings, function(a, b) return ladder.finer(numbers[1], b.values[numbers[1].name], a.values[numbers[1].name]) > 1 end)
+    return settings
+  end
+  local best = {}
+  for i, item in ipairs(methods.front(settings)) do best[i] = item.setting end
+  return best
+end
+
+-- Whether half of a line's points or more lie on those of earlier lines, which a solid line would hide.
+local function hides(line, others)
+  local hidden = 0
+  for i, x in ipairs(line.x) do
+    local found = false
+    for _, other in ipairs(others) do
+      for j, ox in ipairs(other.x) do
+        found = found or math.max(x / ox, ox / x, line.y[i] / other.y[j], other.y[j] / line.y[i]) < near
+      end
+    end
+    hidden = hidden + (found and 1 or 0)
+  end
+  return 2 * hidden >= #line.x
+end
+
+function plot.draw(result, job)
+  local groups, numbers, least = group(result), {}, math.huge
+  if #groups == 0 then return end
+  for _, knob in ipairs(result.knobs) do numbers[#numbers + 1] = knob.side and knob end
+  for _, s in ipairs(result.settings) do
+    if s.error and s.error > exact then least = math.min(least, s.error) end
+  end
+  local floor = least < math.huge and least / 10 or exact
+  local function height(s) return 100 * (s.error > exact and s.error or floor) end
+  local series, any_exact = {}, false
+  for _, g in ipairs(groups) do
+    local line = { name = g.name ~= "" and g.name or numbers[1].name, x = {}, y = {} }
+    for i, s in ipairs(line_of(numbers, g.settings)) do
+      line.x[i], line.y[i] = s.seconds, height(s)
+      any_exact = any_exact or s.error <= exact
+    end
+    line.style, line.dashed = #line.x == 1 and "points" or "line", hides(line, series)
+    series[#series + 1] = line
+  end
+  local front = { name = "Pareto front", style = "points", x = {}, y = {} }
+  for i, s in ipairs(result.front) do front.x[i], front.y[i] = s.seconds, height(s) end
+  series[#series + 1] = front
+  job:plot({ title = "Error against time" .. (result.quantity and ", " .. result.quantity or ""), x_label = "time of the steps, s",
+    y_label = any_exact and ("error, %% (exact: at %.1g)"):format(100 * floor) or "error, %", log_x = true, log_y = true, series = series, width = 1200,
+    height = 760 }, "cost.png")
+end
+
+return plot
