@@ -149,6 +149,7 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         boxes[i] = {p.cwiseMin(q).array() - pad, p.cwiseMax(q).array() + pad};
     }
 
+    note_list();
     std::vector<Candidate> kept;
     kept.swap(candidates_);
     look_at_.clear();
@@ -218,6 +219,7 @@ void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) c
 
 bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
     ++counts_.pair_tests;
+    note_pair(i);
     Candidate& pair = candidates_[i];
     const ContactSettings& rule = rules_[pair.rule];
     const Bar &a = bars[pair.bar[0]], &b = bars[pair.bar[1]];
@@ -291,6 +293,7 @@ Contact::Candidate* Contact::find(const int element[2], std::size_t* place) {
 void Contact::set_free(const int element[2], const Vec3& side) {
     std::size_t i = 0;
     if (Candidate* pair = find(element, &i)) {
+        note_pair(i);
         pair->state = PairState::free;
         pair->side = side;
         look_at_[i] = travelled_;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <tuple>
 #include <vector>
 
 #include "contact/bond.h"
@@ -102,7 +103,7 @@ struct LetGo {
 ///
 /// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step has
 /// ended, release and settle; drop for what broke.
-/// A step that is undone restores a copy made before. A bond starts without force, but ends with one: an integrator that carries
+/// A step that may be undone begins with remember. A bond starts without force, but ends with one: an integrator that carries
 /// accelerations from step to step must find them anew after a release or a drop, or it goes on pulling for half a step.
 class Contact {
 public:
@@ -156,6 +157,11 @@ public:
     const std::vector<ContactEvent>& events() const { return events_; }
     void clear_events() { events_.clear(); }
 
+    /// Where a step begins that may be undone. take_back: all as it was there; forget: the step stands, nothing more is noted.
+    void remember();
+    void take_back();
+    void forget() { noting_ = false; }
+
     /// Appends all state (not the settings), byte for byte the same for the same state.
     void save(std::vector<char>& out) const;
     /// Takes back what save wrote. Returns the number of bytes read, 0 if they are not a whole record (then nothing has changed).
@@ -192,6 +198,8 @@ private:
     void end_touches();
     void set_free(const int element[2], const Vec3& side);
     Candidate* find(const int element[2], std::size_t* place);
+    void note_pair(std::size_t place);
+    void note_list();
     template <class Io>
     void fields(Io& io);
 
@@ -215,6 +223,20 @@ private:
     std::vector<ArmEnd> arms_;        ///< virtual ends
     std::vector<Candidate> candidates_;   ///< sorted by element numbers
     std::vector<double> look_at_;         ///< of each candidate: the value of travelled_ before which it cannot matter
+
+    // For a step that is undone: of the pairs, which are many, those that it changed, unless it made their list anew.
+    auto all_but_pairs() { return std::tie(rules_, counts_, bonds_, touches_, nearest_, stored_, events_, seen_, now_, travelled_, listed_at_, margin_, nodes_, last_, arms_); }
+    struct Before {
+        std::tuple<std::vector<ContactSettings>, ContactCounts, std::vector<Bond>, std::vector<Touch>, Nearest, double, std::vector<ContactEvent>, bool, double, double, double,
+                   double, std::vector<int>, std::vector<Vec3>, std::vector<ArmEnd>> all_but_pairs;
+        struct Changed { std::size_t place; Candidate pair; double look_at; };
+        std::vector<Changed> changed;
+        bool listed_anew = false;
+        std::vector<Candidate> candidates;
+        std::vector<double> look_at;
+    };
+    bool noting_ = false;
+    Before before_;
 };
 
 }  // namespace hinge::contact

@@ -1,4 +1,4 @@
-// Contact's state as a record of bytes, and back.
+// Contact's state, kept: for a step that is undone, and as a record of bytes.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -115,6 +115,31 @@ void Contact::fields(Io& io) {
         vector(io, pair.side);
     });
     io.list(look_at_, [&](double& at) { plain(io, at); });
+}
+
+void Contact::remember() {
+    noting_ = true;
+    before_.all_but_pairs = all_but_pairs();
+    before_.changed.clear();
+    before_.listed_anew = false;
+}
+
+void Contact::take_back() {
+    all_but_pairs() = before_.all_but_pairs;
+    if (before_.listed_anew) candidates_ = before_.candidates, look_at_ = before_.look_at;
+    for (auto c = before_.changed.rbegin(); c != before_.changed.rend(); ++c) candidates_[c->place] = c->pair, look_at_[c->place] = c->look_at;
+    before_.changed.clear();
+    before_.listed_anew = false;
+}
+
+void Contact::note_pair(std::size_t place) {
+    if (noting_ && !before_.listed_anew) before_.changed.push_back({place, candidates_[place], look_at_[place]});
+}
+
+void Contact::note_list() {
+    if (!noting_ || before_.listed_anew) return;
+    before_.listed_anew = true;
+    before_.candidates = candidates_, before_.look_at = look_at_;
 }
 
 void Contact::save(std::vector<char>& out) const {

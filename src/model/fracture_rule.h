@@ -1,6 +1,7 @@
 // When members break (eq 16): limits, or a rule of the script's own, and what such a rule is shown.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <limits>
 #include <string>
@@ -24,7 +25,19 @@ struct SectionView {
     bool plastic;                  ///< fully plastic in this step
     double* kept = nullptr;        ///< the rule's own numbers of this section (FractureRule::keep), 0 at the start
 };
-using FractureHook = std::function<bool(const SectionView&)>;
+
+/// Says which sections break. A function of a section, true where it breaks, will do.
+struct FractureHook {
+    /// Goes through the sections from number `at` until one breaks, and leaves `at` there: past the last one if all hold. A step's
+    /// sections come in one list, since it costs less to call a script once.
+    std::function<void(const std::vector<SectionView>& sections, std::size_t& at)> ask;
+
+    FractureHook() = default;
+    template <std::predicate<const SectionView&> Breaks>
+    FractureHook(Breaks breaks)
+        : ask([breaks](const std::vector<SectionView>& sections, std::size_t& at) mutable { while (at < sections.size() && !breaks(sections[at])) ++at; }) {}
+    explicit operator bool() const { return bool(ask); }
+};
 
 /// What can be read of a section, as numbers; in the order of section_field_names.
 enum class SectionField : int {

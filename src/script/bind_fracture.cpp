@@ -11,7 +11,16 @@ namespace {
 constexpr int field_count = int(SectionField::step) + 1;
 
 /// What a rule is handed: the same object at every call, full while the rule runs.
-struct SectionViewBox { static constexpr const char* lua_name = "hinge.section_view"; std::weak_ptr<Model> model; std::vector<std::string> keep; const SectionView* now; };
+///
+/// To Lua a section is an empty table. Its metatable's __index is a table of those fields that the rule was seen to read: they are
+/// put there before it is called, three times as fast as a call for each. That table's own __index has all the others.
+struct SectionViewBox {
+    static constexpr const char* lua_name = "hinge.section_view";
+    std::weak_ptr<Model> model;
+    std::vector<std::string> keep;
+    const SectionView* now = nullptr;
+    std::vector<SectionField> read = {};   ///< what the rule reads, none twice
+};
 struct ElementListBox {
     static constexpr const char* lua_name = "hinge.element_list";
     const ElementList* now;
@@ -19,9 +28,9 @@ struct ElementListBox {
     std::vector<double> room;
 };
 
-/// The field that the key at `index` names, -1 for none. Upvalue 1: numbers of the fields by name; 2: the metatable.
-int field_at(lua_State* L, int index) {
-    lua_pushvalue(L, index);
+/// The field that the key at 2 names, -1 for none. Upvalue 1: numbers of the fields by name.
+int field_at(lua_State* L) {
+    lua_pushvalue(L, 2);
     const int field = lua_rawget(L, lua_upvalueindex(1)) == LUA_TNUMBER ? int(lua_tointeger(L, -1)) : -1;
     lua_pop(L, 1);
     return field;
@@ -33,8 +42,14 @@ int field_at(lua_State* L, int index) {
     throw InputError(std::string(what) + " has no field '" + key + "'" + did_you_mean(key, others));
 }
 
+/// The box of a section's metatable. Upvalue 2: its userdata, which a finalizer at the very end may find collected.
+SectionViewBox& box_of_view(lua_State* L) {
+    if (auto* box = find<SectionViewBox>(L, lua_upvalueindex(2))) return *box;
+    throw InputError("section: its rule is gone");
+}
+
 SectionViewBox& view_in_use(lua_State* L) {
-    auto& box = self<SectionViewBox>(L, "section");
+    auto& box = box_of_view(L);
     if (!box.now) throw InputError("section: read after its rule has returned; take the numbers you need while the rule runs");
     return box;
 }
@@ -45,9 +60,22 @@ double* kept_at(lua_State* L, const SectionViewBox& box) {
     return at == box.keep.end() ? nullptr : box.now->kept + (at - box.keep.begin());
 }
 
-int view_get_other(lua_State* L) {
-    const auto& box = view_in_use(L);
+void push_field(lua_State* L, const SectionView& v, SectionField field) {
+    switch (field) {
+        case SectionField::plastic: return lua_pushboolean(L, v.plastic);
+        case SectionField::node: return v.node < 0 ? lua_pushnil(L) : lua_pushinteger(L, v.node + 1);
+        case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: return lua_pushinteger(L, lua_Integer(value_of(v, field)));
+        default: return lua_pushnumber(L, value_of(v, field));
+    }
+}
+
+int view_get(lua_State* L) {
+    auto& box = view_in_use(L);
     const SectionView& v = *box.now;
+    if (const int field = field_at(L); field >= 0) {
+        if (std::find(box.read.begin(), box.read.end(), SectionField(field)) == box.read.end()) box.read.push_back(SectionField(field));
+        return push_field(L, v, SectionField(field)), 1;
+    }
     if (const double* kept = kept_at(L, box)) return lua_pushnumber(L, *kept), 1;
     if (lua_type(L, 2) != LUA_TSTRING || std::string(lua_tostring(L, 2)) != "group") {
         std::vector<std::string> others = box.keep;
@@ -57,23 +85,6 @@ int view_get_other(lua_State* L) {
     const auto model = box.model.lock();
     if (!model || model->members()[v.member].groups.empty()) return lua_pushnil(L), 1;
     return lua_pushstring(L, model->groups()[model->members()[v.member].groups[0]].c_str()), 1;
-}
-
-/// Called for every number that a rule reads.
-int view_get(lua_State* L) {
-    if (!lua_getmetatable(L, 1) || !lua_rawequal(L, -1, lua_upvalueindex(2))) return guarded<view_get_other>(L);
-    lua_settop(L, 2);
-    const SectionView* v = static_cast<const SectionViewBox*>(lua_touserdata(L, 1))->now;
-    const int field = v ? field_at(L, 2) : -1;
-    if (field < 0) return guarded<view_get_other>(L);
-    const double value = value_of(*v, SectionField(field));
-    switch (SectionField(field)) {
-        case SectionField::plastic: lua_pushboolean(L, v->plastic); break;
-        case SectionField::node: v->node < 0 ? lua_pushnil(L) : lua_pushinteger(L, v->node + 1); break;
-        case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: lua_pushinteger(L, lua_Integer(value)); break;
-        default: lua_pushnumber(L, value);
-    }
-    return 1;
 }
 
 int view_set(lua_State* L) {
@@ -87,7 +98,7 @@ int view_set(lua_State* L) {
 }
 
 int view_text(lua_State* L) {
-    const auto& box = self<SectionViewBox>(L, "tostring");
+    const auto& box = box_of_view(L);
     if (!box.now) return lua_pushliteral(L, "section of a rule that has returned"), 1;
     lua_pushfstring(L, "end %d of element %d, member %d", box.now->end, box.now->element + 1, box.now->member + 1);
     return 1;
@@ -101,7 +112,7 @@ ElementListBox& list_in_use(lua_State* L) {
 
 int list_get(lua_State* L) {
     auto& box = list_in_use(L);
-    const int place = field_at(L, 2);
+    const int place = field_at(L);
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     if (key == "count") return lua_pushinteger(L, box.now->count()), 1;
     if (key == "time") return lua_pushnumber(L, box.now->time()), 1;
@@ -129,60 +140,126 @@ int list_get(lua_State* L) {
 
 int list_length(lua_State* L) { return lua_pushinteger(L, list_in_use(L).now->count()), 1; }
 
-/// T's metatable, made once, with the fields by number for its __index; `by_end`: what differs between the ends has a name for each.
-template <class T, bool by_end>
-void ready_metatable(lua_State* L, lua_CFunction get, const luaL_Reg* others) {
-    luaL_newmetatable(L, T::lua_name);
+/// Pushes the table of the fields' numbers by name; `by_end`: what differs between the ends has a name for each.
+void push_field_numbers(lua_State* L, bool by_end) {
+    lua_createtable(L, 0, field_count);
+    for (int i = 0; i < field_count; ++i)
+        if (by_end && at_ends(SectionField(i)))
+            for (int end : {1, 2}) lua_pushinteger(L, end * field_count + i), lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
+        else lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
+}
+
+/// Pushes a section and the table of its fields that are put there (SectionViewBox). Upvalues of all its functions: numbers of
+/// the fields by name, the box.
+SectionViewBox* push_section(lua_State* L, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
+    luaL_newmetatable(L, SectionViewBox::lua_name);
+    lua_pushcclosure(L, collect<SectionViewBox>, 0);
+    lua_setfield(L, -2, "__gc");
+    lua_pop(L, 1);
+    push_field_numbers(L, false);
+    const int numbers = lua_gettop(L), userdata = numbers + 1, section = numbers + 2, meta = numbers + 3, fields = numbers + 4, others = numbers + 5;
+    auto* box = push<SectionViewBox>(L, model, keep);
+    for (int i = section; i <= others; ++i) lua_createtable(L, 0, i == fields ? field_count : 0);
+    const auto set = [&](int table, const char* event, lua_CFunction f) {
+        lua_pushvalue(L, numbers), lua_pushvalue(L, userdata);
+        lua_pushcclosure(L, f, 2);
+        lua_setfield(L, table, event);
+    };
+    set(meta, "__newindex", guarded<view_set>);
+    set(meta, "__tostring", guarded<view_text>);
+    lua_pushboolean(L, 0), lua_setfield(L, meta, "__metatable");
+    lua_pushvalue(L, fields), lua_setfield(L, meta, "__index");
+    set(others, "__index", guarded<view_get>);
+    lua_setmetatable(L, fields);
+    lua_rotate(L, meta, 1);  // the fields below the metatable
+    lua_setmetatable(L, section);
+    lua_rotate(L, numbers, 2);
+    lua_pop(L, 2);
+    return box;
+}
+
+/// Sections on their way through a rule.
+struct Asking { const std::vector<SectionView>& sections; std::size_t& at; SectionViewBox& box; };
+
+/// Calls the rule with one section after the other until it returns something other than false or nil, which is left on top. Stack: the
+/// rule, the section, its fields, the Asking; then the names of the fields it reads. It is Lua's: nothing here may have a destructor.
+int ask_each(lua_State* L) {
+    const Asking& a = *static_cast<const Asking*>(lua_touserdata(L, 4));
+    luaL_checkstack(L, field_count + 4, nullptr);
+    for (int names = 0; a.at < a.sections.size(); ++a.at) {
+        const SectionView& section = a.sections[a.at];
+        a.box.now = &section;
+        for (int i = 0; i < int(a.box.read.size()); ++i) {
+            if (i == names) ::lua_pushstring(L, section_field_names[int(a.box.read[i])].c_str()), ++names;
+            lua_pushvalue(L, 5 + i);
+            push_field(L, section, a.box.read[i]);
+            lua_rawset(L, 3);
+        }
+        lua_pushvalue(L, 1), lua_pushvalue(L, 2);
+        lua_call(L, 1, 1);
+        if (lua_toboolean(L, -1)) return 1;
+        lua_pop(L, 1);
+    }
+    return 0;
+}
+
+/// Takes all values out of a table, without asking for memory.
+void empty(lua_State* L, const LuaValue& table) {
+    table.push(L);
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        lua_pushvalue(L, -1), lua_pushnil(L);
+        lua_rawset(L, -4);
+    }
+    lua_pop(L, 1);
+}
+
+FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
+    const LuaFunction f(L, index, *model);
+    SectionViewBox* box = push_section(L, model, keep);
+    const LuaValue section(L, -2, *model), fields(L, -1, *model);
+    lua_pop(L, 2);
+    FractureHook hook;
+    hook.ask = [f, section, fields, box](const std::vector<SectionView>& sections, std::size_t& at) {
+        lua_State* L = f.running();
+        struct Shown {
+            lua_State* L;
+            const LuaValue& fields;
+            SectionViewBox& box;
+            const SectionView* outer = box.now;  // the rule itself may step another run that has it
+            ~Shown() { empty(L, fields), box.now = outer; }
+        } shown{L, fields, *box};
+        Asking asking{sections, at, *box};
+        lua_pushcfunction(L, ask_each);
+        f.push(L), section.push(L), fields.push(L);
+        lua_pushlightuserdata(L, &asking);
+        call_hook(L, f, 4, 1);
+        const std::string wrong = lua_isnil(L, -1) || lua_isboolean(L, -1) ? "" : show(L, -1);
+        lua_pop(L, 1);
+        if (!wrong.empty()) throw HookError(f.place() + ": model:fracture: the rule returned " + wrong + "; it must return true where the section breaks, false or nil where it holds");
+    };
+    return hook;
+}
+
+/// The metatable of lists, made once.
+void ready_list_metatable(lua_State* L) {
+    luaL_newmetatable(L, ElementListBox::lua_name);
     const bool made = lua_getfield(L, -1, "__gc") != LUA_TNIL;  // the last of it: memory may have run out half way
     lua_pop(L, 1);
     if (!made) {
-        lua_createtable(L, 0, field_count);
-        for (int i = 0; i < field_count; ++i)
-            if (by_end && at_ends(SectionField(i)))
-                for (int end : {1, 2}) lua_pushinteger(L, end * field_count + i), lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
-            else lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
-        lua_pushvalue(L, -2);
-        lua_pushcclosure(L, get, 2);
+        static const luaL_Reg others[] = {{"__len", guarded<list_length>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
+        push_field_numbers(L, true);
+        lua_pushcclosure(L, guarded<list_get>, 1);
         lua_setfield(L, -2, "__index");
         luaL_setfuncs(L, others, 0);
     }
     lua_pop(L, 1);
 }
 
-/// Full while a rule runs.
-template <class Box, class Shown>
-struct Showing {
-    Box& box;
-    Showing(Box& box, const Shown& now) : box(box) { box.now = &now; }
-    ~Showing() { box.now = nullptr; }
-};
-
-FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
-    const LuaFunction f(L, index, *model);
-    static const luaL_Reg others[] = {{"__newindex", guarded<view_set>}, {"__tostring", guarded<view_text>}, {"__gc", collect<SectionViewBox>}, {nullptr, nullptr}};
-    ready_metatable<SectionViewBox, false>(L, view_get, others);
-    auto* box = push<SectionViewBox>(L, model, keep, nullptr);
-    const LuaValue view(L, -1, *model);
-    lua_pop(L, 1);
-    return [f, view, box](const SectionView& section) {
-        lua_State* L = f.running();
-        f.push(L);
-        view.push(L);
-        const Showing<SectionViewBox, SectionView> showing(*box, section);
-        call_hook(L, f, 1, 1);
-        const int type = lua_type(L, -1);
-        const bool breaks = lua_toboolean(L, -1);
-        const std::string shown = type == LUA_TBOOLEAN || type == LUA_TNIL ? "" : show(L, -1);
-        lua_pop(L, 1);
-        if (!shown.empty()) throw HookError(f.place() + ": model:fracture: the rule returned " + shown + "; it must return true where the section breaks, false or nil where it holds");
-        return breaks;
-    };
-}
-
 FractureBatch read_batch(lua_State* L, int index, const std::shared_ptr<Model>& model) {
     const LuaFunction f(L, index, *model);
-    static const luaL_Reg others[] = {{"__len", guarded<list_length>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
-    ready_metatable<ElementListBox, true>(L, guarded<list_get>, others);
+    ready_list_metatable(L);
     auto* box = push<ElementListBox>(L);
     lua_newtable(L);
     lua_setiuservalue(L, -2, 1);
@@ -193,7 +270,11 @@ FractureBatch read_batch(lua_State* L, int index, const std::shared_ptr<Model>& 
         f.push(L);
         view.push(L);
         box->filled.reset();
-        const Showing<ElementListBox, ElementList> showing(*box, elements);
+        struct Shown {
+            ElementListBox& box;
+            ~Shown() { box.now = nullptr; }
+        } shown{*box};
+        box->now = &elements;
         call_hook(L, f, 1, 1);
         std::string wrong = lua_istable(L, -1) || lua_isnil(L, -1) ? "" : show(L, -1);
         if (lua_istable(L, -1))

@@ -39,6 +39,7 @@ bool Dynamics::advance() {
     if (has_rules_) remember();
     try {
         take_step();
+        if (with_contact()) state_.contact->forget();
     } catch (const HookError& e) {
         take_back();
         char at[100];
@@ -356,24 +357,23 @@ void Dynamics::commit() {
 void Dynamics::remember() {
     kept_before_.clear();
     strained_before_.clear();
-    if (!undo_) undo_.emplace();
-    undo_->contact = state_.contact;
-    undo_->booked = state_.booked;
-    undo_->pace = pace_;
-    undo_->restart = restart_, undo_->bars_changed = bars_changed_, undo_->contact_age = contact_age_;
+    if (with_contact()) state_.contact->remember();
+    undo_ = {state_.booked, pace_, restart_, bars_changed_, contact_age_};
 }
 
 /// A rule of the script failed: all as it was before the step.
 void Dynamics::take_back() {
-    for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) std::copy(kept->before.begin(), kept->before.end(), kept->at);
+    for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
     for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
-    take_steps_of(undo_->pace.length);
-    state_.contact = undo_->contact;
-    state_.booked = undo_->booked;
-    pace_ = undo_->pace;
-    restart_ = undo_->restart, bars_changed_ = undo_->bars_changed, contact_age_ = undo_->contact_age;
+    take_steps_of(undo_.pace.length);
+    state_.booked = undo_.booked;
+    pace_ = undo_.pace;
+    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age;
     to_break_.clear();
-    if (with_contact()) place_contact(state_.displacement), renew_couplings(state_.rotation);
+    if (!with_contact()) return;
+    state_.contact->take_back();
+    place_contact(state_.displacement);
+    renew_couplings(state_.rotation);
 }
 
 // ---- what the stages use ------------------------------------------------------------------------------------------

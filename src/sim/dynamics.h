@@ -114,14 +114,13 @@ private:
     void note_fastest();
     void take_reactions(std::vector<Vec6>& right);
     void heed_fracture(int element);
-    bool breaks(int element, const beam::Flow* flow, bool news, int& end);
+    void judge(int element, const beam::Flow* flow, bool news);
     struct Watched { int element; double x[2], y[2], axial, per_length; };
     Watched watch_strains(int element) const;
     void list_news();
     int weaker_end(int element, const beam::Flow* flow) const;
-    SectionView view_of(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
-    template <class Ask>
-    void with_kept(int element, int side, SectionView& view, Ask ask);
+    void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow);
+    void ask_sections();
     class Asked;
     void ask_batch(int rule);
     void take_step();
@@ -192,6 +191,7 @@ private:
     Sleeper contact_sleeper_{"contact"}, plasticity_sleeper_{"plasticity"};
     struct Break { int element, end; };
     std::vector<Break> to_break_;
+    std::vector<SectionView> asked_;             ///< in this step, of one rule
     std::vector<Watched> watched_;               ///< elements that have flowed and have a rule of the script's, rising
     std::vector<int> news_;                      ///< of those, strained in this step as never before
     struct Strained { double* at; std::array<double, 3> before; };
@@ -205,10 +205,10 @@ private:
     // for a step that is taken back because a rule of the script failed
     bool has_rules_ = false;
     std::size_t kept_a_section_ = 0;             ///< numbers that rules keep of a section
-    struct Kept { double* at; std::vector<double> before; };
+    struct Kept { double* at; double before; };
     std::vector<Kept> kept_before_;
-    struct Undo { std::optional<contact::Contact> contact; Booked booked; Pace pace; bool restart = false, bars_changed = false; long contact_age = 0; };
-    std::optional<Undo> undo_;
+    struct Undo { Booked booked; Pace pace; bool restart, bars_changed; long contact_age; };
+    Undo undo_{};
 };
 
 }  // namespace hinge

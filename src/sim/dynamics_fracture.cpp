@@ -96,7 +96,7 @@ Dynamics::Watched Dynamics::watch_strains(int index) const {
 
 /// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
 void Dynamics::fracture() {
-    to_break_.clear();
+    to_break_.clear(), asked_.clear();
     list_news();
     auto candidate = fracture_candidates_.begin();  // all three rise
     auto news = news_.begin();
@@ -106,12 +106,13 @@ void Dynamics::fracture() {
         const int c = candidate != fracture_candidates_.end() ? *candidate : none, n = news != news_.end() ? *news : none,
                   f = flowing != yielding_.end() ? flowing->element : none, e = std::min({c, n, f});
         if (e == none) break;
-        int end = 0;
-        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0 && breaks(e, f == e ? &flowing->flow : nullptr, n == e, end)) to_break_.push_back({e, end});
+        if (!state_.broken[e] && structure_->elements()[e].fracture >= 0) judge(e, f == e ? &flowing->flow : nullptr, n == e);
         candidate += c == e, news += n == e, flowing += f == e;
     }
+    ask_sections();
     for (std::size_t rule = 0; rule < structure_->model().fracture().size(); ++rule)
         if (structure_->model().fracture()[rule].batch) ask_batch(int(rule));
+    std::sort(to_break_.begin(), to_break_.end(), [](const Break& a, const Break& b) { return a.element < b.element; });
 }
 
 /// The section that flows, else the one nearer to it.
@@ -124,40 +125,37 @@ int Dynamics::weaker_end(int index, const beam::Flow* flow) const {
     return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
 }
 
-/// `news`: the element is strained as never before.
-bool Dynamics::breaks(int index, const beam::Flow* flow, bool news, int& end) {
+/// Breaks the element if a limit is reached; else lists its sections that a rule of the script's is to be asked of. `news`: the
+/// element is strained as never before.
+void Dynamics::judge(int index, const beam::Flow* flow, bool news) {
     const Element& e = structure_->elements()[index];
     const FractureRule& rule = structure_->model().fracture()[e.fracture];
     const Vec6 elastic = stiffness_now(*structure_, state_, index).solve(force_[index]);
     Vec6 plastic = state_.plastic[index];
     if (flow) plastic += flow->plastic;
     const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
-    if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only)) return end = weaker_end(index, flow), true;
-    if (!rule.hook) return false;
-    end = weaker_end(index, flow);
-    for (int side : {end, 3 - end}) {
-        const bool flows = flow && (structure_->conventional() ? side == end : flow->lambda[side - 1] > 0);
+    if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only)) return to_break_.push_back({index, weaker_end(index, flow)});
+    if (!rule.hook) return;
+    if (!asked_.empty() && structure_->elements()[asked_.back().element].fracture != e.fracture) ask_sections();
+    const int weaker = weaker_end(index, flow);
+    for (int side : {weaker, 3 - weaker}) {
+        const bool flows = flow && (structure_->conventional() ? side == weaker : flow->lambda[side - 1] > 0);
         const int bit = structure_->conventional() ? hinge_at_middle : side == 1 ? hinge_at_1 : hinge_at_2;
         const bool asked = flows || e.yield.elastic() || rule.where == Where::all || ((rule.where == Where::yielded || news) && state_.yielded[index] & bit);
         if (!asked) continue;
-        const bool last = news && !flow;  // the other end is strained alike
-        SectionView view = view_of(index, side, elastic, plastic, flow);
-        view.plastic = flows;
-        bool breaks = false;
-        with_kept(index, side, view, [&] { breaks = rule.hook(view); });
-        if (breaks) return end = side, true;
-        if (last) break;
+        list_section(index, side, elastic, plastic, flow);
+        asked_.back().plastic = flows;
+        if (news && !flow) break;  // the other end is strained alike
     }
-    return false;
 }
 
-SectionView Dynamics::view_of(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
+void Dynamics::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
     const Element& e = structure_->elements()[index];
     const Vec6 &p = force_[index], before = stiffness_now(*structure_, state_, index).solve(state_.force[index]) + state_.plastic[index];
     const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length), stays = beam::fracture_strains(plastic, e.length),
                                 rate = beam::fracture_strains((elastic + plastic - before) / settings_.dt, e.length);
     const double r = side == 1 ? -1 : 1;
-    SectionView v{};
+    SectionView& v = asked_.emplace_back();
     v.time = state_.time + settings_.dt, v.dt = settings_.dt, v.step = double(state_.step + 1);
     v.member = e.member, v.element = index, v.end = side, v.node = joint_at(*structure_, e, side);
     v.curvature_x = now.curvature_x, v.curvature_y = now.curvature_y, v.axial_strain = now.axial, v.twist = now.twist;
@@ -166,18 +164,26 @@ SectionView Dynamics::view_of(int index, int side, const Vec6& elastic, const Ve
     v.Mx = beam::moment_at(p[0], p[1], r), v.My = beam::moment_at(p[2], p[3], r), v.N = p[4], v.Mz = p[5];
     v.f_y = beam::yield_function(p, r, e.yield);
     v.plastic_work = state_.plastic_work[index] + (flow ? flow->dissipation : 0);
-    return v;
+    if (structure_->model().fracture()[e.fracture].keep.empty()) return;
+    v.kept = &state_.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
 }
 
-/// Calls `ask` with the numbers that the section's rule keeps; what a step that is taken back wrote there is taken back as well.
-template <class Ask>
-void Dynamics::with_kept(int index, int side, SectionView& view, Ask ask) {
-    const FractureRule& rule = structure_->model().fracture()[structure_->elements()[index].fracture];
-    if (!rule.keep.empty()) {
-        view.kept = &state_.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
-        kept_before_.push_back({view.kept, std::vector<double>(view.kept, view.kept + rule.keep.size())});
+/// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
+void Dynamics::ask_sections() {
+    if (asked_.empty()) return;
+    const FractureRule& rule = structure_->model().fracture()[structure_->elements()[asked_[0].element].fracture];
+    for (const SectionView& v : asked_)
+        for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
+    std::size_t at = 0;
+    const auto whom = [&] { return structure_->element_name(asked_[at].element) + ", end " + std::to_string(asked_[at].end); };
+    while (at < asked_.size()) {
+        saying_which(rule, whom, [&] { rule.hook.ask(asked_, at); });
+        if (at >= asked_.size()) break;
+        const SectionView& breaks = asked_[at];
+        to_break_.push_back({breaks.element, breaks.end});
+        while (at < asked_.size() && asked_[at].element == breaks.element) ++at;
     }
-    saying_which(rule, [&] { return structure_->element_name(index) + ", end " + std::to_string(side); }, ask);
+    asked_.clear();
 }
 
 /// A rule's elements, read where the step has ended.
@@ -281,7 +287,6 @@ void Dynamics::ask_batch(int rule) {
         const bool known = std::any_of(to_break_.begin(), to_break_.end(), [&](const Break& b) { return b.element == e; });
         if (!state_.broken[e] && !known) to_break_.push_back({e, weaker_end(e, flow)});
     }
-    std::sort(to_break_.begin(), to_break_.end(), [](const Break& a, const Break& b) { return a.element < b.element; });
 }
 
 }  // namespace hinge

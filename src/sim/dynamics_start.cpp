@@ -32,6 +32,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         state_.contact.emplace(std::move(rules));
     }
     if (model.contact().empty()) state_.contact.reset();
+    if (state_.contact) state_.contact->forget();  // it may come from a run in the middle of a step
     for (const ContactRule& rule : model.contact()) has_rules_ = has_rules_ || rule.pairs || rule.on_touch || rule.on_release;
     for (const NodalLoad& load : model.loads()) has_rules_ = has_rules_ || load.follows_state() || load.history;
     for (const SupportMotion& m : model.motions()) {

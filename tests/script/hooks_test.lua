@@ -106,6 +106,84 @@ do
   checks.expect(asked.far > 0 and asked.far < 1000, "a rule is asked where something flows: %d times", asked.far)
 end
 
+-- What a rule has not asked for before, and what it may not: read once, read after it has returned, set, misspelt.
+do
+  local kept, seen
+  local function says(rule, wanted)
+    local ok, message = pcall(function() return pulled { rule = rule, keep = { "damage" } }:finish() end)
+    checks.expect(not ok and message:find(wanted, 1, true), "%s, said: %s", wanted, tostring(message))
+    return message or ""
+  end
+  pulled(function(s)
+    checks.equal(tostring(s), ("end %d of element %d, member 1"):format(s["end"], s.element), "a section as text")
+    if s.step % 7 == 0 then checks.near(s.N / 612.5e3, 1, 0.05, "read at some steps only") end
+    if kept then checks.expect(rawequal(kept, s), "the same object at every call") end
+    kept, seen = s, s.axial_strain
+  end):finish()
+  local ok, message = pcall(function() return kept.axial_strain end)
+  checks.expect(seen > 0 and not ok and message:find "read after its rule has returned", "read too late: %s", tostring(message))
+  checks.equal(tostring(kept), "section of a rule that has returned", "a section as text, too late")
+  says(function(s) s.axial_strain = 0 end, "field 'axial_strain' cannot be set")
+  says(function(s) s.damage = 0 / 0 end, "must be finite numbers")
+  says(function(s) return s.axial_strian end, "has no field 'axial_strian' (did you mean 'axial_strain'?)")
+  says(function(s) return s.N end, "it must return true where the section breaks, false or nil where it holds")
+  local place = says(function(s) if s.element == 2 then error "no good" end end, "no good")
+  for _, part in ipairs { "hooks_test.lua:%d+: no good", "fracture rule of .*hooks_test.lua:%d+", "element 2", "end [12]", "at step %d+, t = ", "the step was taken back" } do
+    checks.expect(place:find(part), "an error in a rule says %s: %s", part, place)
+  end
+end
+
+-- A rule that steps another run of its own: each sees its own sections.
+do
+  local inner
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a, "all")
+  model:member { a, b, section = bar, material = steel }
+  model:load { node = b, force = { 735e3, 0, 0 }, history = { { 0, 0 }, { 1e-3, 1 } } }
+  local depth, nested = 0, 0
+  model:fracture(function(s)
+    local step, strain = s.step, s.axial_strain
+    depth = depth + 1
+    if depth == 1 and step == 150 then
+      inner = inner or model:dynamic { dt = 1e-5, duration = 1e-3 }
+      inner:finish()
+      checks.expect(s.step == step and s.axial_strain == strain, "a section after another run of its rule")
+    elseif depth == 2 then
+      nested = nested + 1
+    end
+    depth = depth - 1
+  end)
+  model:dynamic { dt = 1e-5, duration = 2e-3 }:finish()
+  checks.expect(nested > 0, "the run inside asks its rule: %d times", nested)
+end
+
+-- Two rules by turns along the frame are asked in the order of the elements; a section that breaks leaves out its twin alone.
+do
+  local order = {}
+  local model = hinge.model()
+  for i = 1, 3 do
+    local foot, tip = model:node { 0, i, 0 }, model:node { 1, i, 0 }
+    model:fix(foot, "all")
+    model:member { foot, tip, section = bar, material = steel, group = i == 2 and "even" or "odd" }
+  end
+  local function note(s)
+    order[#order + 1] = s.element .. "." .. s["end"]
+    return s.element == 3
+  end
+  model:fracture { group = "odd", where = "all", rule = note }
+  model:fracture { group = "even", where = "all", rule = note }
+  local run = model:dynamic { dt = 1e-5, duration = 1e-5 }:finish()
+  local elements, twice = {}, {}
+  for _, name in ipairs(order) do
+    local element = name:match "%d+"
+    if elements[#elements] == element then twice[element] = true else elements[#elements + 1] = element end
+  end
+  checks.equal(table.concat(elements, " "), "1 2 3 4 5 6", "the order")
+  checks.expect(twice["1"] and twice["2"] and not twice["3"] and twice["4"] and twice["6"], "the twins: %s", table.concat(order, " "))
+  checks.equal(run:count { group = "even", state = "broken" }, 1, "what broke")
+end
+
 -- The fields of a batch are those of the sections.
 do
   local seen_by_rule, seen_by_batch = {}, {}

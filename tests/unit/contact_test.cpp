@@ -1144,3 +1144,47 @@ TEST_CASE("contact: a copy and a saved record continue with the same bits", "[co
         CHECK(after == c);
     }
 }
+
+TEST_CASE("contact: a step that is taken back leaves every byte as it was, and the next one goes on as if it had not been", "[contact]") {
+    for (const ContactRuleKind rule : {ContactRuleKind::gap, ContactRuleKind::surface}) {
+        ContactSettings settings;
+        settings.rule = rule;
+        const auto step = [](Scene& s, Contact& contact, int i) {
+            contact.detect(s.bars, i == 0 || i == 300, s.motion(), 1e-5, i * 1e-5);
+            const std::vector<Vec6> f = s.forces(contact);
+            for (std::size_t n = 3; n < s.v.size(); ++n) s.v[n].head<3>() -= 1e-5 / 50 * f[n].head<3>();
+            s.move(1e-5);
+            s.forces(contact);
+            contact.release((i + 1) * 1e-5);
+            std::vector<Vec6> impulse(s.x.size(), Vec6::Zero());
+            contact.settle((i + 1) * 1e-5, 1e-5, s.x, s.q, impulse);
+            if (i == 300) contact.drop(0);
+        };
+        const auto record = [](const Contact& contact) {
+            std::vector<char> bytes;
+            contact.save(bytes);
+            return bytes;
+        };
+        Scene straight = crossing(80, 0.1, 0.8, {0.1, 0.05, 0}), s = straight;
+        Contact steady{settings}, contact{settings};
+        int differs = 0, bound = 0;
+        for (int i = 0; i < 600; ++i) {
+            const std::vector<char> before = record(contact);
+            const Scene here = s;
+            contact.remember();
+            step(s, contact, i);
+            differs += record(contact) != before;
+            contact.take_back();
+            CHECK(record(contact) == before);
+            s = here;
+            step(s, contact, i);
+            contact.forget();
+            step(straight, steady, i);
+            bound += !contact.idle();
+        }
+        CHECK(differs == 600);
+        CHECK(bound > 0);
+        CHECK(contact.counts().list_builds > 1);
+        CHECK(record(contact) == record(steady));
+    }
+}
