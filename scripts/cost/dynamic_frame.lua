@@ -11,9 +11,12 @@ local space_frame = require "hinge.models.space_frame"
 return hinge.scenario {
   parameters = { load = 12000.0, duration = 5e-3, side = 0.25, thickness = 0.02, yield_stress = 245e6, -- N, s, m, m, Pa, *reconstructed*
     displacement = "small" },
-  accuracy = { dt = { 5e-5, 2.5e-5, 1.25e-5 }, elements_per_member = { 2, 4, 8, 16 }, formulation = { "asi-gauss", "asi", "conventional" } },
+  accuracy = { dt = { 5e-5, 2.5e-5, 1.25e-5 }, elements_per_member = { 2, 4, 8, 16 },
+    method = { "asi-gauss", "asi-gauss, cubic", "asi", "conventional" } },
   run = function(p)
-    local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member, displacement = p.displacement }
+    local formulation, cubic = p.method:gsub(", cubic", "")
+    local model = hinge.model { formulation = formulation, mass = cubic > 0 and "cubic" or "linear",
+      elements_per_member = p.elements_per_member, displacement = p.displacement }
     local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = p.yield_stress }
     local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })
     model:load { node = frame.loaded, force = { p.load, 0, 0 } }

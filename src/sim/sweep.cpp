@@ -186,11 +186,11 @@ Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<
 
 }  // namespace
 
-template <bool large, bool inertia>
+template <bool large, bool inertia, bool cubic>
 void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found) {
     double section[2];
     const int section_count = sections(section);
-    const bool watching = watching_, cubic = structure_.cubic();
+    const bool watching = watching_;
     for (int block = first; block < end; ++block) {
         const Block& b = blocks_[block];
         if (!b.whole) continue;
@@ -258,7 +258,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             const Triple<Lanes> g1 = space(h1), g2 = space(h2);
             out.moment[0] = out.moment[0] + two * g1 + g2;
             out.moment[1] = out.moment[1] + g1 + two * g2;
-            if (cubic) {
+            if constexpr (cubic) {
                 out.force[0] = out.force[0] + (kind.more[0] * a1 + kind.more_across * a2);
                 out.force[1] = out.force[1] + (kind.more_across * a1 + kind.more[1] * a2);
                 const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none}, across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
@@ -318,10 +318,13 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
         found_[i].turned.clear();
-        if (structure_.large())
-            inertia_ ? run_blocks<true, true>(first, end, state, pose, nodal, force, found_[i]) : run_blocks<true, false>(first, end, state, pose, nodal, force, found_[i]);
-        else
-            inertia_ ? run_blocks<false, true>(first, end, state, pose, nodal, force, found_[i]) : run_blocks<false, false>(first, end, state, pose, nodal, force, found_[i]);
+        const auto go_over = [&]<bool large>() {
+            const auto run_blocks_of = !inertia_           ? &Sweep::run_blocks<large, false, false>
+                                       : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
+                                                            : &Sweep::run_blocks<large, true, false>;
+            (this->*run_blocks_of)(first, end, state, pose, nodal, force, found_[i]);
+        };
+        structure_.large() ? go_over.operator()<true>() : go_over.operator()<false>();
     });
     team_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)

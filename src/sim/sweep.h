@@ -54,7 +54,7 @@ private:
     struct Kind;
     const Kind& add_kind(const State& state, const int* index);
     struct Found;                             ///< what one piece of the sweep came upon
-    template <bool large, bool inertia>
+    template <bool large, bool inertia, bool cubic>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found);
     void share_out();
 

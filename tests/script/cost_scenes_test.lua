@@ -18,7 +18,7 @@ local scenes = {
     errors = { { "load", { 2, "asi-gauss" }, 0, 0.01 }, { "limit_load", { 16, "conventional" }, 6.01, 0.01 }, { "plastic", { 2, "asi" }, 6.1, 0.1 } },
   },
   dynamic_frame = {
-    accuracy = { dt = { 5e-5, 2.5e-5 }, elements_per_member = { 2, 8 }, formulation = { "asi-gauss", "conventional" } },
+    accuracy = { dt = { 5e-5, 2.5e-5 }, elements_per_member = { 2, 8 }, method = { "asi-gauss", "asi-gauss, cubic", "conventional" } },
     errors = { { "plastic", { 5e-5, 2, "asi-gauss" }, 1.64, 0.1 }, { "ux", { 5e-5, 2, "asi-gauss" }, 0.73, 0.05 },
       { "plastic", { 5e-5, 8, "conventional" }, 23, 0.2 } },
   },
