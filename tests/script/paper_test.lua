@@ -48,6 +48,7 @@ function look.space_frame_dynamic(r)
   below(pick(r.elastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.02, "elastic error of two of asi-gauss")
   below(pick(r.plastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.05, "elasto-plastic error of two of asi-gauss")
   expect(r.elastic.parts.mass > 2 * r.elastic.parts.element, "the mass matrix's part is the larger one")
+  expect(r.elastic.parts.cubic < r.elastic.parts.all / 4 and r.plastic.parts.cubic < r.plastic.parts.all / 2, "the cubic mass leaves a quarter, and a half")
 end
 
 function look.fracture_figures(r)
