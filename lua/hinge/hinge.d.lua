@@ -404,7 +404,7 @@ function model:dynamic(options) end
 ---@field solver_tolerance? number of the residual, default 1e-8
 ---@field solver_iterations? integer at most so many, default 500
 ---@field record? integer|false steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
----@field checkpoint? string|{ file: string, every?: number } where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error: the one before stays, and a line says so
+---@field checkpoint? string|{ file: string, every?: number, keep?: table } where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error: the one before stays, and a line says so. keep: a table of the script's own whose values (booleans, numbers, strings, tables of them) are kept too and are back in it when the run goes on
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
 
@@ -459,8 +459,8 @@ function run:finish() end
 
 ---Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of frames. Aside, then
 ---renamed: the file is the old one or the new one. Changes nothing in the run. Call it between steps or in run:on_step; dynamic runs only.
----Not in it: the script's own variables, those that its functions refer to among them; what a fracture rule keeps of each section
----(`keep`) is.
+---Not in it: the script's own variables, those that its functions refer to among them; the table named by `keep` is, and so is what a
+---fracture rule keeps of each section.
 ---@param file string a name without a folder is in the output folder
 ---@return hinge.run
 function run:checkpoint(file) end

@@ -6,6 +6,7 @@
 
 #include "core/archive.h"
 #include "core/files.h"
+#include "script/kept_values.h"
 #include "sim/checkpoint.h"
 
 namespace hinge::script {
@@ -34,12 +35,18 @@ struct Beside {
     std::string history;
     std::vector<Probe> probes;
     std::vector<std::pair<double, std::string>> frames;
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.recorded, s.history, s.probes, s.frames); }
+    std::string kept;                     ///< the script's own values, "" where it keeps none
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.recorded, s.history, s.probes, s.frames, s.kept); }
 };
 
-void write_checkpoint(const Context& c, const RunRecord& r, const std::string& path) {
+void write_checkpoint(lua_State* L, const Context& c, const RunRecord& r, const std::string& path) {
     const auto* run = dynamic_cast<const Dynamics*>(r.run.get());
-    Beside beside{r, (r.history_path.empty() ? r.past : read_whole(r.history_path)) + r.rows, {}, c.frames};
+    Beside beside{r, (r.history_path.empty() ? r.past : read_whole(r.history_path)) + r.rows, {}, c.frames, ""};
+    if (r.checkpoint && r.checkpoint->keep) {
+        r.checkpoint->keep->push(L);
+        beside.kept = pack_table(L, -1, "model:dynamic, checkpoint: keep");
+        lua_pop(L, 1);
+    }
     for (const auto& p : r.probes) beside.probes.push_back(*p);
     std::string bytes;
     Writer{bytes}(beside);
@@ -53,13 +60,14 @@ std::string names_of(const auto& probes, auto name) {
 }
 
 /// Either all goes on from there, or nothing has changed.
-void read_checkpoint(Context& c, RunRecord& r, const std::string& path) {
+void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& path) {
     const std::string bytes = read_whole(path);
     const Checkpoint checkpoint = hinge::open_checkpoint(bytes, path);
     Beside beside;
     bool good = true;
     try {
         Reader{checkpoint.beside}(beside);
+        if (!beside.kept.empty()) check_packed_table(beside.kept);
     } catch (const Damaged&) {
         good = false;
     }
@@ -75,6 +83,11 @@ void read_checkpoint(Context& c, RunRecord& r, const std::string& path) {
         throw InputError("checkpoint " + path + " is of a run with other probes (there: " + names_of(beside.probes, [](const Probe& p) { return p.name; }) +
                          "; here: " + names_of(r.probes, [](const auto& p) { return p->name; }) + "); ask for the same ones before the run goes on");
     hinge::resume(dynamic_cast<Dynamics&>(*r.run), checkpoint, path);
+    if (r.checkpoint && r.checkpoint->keep && !beside.kept.empty()) {
+        r.checkpoint->keep->push(L);
+        unpack_table(L, -1, beside.kept);
+        lua_pop(L, 1);
+    }
     static_cast<Recorded&>(r) = std::move(beside.recorded);
     for (std::size_t i = 0; i < r.probes.size(); ++i) *r.probes[i] = std::move(beside.probes[i]);
     r.past = std::move(beside.history);
@@ -101,7 +114,7 @@ int checkpoint(lua_State* L) {
     must_be_dynamic(*r, "run:checkpoint");
     if (r->mid_step) throw InputError("run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step");
     const auto c = context(L);
-    if (!c->planning) write_checkpoint(*c, *r, checkpoint_path(*c, name));
+    if (!c->planning) write_checkpoint(L, *c, *r, checkpoint_path(*c, name));
     lua_settop(L, 1);
     return 1;
 }
@@ -112,7 +125,7 @@ int resume(lua_State* L) {
     must_be_dynamic(*r, "run:resume");
     if (r->begun) throw InputError("run:resume: the run has begun (" + place_text(*r->run) + "); resume before its first step");
     const auto c = context(L);
-    if (!c->planning) read_checkpoint(*c, *r, checkpoint_path(*c, name));
+    if (!c->planning) read_checkpoint(L, *c, *r, checkpoint_path(*c, name));
     lua_settop(L, 1);
     return 1;
 }
@@ -135,7 +148,7 @@ bool is_unfinished(const std::string& file) {
 
 // ---- by itself ------------------------------------------------------------------------------------------------------
 
-std::optional<CheckpointPlan> read_checkpoint_plan(Options& o) {
+std::optional<CheckpointPlan> read_checkpoint_plan(Options& o, const Model& model) {
     lua_State* L = o.L();
     const int type = o.push_field("checkpoint");
     CheckpointPlan plan;
@@ -143,14 +156,17 @@ std::optional<CheckpointPlan> read_checkpoint_plan(Options& o) {
         plan.file = lua_tostring(L, -1);
     } else if (type == LUA_TTABLE) {
         Options own(L, -1, o.function() + ", checkpoint");
-        own.expect({"file", "every"});
+        own.expect({"file", "every", "keep"});
         plan.file = own.text("file").value_or("");
         plan.every = own.number("every", "s", Range::not_negative, plan.every);
+        if (const int kind = own.push_field("keep"); kind == LUA_TTABLE) plan.keep.emplace(L, -1, model), pack_table(L, -1, own.function() + ": keep");
+        else if (kind != LUA_TNIL) own.complain("keep", show(L, -1), "must be a table, whose values are kept with the run");
+        lua_pop(L, 1);
     }
     const std::string shown = show(L, -1);
     lua_pop(L, 1);
     if (type == LUA_TNIL) return {};
-    if (plan.file.empty()) o.complain("checkpoint", shown, "must be a file name, or { file =, every = s }");
+    if (plan.file.empty()) o.complain("checkpoint", shown, "must be a file name, or { file =, every = s, keep = table }");
     const auto c = context(L);
     if (c->planning || runs_are_measured(L)) return {};
     plan.file = checkpoint_path(*c, plan.file);
@@ -159,7 +175,7 @@ std::optional<CheckpointPlan> read_checkpoint_plan(Options& o) {
     return plan;
 }
 
-void begin_checkpoints(Context& c, RunRecord& r) {
+void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
     if (r.started || !dynamic_cast<const Dynamics*>(r.run.get())) return;
     if (!r.checkpoint) {
         if (c.resume) std::fprintf(stderr, "--resume: the run made at %s names no checkpoint and starts from its beginning\n", r.asked_at.c_str());
@@ -167,11 +183,11 @@ void begin_checkpoints(Context& c, RunRecord& r) {
     }
     const std::string& file = r.checkpoint->file;
     const bool there = std::filesystem::exists(file);
-    if (c.resume && there) return read_checkpoint(c, r, file);
+    if (c.resume && there) return read_checkpoint(L, c, r, file);
     if (c.resume) std::fprintf(stderr, "--resume: there is no %s; the run starts from its beginning\n", file.c_str());
     if (there && is_unfinished(file) && std::rename(file.c_str(), (file + ".before").c_str()) == 0 && c.progress)
         std::fprintf(stderr, "%s is of a run that is not over, and kept as %s.before; --resume would have gone on from it\n", file.c_str(), file.c_str());
-    write_checkpoint(c, r, file);
+    write_checkpoint(L, c, r, file);
 }
 
 void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
@@ -186,7 +202,7 @@ void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
     const std::string where = std::string("interrupted by ") + (c.interrupted == SIGTERM ? "SIGTERM" : "Ctrl-C") + " after " + place_text(*r.run) + "; ";
     std::string trouble;
     try {
-        if (r.checkpoint) write_checkpoint(c, r, r.checkpoint->file);  // first, and with the rows in it
+        if (r.checkpoint) write_checkpoint(L, c, r, r.checkpoint->file);  // first, and with the rows in it
         write_rows(r);
     } catch (const OutsideError& e) {
         trouble = e.what();
@@ -197,13 +213,13 @@ void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
     throw Interrupted(where + "written to " + r.checkpoint->file + "; the same command with --resume goes on from there");
 }
 
-void keep_if_due(Context& c, RunRecord& r) {
+void keep_if_due(lua_State* L, Context& c, RunRecord& r) {
     if (!r.checkpoint || r.checkpoint->ended) return;
     const bool due = std::chrono::duration<double>(Clock::now() - r.checkpoint->last).count() >= r.checkpoint->every;
     if (!due && !r.closed) return;
     r.checkpoint->ended = r.closed;
     try {
-        write_checkpoint(c, r, r.checkpoint->file);
+        write_checkpoint(L, c, r, r.checkpoint->file);
     } catch (const OutsideError& e) {  // no reason to lose the run
         std::fprintf(stderr, "%s; %s, the checkpoint before stays as it was\n", e.what(), r.closed ? "the run is over" : "the run goes on");
     }

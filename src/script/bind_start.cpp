@@ -173,7 +173,7 @@ int dynamic_run(lua_State* L) {
     refuse_lost_loads(*m, *structure, start, "model:dynamic");
     context(L)->running = L;
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
-    auto plan = read_checkpoint_plan(o);
+    auto plan = read_checkpoint_plan(o, *m);
     make_run(L, std::move(run), m, every);
     find<RunBox>(L, -1)->value->checkpoint = std::move(plan);
     return 1;

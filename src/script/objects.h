@@ -97,6 +97,7 @@ struct Recorded {
 struct CheckpointPlan {
     std::string file;
     double every = 60;                    ///< s
+    std::optional<LuaValue> keep;         ///< the script's table that is kept with it
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
     bool ended = false;                   ///< it holds the end of the run
 };

@@ -144,14 +144,14 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     if (r.stepping) throw InputError("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done");
     if (c->planning) return false;
     if (!r.begun) {
-        begin_checkpoints(*c, r);
+        begin_checkpoints(L, *c, r);
         note_what_went(r);
         begin_history(c, record);
         if (!r.started) add_row(r);
         r.started = true;
     }
     mind_interrupts(L, *c, r);
-    keep_if_due(*c, r);
+    keep_if_due(L, *c, r);
     if (r.closed) return false;
     const auto before = Clock::now();
     bool more;

@@ -211,9 +211,14 @@ refused("static", "...run:checkpoint: the run is static; checkpoints are for dyn
   model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
   model:static {}:checkpoint(file)
 end)
+local itself = {}
+itself.t = itself
 for given, message in pairs {
-  [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s }",
-  [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s }",
+  [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s, keep = table }",
+  [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s, keep = table }",
+  [{ file = "x", keep = 3 }] = "checkpoint: field 'keep' is 3...; must be a table, whose values are kept with the run",
+  [{ file = "x", keep = { list = { 1, print } } }] = "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
+  [{ file = "x", keep = itself }] = "checkpoint: keep.t....t is nested too deep to be kept; does a table hold itself?",
   [{ file = "x", every = -1 }] = "checkpoint: field 'every' is -1 s; must be ...",
 } do
   refused("a wrong plan", "...model:dynamic..." .. message, function() impact_run { run = { checkpoint = given } } end)
@@ -222,6 +227,32 @@ victim:resume(file) -- and is none the worse for all that
 victim:finish()
 first:finish()
 equal(victim.hash, first.hash, "the small run, resumed after all")
+
+-- What the script itself gathers.
+local function gathers(keep)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a)
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
+  model:load { node = b, force = { 0, 0, -10 } }
+  local r = model:dynamic { dt = 1e-4, duration = 1e-2, checkpoint = { file = path "gathers.checkpoint", keep = keep } }
+  return r, function(step) keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0, { n = step.index, s = "a\0b" } end
+end
+local all, half, rest = { list = {} }, { list = {} }, { list = {}, lost = 1 }
+local r, gather = gathers(all)
+for step in r:steps() do gather(step) end
+r, gather = gathers(half)
+for step in r:steps() do
+  gather(step)
+  if step.index == 40 then r:checkpoint(path "gathers.checkpoint") break end
+end
+r, gather = gathers(rest)
+r:resume(path "gathers.checkpoint")
+expect(#rest.list == 40 and rest.lost == nil and rest.last == true and rest[1.5].n == 40 and rest[1.5].s == "a\0b" and math.type(rest[1.5].n) == "integer",
+  "what the script gathered, at step 40")
+for step in r:steps() do gather(step) end
+equal(#all.list, 100, "what was gathered")
+equal(table.concat(rest.list, " "), table.concat(all.list, " "), "what was gathered, half of it before")
 
 -- The program -----------------------------------------------------------------------------------------------------------
 
