@@ -95,7 +95,7 @@ goes_on("dt auto", { run = { dt = "auto", duration = 0.01 } }, 6)
 goes_on("no rest", { run = { rest = false, beta = 0.25 }, contact = { rule = "surface" } }, 3)
 goes_on("point and all", { model = { shift = "whole" } }, 3)
 goes_on("conventional, factors", { model = { formulation = "conventional" }, run = { solver = "direct", duration = 0.008 } }, 3)
-goes_on("long steps, double", { run = { dt = 2e-4, precision = "double", duration = 0.02 } }, 5)
+goes_on("long steps, double", { fracture = { curvature_x = 0.03, curvature_y = 0.03 }, run = { dt = 2e-4, precision = "double", duration = 0.02 } }, 5)
 goes_on("rules of the script's own", {
   fracture = { keep = { "damage" }, rule = function(section)
     section.damage = section.damage + math.abs(section.curvature_rate_x) * section.dt
@@ -107,6 +107,19 @@ goes_on("rules of the script's own", {
     model:move { node = foot, x = function(t) return 1e-3 * math.sin(300 * t) ^ 2 end }
   end,
 }, 4)
+
+-- A run that ends by itself, and goes back to a state from before the checkpoint.
+local strict = { run = { energy_tolerance = 1e-3 } }
+local failed = impact_run(strict)
+failed:finish()
+expect(failed.verdict == "failed" and failed.reason:find "ledger", "a run whose ledger does not close: %s %s", failed.verdict, failed.reason)
+local failing = impact_run(strict)
+while failing.index < failed.index + 5 do failing:step() end
+failing:checkpoint(path "failing.checkpoint")
+local fails_too = impact_run(strict):resume(path "failing.checkpoint")
+fails_too:finish()
+equal(fails_too.reason, failed.reason, "the reason why it failed")
+same("failed", fails_too, failed)
 
 -- The aircraft in the ten-storey frame, where contact is at its busiest.
 local function case_1(threads)
@@ -189,7 +202,7 @@ refused("another version", "checkpoint " .. file .. " is of format 7, written by
   ", which reads format 1: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
 
 support.write(file, bytes)
-refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt; give the script and parameters ...", function() small(5e-5):resume(file) end)
+refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...", function() small(5e-5):resume(file) end)
 refused("another model", "...is of another run, with not the same nodes (2 there, 3 here), members (1 there, 2 here), materials (1 there, 2 here), " ..
   "sections (1 there, 2 here) and velocities (2 there, 3 here); give...", function() small(1e-4, true):resume(file) end)
 refused("other probes", "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on", function()
