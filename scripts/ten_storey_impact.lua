@@ -37,7 +37,7 @@ return hinge.scenario {
     local loaded = model:static { hold = plane }
     loaded:finish()
 
-    local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4 }
+    local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4, checkpoint = "impact.checkpoint" }
     for step in run:steps() do
       if step.index % p.frame_every == 0 then job:frame(run) end
     end

@@ -1,4 +1,5 @@
 # find_package(hinge): the engine as hinge::engine.
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
+find_dependency(ZLIB)
 include(${CMAKE_CURRENT_LIST_DIR}/hingeTargets.cmake)

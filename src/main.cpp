@@ -17,7 +17,7 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out, code, within, budget, quantity;
     std::vector<std::string> overrides;
-    bool sandbox = false, effects = false;
+    bool sandbox = false, effects = false, resume = false;
     hinge::script::Limits limits;
 };
 
@@ -67,6 +67,18 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     return lua_isinteger(L, -1) ? int(lua_tointeger(L, -1)) : 0;
 }
 
+Context* to_interrupt = nullptr;
+
+/// Ctrl-C and SIGTERM end the run under way after its step; the second one ends the program at once.
+void end_on_signals(Context& context) {
+    to_interrupt = &context;
+    context.ends_on_signals = true;
+    struct sigaction note = {};
+    note.sa_handler = [](int signal) { to_interrupt->interrupted = signal; };
+    note.sa_flags = int(SA_RESTART | SA_RESETHAND);
+    for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &note, nullptr);
+}
+
 int with_lua(const Request& request, const char* module, const char* function, bool progress) {
     std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
     lua_State* L = state.get();
@@ -78,8 +90,13 @@ int with_lua(const Request& request, const char* module, const char* function, b
     if (request.verb != "cost") context->out_dir = request.out;  // runs that are only compared leave nothing
     context->progress = progress;
     context->sandbox = request.sandbox;
+    context->resume = request.resume;
+    if (request.verb == "run") end_on_signals(*context);
     if (request.sandbox) hinge::script::confine(L, request.limits);
-    return call_library(L, module, function, request);
+    const int status = call_library(L, module, function, request);
+    if (request.verb == "run")
+        for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+    return status;
 }
 
 bool are_settings(const std::vector<std::string>& words) {
@@ -120,7 +137,8 @@ int main(int argc, char** argv) {
     run_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     run_verb->add_option("--out", request.out, "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
-    run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong.");
+    run_verb->add_flag("--resume", request.resume, "Go on where checkpoints are: of each run that names one and whose file is there");
+    run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong, 3 interrupted with a checkpoint written; 130 (Ctrl-C) and 143 (SIGTERM) without.");
     add_sandbox(*run_verb, request);
     auto* plan_verb = app.add_subcommand("plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
     plan_verb->add_option("script", request.script, "Lua script")->required();

@@ -63,7 +63,7 @@ void stop_on_interrupt(lua_State* L) {
     its_context = context(L).get();
     struct sigaction stop = {};
     stop.sa_handler = [](int) {
-        its_context->interrupted = 1;
+        its_context->interrupted = SIGINT;
         lua_sethook(evaluating, stop_script, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
     };
     stop.sa_flags = SA_RESTART;

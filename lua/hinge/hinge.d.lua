@@ -14,6 +14,12 @@ local hinge = {}
 ---@alias vec3 number[] three numbers { x, y, z }
 ---@alias hinge.component "ux"|"uy"|"uz"|"rx"|"ry"|"rz" displacement (m) or rotation vector (rad), in space
 
+---Goes on from a checkpoint: run:resume(file).
+---@param run hinge.run
+---@param file string
+---@return hinge.run
+function hinge.resume(run, file) end
+
 ---An empty model.
 ---@param options? hinge.model_options
 ---@return hinge.model
@@ -398,6 +404,7 @@ function model:dynamic(options) end
 ---@field solver_tolerance? number of the residual, default 1e-8
 ---@field solver_iterations? integer at most so many, default 500
 ---@field record? integer|false steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
+---@field checkpoint? string|{ file: string, every?: number, keep?: table } where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error: the one before stays, and a line says so. keep: a table of the script's own whose values (booleans, numbers, strings, tables of them) are kept too and are back in it when the run goes on
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
 
@@ -449,6 +456,20 @@ function run:step() end
 ---Steps to the end.
 ---@return hinge.run
 function run:finish() end
+
+---Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of frames. Aside, then
+---renamed: the file is the old one or the new one. Changes nothing in the run. Call it between steps or in run:on_step; dynamic runs only.
+---Not in it: the script's own variables, those that its functions refer to among them; the table named by `keep` is, and so is what a
+---fracture rule keeps of each section.
+---@param file string a name without a folder is in the output folder
+---@return hinge.run
+function run:checkpoint(file) end
+
+---Before the first step: goes on from a checkpoint of the same run, made by the same model, settings and probes; any number of
+---threads. One that is damaged, of another run (the message says in what) or of another hinge is refused, and nothing has changed.
+---@param file string
+---@return hinge.run
+function run:resume(file) end
 
 ---Ends the run here; its verdict is then "stopped".
 function run:stop() end

@@ -7,6 +7,7 @@ return check.strict({
   model = core.model,
   material = core.material,
   section = require "hinge.section",
+  resume = core.resume,
   ground = require "hinge.ground",
   scenario = require "hinge.scenario".new,
   cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for

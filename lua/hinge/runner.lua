@@ -6,7 +6,7 @@ local scenario = require "hinge.scenario"
 local values = require "hinge.values"
 
 local runner = {}
-local done, run_failed, wrong_input, interrupted = 0, 1, 2, 3
+local done, run_failed, wrong_input = 0, 1, 2
 local library = debug.getinfo(1, "S").source:gsub("runner%.lua$", "")
 
 -- The places in the script through which an error came, nearest first; the library's own frames are left out.
@@ -29,9 +29,9 @@ local out_of_memory = "not enough memory"
 -- Message handler: what to print and which status it means.
 local function explain(failure)
   if failure == out_of_memory then return failure end
-  local kind = core.error_kind(failure)
+  local kind, status = core.error_kind(failure)
   if kind then
-    return { status = ({ outside = run_failed, interrupted = interrupted })[kind] or wrong_input, text = tostring(failure), kind = kind }
+    return { status = status or kind == "outside" and run_failed or wrong_input, text = tostring(failure), kind = kind }
   end
   local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
   local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
@@ -48,7 +48,7 @@ end
 --- The exit status that a verdict means; why a run failed goes to stderr.
 function runner.status(verdict, reason)
   if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
-  return ({ failed = run_failed, interrupted = interrupted })[verdict] or done
+  return verdict == "failed" and run_failed or done
 end
 
 --- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
@@ -120,7 +120,7 @@ function runner.guard(f, memory)
 end
 
 --- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
--- 3 interrupted. options: script (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out (folder),
+-- 3 interrupted with a checkpoint written, 130 or 143 without one. options: script (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out (folder),
 -- sandbox (its memory as text, or nil).
 function runner.main(options)
   return runner.guard(function()

@@ -26,6 +26,8 @@ struct Flow {
     Vec6 plastic = Vec6::Zero();   ///< increment of plastic deformation
     double lambda[2] = {0, 0};     ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
     double dissipation = 0;        ///< p . plastic, J, >= 0
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.p, s.plastic, s.lambda, s.dissipation); }
 };
 
 /// Associated flow, elastic-perfectly plastic, implicit: the point of the surface(s) nearest to `trial` in the energy norm.

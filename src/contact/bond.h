@@ -11,6 +11,8 @@ namespace hinge::contact {
 struct Gap {
     Vec3 rest = Vec3::Zero();    ///< r0, m: from a to b at binding
     double stiffness = 0;        ///< k, N/m
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.rest, s.stiffness); }
 };
 
 /// What binds two elements.
@@ -42,6 +44,12 @@ struct Bond {
     Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};   ///< N, at each end, as of the last forces
     double energy_before = 0, opening_before = 0, energy_peak = 0;   ///< as of the last release()
     bool falling = false;             ///< the energy fell before the last release()
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.rule, s.since, s.end, s.gap, s.side, s.at, s.turn, s.energy, s.opening, s.side_now, s.force, s.energy_before, s.opening_before,
+          s.energy_peak, s.falling);
+    }
 };
 
 /// Which two ends of a bond a gap element joins.

@@ -69,6 +69,11 @@ struct ContactSettings {
                                      ///< this, half an element, so that no gap brings in a frequency above the elements' own
 
     bool operator==(const ContactSettings&) const = default;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.rule, s.sleep, s.stiffness, s.friction, s.reach, s.flatness, s.binding_time, s.letter, s.hold_until_parting, s.parting_energy, s.longest_hold,
+          s.shortest_gap);
+    }
 };
 
 /// Which of a Contact's rules two elements meet by; -1: by none.
@@ -78,6 +83,8 @@ struct ContactCounts {
     long bound = 0, released = 0, dropped = 0;   ///< bonds made, or touches begun; let go; lost with a broken element
     long pair_tests = 0, list_builds = 0;
     double energy_let_go = 0;                    ///< J, stored in bonds when they were released or dropped
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.bound, s.released, s.dropped, s.pair_tests, s.list_builds, s.energy_let_go); }
 };
 
 /// Of the pairs of different bodies looked at in a step, the one that came nearest.
@@ -88,6 +95,8 @@ struct ContactEvent {
     double time;      ///< s; when bound, the moment of contact within the step
     int element[2];
     bool bound;       ///< else let go
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.time, s.element, s.bound); }
 };
 
 /// What a bond that was let go still held.
@@ -162,10 +171,14 @@ public:
     void take_back();
     void forget() { noting_ = false; }
 
-    /// Appends all state (not the settings), byte for byte the same for the same state.
-    void save(std::vector<char>& out) const;
-    /// Takes back what save wrote. Returns the number of bytes read, 0 if they are not a whole record (then nothing has changed).
-    std::size_t restore(const char* data, std::size_t size);
+    /// All that the bits of later steps depend on (core/archive.h).
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.rules_, s.counts_, s.bonds_, s.touches_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_, s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_,
+          s.candidates_, s.look_at_);
+    }
+    /// Whether what was read can be the state of a structure with so many nodes, elements and bars: nothing refers beyond them.
+    bool makes_sense(int nodes, int elements, int bars) const;
 
 private:
     enum class PairState : int {
@@ -180,10 +193,13 @@ private:
         int rule;
         double touch;                ///< sum of the half depths, m
         Vec3 side = Vec3::Zero();    ///< unit direction from a to b when they last were clearly apart
+
+        template <class Self, class A> static void fields(Self& s, A& a) { a(s.element, s.bar, s.state, s.rule, s.touch, s.side); }
     };
     struct ArmEnd {
         End end;
         Vec3 last;
+        template <class Self, class A> static void fields(Self& s, A& a) { a(s.end, s.last); }
     };
 
     void list_ends(const std::vector<Bar>& bars, const Motion& motion);
@@ -200,8 +216,6 @@ private:
     Candidate* find(const int element[2], std::size_t* place);
     void note_pair(std::size_t place);
     void note_list();
-    template <class Io>
-    void fields(Io& io);
 
     std::vector<ContactSettings> rules_;
     ContactCounts counts_;

@@ -11,6 +11,8 @@ namespace hinge::contact {
 struct End {
     int node = -1;
     Vec3 arm = Vec3::Zero();  ///< m, in the node's own frame: the point is position + rotation * arm
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.node, s.arm); }
 };
 
 /// Adds a 12x12 stiffness between two different nodes (rows and columns: translation and rotation of node a, then of node b).

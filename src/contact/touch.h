@@ -43,6 +43,12 @@ struct Touch {
     Vec3 slip_before = Vec3::Zero();
     Vec3 between_before = Vec3::Zero();                                   ///< q - p
     Quat turn_before[4] = {Quat::Identity(), Quat::Identity(), Quat::Identity(), Quat::Identity()};   ///< of the four nodes
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.overlap, s.energy, s.at, s.side, s.slip, s.between, s.heat, s.slides, s.overlap_before,
+          s.at_before, s.side_before, s.slip_before, s.between_before, s.turn_before);
+    }
 };
 
 /// k = EA / max(length, depths): EA the harmonic mean of the two members', length the mean of the two elements', so that a touch

@@ -21,4 +21,9 @@ struct HookError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Somebody asked the program to end (Ctrl-C, SIGTERM). The message says how far the run is and how to go on.
+struct Interrupted : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 }  // namespace hinge

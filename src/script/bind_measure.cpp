@@ -65,6 +65,12 @@ int leave_out(lua_State* L) {
 
 }  // namespace
 
+bool runs_are_measured(lua_State* L) {
+    const bool listening = lua_getfield(L, LUA_REGISTRYINDEX, run_listener) == LUA_TFUNCTION;
+    lua_pop(L, 1);
+    return listening;
+}
+
 void tell_of_run(lua_State* L) {
     if (lua_getfield(L, LUA_REGISTRYINDEX, run_listener) == LUA_TFUNCTION) {
         lua_pushvalue(L, -2);

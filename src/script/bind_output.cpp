@@ -65,6 +65,8 @@ void must_work(int status, const char* error) {
     if (status != 0) throw OutsideError(error);
 }
 
+}  // namespace
+
 /// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder, whatever links are there.
 void prepare_folder(const Context& c, const std::string& file) {
     namespace fs = std::filesystem;
@@ -76,6 +78,8 @@ void prepare_folder(const Context& c, const std::string& file) {
     }
     if (!folder.empty()) make_folder(folder.string());
 }
+
+namespace {
 
 const StillBox& still_argument(lua_State* L, int index, const char* function) {
     if (auto* s = find<StillBox>(L, index)) return *s;
@@ -370,6 +374,7 @@ int write_summary(lua_State* L) {
         j["time"] = run.state().time;
         j["factor"] = run.state().factor;
         j["wall_seconds"] = r->wall;
+        if (r->resumed_at > 0) j["resumed_at"] = r->resumed_at;
         j["effects"] = Json::array();
         for (const Effect& e : effects_of(*r)) {
             j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});

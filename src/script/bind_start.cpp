@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "script/objects.h"
+#include "script/checkpoint.h"
 #include "sim/dynamics.h"
 #include "sim/stable_step.h"
 #include "sim/statics.h"
@@ -135,7 +135,7 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance"});
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance", "checkpoint"});
     const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
@@ -170,10 +170,13 @@ int dynamic_run(lua_State* L) {
     const long planned = std::llround(s.duration / s.dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));
     State start = start_state(o, structure, m);
-    o.finish();
     refuse_lost_loads(*m, *structure, start, "model:dynamic");
     context(L)->running = L;
-    return make_run(L, std::make_shared<Dynamics>(structure, std::move(start), s), m, every);
+    auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
+    auto plan = read_checkpoint_plan(o, *m);
+    make_run(L, std::move(run), m, every);
+    find<RunBox>(L, -1)->value->checkpoint = std::move(plan);
+    return 1;
 }
 
 }  // namespace hinge::script

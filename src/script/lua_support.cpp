@@ -50,6 +50,9 @@ void explain_caught(lua_State* L) {
     } catch (const HookError& e) {
         message = e.what();
         note_error(L, message, "hook");
+    } catch (const Interrupted& e) {
+        message = e.what();
+        note_error(L, message, "interrupted");
     } catch (const OutsideError& e) {
         message = e.what();
         note_error(L, message, "outside");

@@ -2,8 +2,8 @@
 #include <dlfcn.h>
 #include <filesystem>
 
+#include "script/checkpoint.h"
 #include "script/module.h"
-#include "script/objects.h"
 
 namespace hinge::script {
 namespace {
@@ -14,13 +14,16 @@ int input_error(lua_State* L) {
     throw InputError(text ? text : "wrong input");
 }
 
-/// core.error_kind(failure): "input", "outside", "interrupted" for a message that the engine raised, nil for others.
+/// core.error_kind(failure): "input", "outside", "hook", "interrupted" for a message that the engine raised, nil for others; of "interrupted" the
+/// exit status too.
 int error_kind(lua_State* L) {
     const auto c = context(L);
     const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
     if (text && !c->last_error.empty() && c->last_error == text) lua_pushstring(L, c->last_error_kind);
     else lua_pushnil(L);
-    return 1;
+    if (c->last_error_kind != std::string_view("interrupted") || lua_isnil(L, -1)) return 1;
+    lua_pushinteger(L, c->exit_status);
+    return 2;
 }
 
 int open_core(lua_State* L) {
@@ -32,6 +35,7 @@ int open_core(lua_State* L) {
     open_model(L, module);
     open_run(L);
     open_reading(L);
+    open_checkpoint(L, module);
     open_output(L, module);
     open_measure(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};

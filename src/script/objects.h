@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,11 @@ struct Context {
     std::string library;                  ///< folder of the Lua library
     std::string picture_module;           ///< path of the output module
     bool progress = false;                ///< show a progress line on stderr
-    volatile std::sig_atomic_t interrupted = 0;   ///< somebody pressed Ctrl-C: the run under way ends with an error
+    volatile std::sig_atomic_t interrupted = 0;   ///< the signal that came: the run under way ends with an error
+    bool ends_on_signals = false;         ///< and so does the program; else it is the prompt, which goes on
+    int exit_status = 3;                  ///< after such an end: 3 with a checkpoint written, else 128 and the signal
+    bool resume = false;                  ///< runs go on from their checkpoints
+    std::set<std::string> checkpoints;    ///< files that runs have named
     bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
     bool planning = false;                ///< runs are described, not stepped; nothing is written
     bool checking = false;                ///< while planning: what a run works on is looked over, not its effects
@@ -72,11 +77,33 @@ struct Probe {
     int component;
     std::string name;
     std::vector<double> time, value;
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.node, s.quantity, s.component, s.name, s.time, s.value); }
 };
 struct ProbeBox { static constexpr const char* lua_name = "hinge.probe"; std::shared_ptr<Probe> value; };
 
+/// What a run's steps have left that a checkpoint keeps.
+struct Recorded {
+    bool started = false, closed = false;
+    long breaks_noted = 0;
+    std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
+    double wall = 0;                      ///< s in steps
+    double worst_remainder = 0, last_remainder = 0, initial = 0;
+    long row_of = -1;                     ///< the step of the last row
+    template <class Self, class A>
+    static void fields(Self& s, A& a) { a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_remainder, s.last_remainder, s.initial, s.row_of); }
+};
+
+/// Where a run is kept, and how often.
+struct CheckpointPlan {
+    std::string file;
+    double every = 60;                    ///< s
+    std::optional<LuaValue> keep;         ///< the script's table that is kept with it
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+    bool ended = false;                   ///< it holds the end of the run
+};
+
 /// A run with what is recorded of it.
-struct RunRecord {
+struct RunRecord : Recorded {
     std::shared_ptr<Run> run;
     std::shared_ptr<ScriptModel> model;   ///< the script's own, to know its nodes and groups again
     std::vector<std::shared_ptr<Probe>> probes;
@@ -84,16 +111,15 @@ struct RunRecord {
     std::string rows;                     ///< not yet written
     std::string history_path;
     std::string asked_at;                 ///< the script's line that made the run
-    bool started = false, closed = false;
+    bool begun = false;                   ///< its files are open
     bool stepping = false;                ///< a step is going on: the script's functions may not ask for another
+    bool mid_step = false;                ///< the state is between two
+    std::optional<CheckpointPlan> checkpoint;
+    std::string past;                     ///< of history.csv, from a checkpoint
+    long resumed_at = 0;                  ///< steps
     std::vector<LuaFunction> on_step;     ///< called after each step
-    long breaks_noted = 0;
-    std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     std::chrono::steady_clock::time_point start, last_progress, last_write;
-    double wall = 0;                      ///< s in steps
     std::size_t wakings_shown = 0;
-    double worst_remainder = 0, last_remainder = 0, initial = 0;
-    long row_of = -1;                          ///< the step of the last row
 };
 struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
 
@@ -135,6 +161,9 @@ void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int nu
 void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);
 void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number);
 
+/// Rows of history.csv that are not yet in the file.
+void write_rows(RunRecord& r);
+
 /// One step, recorded. False at the end.
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
@@ -159,6 +188,9 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
 MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);
 const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what, const Model* model = nullptr);
+void prepare_folder(const Context& c, const std::string& file);
+/// Whether somebody listens (core.on_run): such runs leave nothing.
+bool runs_are_measured(lua_State* L);
 /// The run made last of the model, nullptr when there is none.
 std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
 /// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is what is asked.

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "core/files.h"
+#include "script/checkpoint.h"
 
 namespace hinge::script {
 
@@ -32,15 +33,9 @@ void sample(RunRecord& r) {
     }
 }
 
-void write_rows(RunRecord& r) {
-    if (r.rows.empty() || r.history_path.empty()) return;
-    append(r.history_path, r.rows);
-    r.rows.clear();
-}
-
 void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
-    r.started = true;
+    r.begun = true;
     r.start = r.last_progress = r.last_write = Clock::now();
     if (!c->out_dir.empty() && r.every > 0) {
         make_folder(c->out_dir);
@@ -55,7 +50,8 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
         c->writer = record;
         std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,work,remainder";
         for (const auto& p : r.probes) header += "," + p->name;
-        write_whole(r.history_path, header + "\n");
+        write_whole(r.history_path, r.past.empty() ? header + "\n" : r.past);
+        r.past.clear();
     }
 }
 
@@ -96,14 +92,14 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
     const double wall = seconds(Clock::now() - r.start);
     if (last && wall < 2) return;
     const bool screen = isatty(2);
-    const long done = r.run->steps_done(), all = r.run->planned_steps();
+    const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
     const double share = std::min(1.0, double(done) / double(std::max(1L, all)));
-    const double left = share > 0 ? wall * (1 - share) / share : 0;
+    const double left = now > 0 ? wall * double(std::max(0L, all - done)) / double(now) : 0;
     std::string bar(24, '-');
     for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
     char remainder[48] = "";
     if (r.initial != 0) std::snprintf(remainder, sizeof remainder, "  remainder %+.2g %%", 100 * r.last_remainder / std::abs(r.initial));
-    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "", r.run->kind(), bar.c_str(), 100 * share, done, all, double(done) / std::max(wall, 1e-9),
+    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "", r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
                  last ? "took " : "left ", last ? wall : left, remainder, screen && !last ? "" : "\n");
     std::fflush(stderr);
 }
@@ -115,8 +111,8 @@ namespace {
 /// While it lasts the run's own functions may neither step it nor change its model.
 class InsideStep {
 public:
-    explicit InsideStep(RunRecord& r) : r_(r) { set(true); }
-    ~InsideStep() { set(false); }
+    InsideStep(RunRecord& r, bool mid_step) : r_(r) { set(true), r_.mid_step = mid_step; }
+    ~InsideStep() { set(false), r_.mid_step = false; }
 
 private:
     void set(bool inside) { r_.stepping = inside, r_.model->lock(inside); }
@@ -124,7 +120,7 @@ private:
 };
 
 void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
-    const InsideStep inside(*record);
+    const InsideStep inside(*record, false);
     for (const LuaFunction& f : std::vector<LuaFunction>(record->on_step)) {  // one may add another
         f.push(L);
         push<RunBox>(L, record);
@@ -135,26 +131,32 @@ void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
 
 }  // namespace
 
+void write_rows(RunRecord& r) {
+    if (r.rows.empty() || r.history_path.empty()) return;
+    append(r.history_path, r.rows);
+    r.rows.clear();
+}
+
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
     if (r.stepping) throw InputError("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done");
-    if (r.closed || c->planning) return false;
-    if (c->interrupted) {
-        c->interrupted = 0;
-        lua_sethook(L, nullptr, 0, 0);
-        throw HookError("interrupted");
-    }
-    if (!r.started) {
+    if (c->planning) return false;
+    if (!r.begun) {
+        begin_checkpoints(L, *c, r);
         note_what_went(r);
         begin_history(c, record);
-        add_row(r);
+        if (!r.started) add_row(r);
+        r.started = true;
     }
+    mind_interrupts(L, *c, r);
+    keep_if_due(L, *c, r);
+    if (r.closed) return false;
     const auto before = Clock::now();
     bool more;
     try {
-        const InsideStep inside(r);
+        const InsideStep inside(r, true);
         more = r.run->advance();
     } catch (...) {
         write_rows(r);

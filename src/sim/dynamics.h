@@ -62,10 +62,18 @@ public:
     std::vector<StageTime> stage_times() const override;
     std::vector<Effect> effects() const override;
     const DynamicSettings& settings() const { return settings_; }
+
+    /// Appends all that the bits of later steps depend on, and what was counted so far. Changes nothing.
+    void save(std::string& to) const;
+    /// Takes back what save() made of a run of the same structure with the same settings, before this run's first step or between two;
+    /// the number of threads may be another. Throws Damaged (core/archive.h) where that makes no sense; the run is then as it was.
+    void restore(std::string_view saved);
+
     Operator::Counts operator_counts() const { return operator_ ? operator_->counts() : Operator::Counts{}; }
+    double shortest() const { return pace_.shortest; }   ///< s: dt, with "auto" the shortest
     bool explicit_steps() const { return settings_.beta == 0; }
     /// The fastest node of the run so far: m/s, node, s.
-    struct Fastest { double speed = 0; int node = -1; double time = 0; };
+    struct Fastest { double speed = 0; int node = -1; double time = 0; template <class Self, class A> static void fields(Self& s, A& a) { a(s.speed, s.node, s.time); } };
     const Fastest& fastest() const { return fastest_; }
     long element_updates() const { return sweep_.updates(); }
     /// Seconds that one product of this run's operator, block by block and uncondensed, with a vector takes: the yardstick of a step.
@@ -115,7 +123,7 @@ private:
     void take_reactions(std::vector<Vec6>& right);
     void heed_fracture(int element);
     void judge(int element, const beam::Flow* flow, bool news);
-    struct Watched { int element; double x[2], y[2], axial, per_length; };
+    struct Watched { int element; double x[2], y[2], axial, per_length; template <class Self, class A> static void fields(Self& s, A& a) { a(s.element, s.x, s.y, s.axial, s.per_length); } };
     Watched watch_strains(int element) const;
     void list_news();
     int weaker_end(int element, const beam::Flow* flow) const;
@@ -137,6 +145,10 @@ private:
     template <class Why>
     void watch(Sleeper& sleeper, bool busy, Why why);
     void watch_effects();
+    template <class Self, class A>
+    static void fields(Self& s, A& a);
+    void read(std::string_view saved);
+    bool makes_sense() const;
 
     DynamicSettings settings_;
     struct Pace { double shortest; long whole, done = 0, length = 1; int calm = 0; double start = 0; };   ///< all but calm counted in shortest steps

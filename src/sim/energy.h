@@ -24,6 +24,7 @@ public:
     /// Takes `start` as the zero of everything that is counted from the start of the run.
     Ledger(const Structure& structure, const State& start);
     Energy balance(const State& state) const;
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.potential_at_start_, s.booked_at_start_, s.initial_); }
 
 private:
     double potential(const State& state) const;

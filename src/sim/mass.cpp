@@ -173,9 +173,13 @@ void Mass::mark(int node) {
 }
 
 void Mass::keep_blocks(const State& state) {
+    make_blocks();
+    blocks_->parts.set_held(state.held);
+}
+
+void Mass::make_blocks() {
     const int nodes = int(structure_.position().size());
     blocks_.reset(new Blocks{Parts(structure_, false, true), Condensed<double>(structure_, alone_), {}, std::vector<char>(nodes, 0)});
-    blocks_->parts.set_held(state.held);
     for (int node = 0; node < nodes; ++node) mark(node);
 }
 

@@ -30,12 +30,32 @@ public:
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
     /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space. The
     /// inverse is of the freedoms that are not held; one for those that are.
-    struct Heavy { int node; Mat6 elements, stubs, inverse; };
+    struct Heavy {
+        int node;
+        Mat6 elements, stubs, inverse;
+        template <class Self, class A> static void fields(Self& s, A& a) { a(s.node, s.elements, s.stubs, s.inverse); }
+    };
     const std::vector<Heavy>& heavy() const { return heavy_; }
+
+    /// What a checkpoint holds.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        const std::size_t nodes = s.lumped_inverse_.size();
+        bool in_blocks = s.blocks_ != nullptr;
+        a(s.lumped_inverse_, s.heavy_, in_blocks);
+        if constexpr (A::reading) {
+            a.must(s.lumped_inverse_.size() == nodes && !(in_blocks && s.structure_.lumped()));
+            for (const Heavy& h : s.heavy_) a.must(h.node >= 0 && std::size_t(h.node) < nodes);
+            s.blocks_.reset();
+            if (in_blocks) s.make_blocks();
+        }
+        if (in_blocks) a(s.blocks_->parts);
+    }
 
 private:
     void renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose);
     void keep_blocks(const State& state);
+    void make_blocks();
     void take_up_held(const State& state);
     void mark(int node);
 

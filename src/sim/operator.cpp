@@ -96,6 +96,18 @@ void Operator::leave_out(const std::vector<int>& resting) {
     if (condensed_) condensed_->leave_out(resting);
 }
 
+/// After its fields were read. False where a coupling joins what is not there.
+bool Operator::take_up_all() {
+    const int nodes = int(is_dirty_.size());
+    for (const Coupling& c : couplings_)
+        if (c.a < 0 || c.a >= nodes || c.b < 0 || c.b >= nodes || c.a == c.b) return false;
+    std::vector<int> changed;
+    if (narrow_) narrow_->couple(couplings_, changed);
+    if (condensed_) condensed_->couple(couplings_, changed);
+    for (int node = 0; node < nodes; ++node) mark(node);
+    return true;
+}
+
 void Operator::assemble() {
     if (dirty_.empty()) return;
     factor_valid_ = false;

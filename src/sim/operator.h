@@ -56,8 +56,16 @@ public:
     struct Counts { long built = 0, iterations = 0, solves = 0, factorisations = 0; };
     const Counts& counts() const { return counts_; }
 
+    /// What a checkpoint holds: the blocks as they were built, at one time or another. What follows from them is found anew.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stiffness_factor_, s.parts_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves, s.counts_.factorisations);
+        if constexpr (A::reading) a.must(s.take_up_all());
+    }
+
 private:
     void mark(int node);
+    bool take_up_all();
 
     const Structure& structure_;
     Team& team_;

@@ -28,6 +28,15 @@ public:
     Mat6 across(int element, int end) const;
     const Structure& structure() const { return structure_; }
 
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        const std::size_t numbers[] = {s.wide_part_.size(), s.narrow_part_.size(), s.empty_.size(), s.held_.size()};
+        a(s.wide_part_, s.narrow_part_, s.empty_, s.hung_, s.held_);
+        if constexpr (A::reading)
+            a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] && s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
+                   (s.hung_.empty() || s.hung_.size() == s.held_.size()));
+    }
+
 private:
     template <class Number>
     Mat6 own_of(const Number* part, int end) const;

@@ -37,7 +37,13 @@ public:
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return ledger_.balance(state_); }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
-    struct Waking { double time; std::string effect; bool awake; std::string why; };
+    struct Waking {
+        double time;
+        std::string effect;
+        bool awake;
+        std::string why;
+        template <class Self, class A> static void fields(Self& s, A& a) { a(s.time, s.effect, s.awake, s.why); }
+    };
     const std::vector<Waking>& wakings() const { return wakings_; }
     long breaks() const { return breaks_; }              ///< elements that broke in this run
     long steps_done() const { return state_.step - first_step_; }
@@ -54,6 +60,8 @@ public:
 
 protected:
     void fail(std::string why);
+    template <class Self, class A>
+    static void fields(Self& s, A& a) { a(s.state_, s.ledger_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_); }
     std::shared_ptr<const Structure> structure_;
     State state_;
     Ledger ledger_;

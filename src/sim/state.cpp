@@ -1,5 +1,6 @@
 #include "sim/state.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace hinge {
@@ -28,6 +29,19 @@ State initial_state(const Structure& structure) {
     s.touched.assign(elements, 0);
     s.broken.assign(elements, 0);
     return s;
+}
+
+bool makes_sense(const State& s, const Structure& structure) {
+    const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
+    const auto long_as = [](std::size_t n, const auto&... arrays) { return ((arrays.size() == n) && ...); };
+    const auto none_or = [](std::size_t n, const auto& array) { return array.empty() || array.size() == n; };
+    const bool whole = long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) && long_as(structure.large() ? 0 : nodes, s.turn) &&
+                       long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) && none_or(nodes, s.hung) &&
+                       none_or(elements, s.stub);
+    if (!whole) return false;
+    const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
+    return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
+           std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) && (!any_broken || (!s.hung.empty() && !s.stub.empty()));
 }
 
 std::uint64_t hash(const State& state) {

@@ -15,6 +15,8 @@ struct HungMass {
     double mass = 0;             ///< kg
     Vec3 moment = Vec3::Zero();  ///< first moment about the node, kg m
     Mat3 inertia = Mat3::Zero(); ///< about the node, kg m^2
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.mass, s.moment, s.inertia); }
 };
 
 enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
@@ -27,6 +29,8 @@ struct Booked {
     double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
     double contact_released = 0;  ///< let go with bonds, heat of friction
     double damping = 0;
+
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.work, s.plastic, s.fracture_elastic, s.fracture_kinetic, s.contact_released, s.damping); }
 };
 
 struct State {
@@ -66,10 +70,20 @@ struct State {
         f("point", s.point); f("plastic_work", s.plastic_work); f("hinge", s.hinge); f("yielded", s.yielded);
         f("touched", s.touched); f("broken", s.broken); f("stub", s.stub); f("gone", s.gone); f("strained", s.strained); f("kept", s.kept);
     }
+    /// For a checkpoint (core/archive.h). Whether there is contact the model says.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        for_each_field(s, [&](const char*, auto& array) { a(array); });
+        a(s.time, s.step, s.factor, s.booked);
+        if (s.contact) a(*s.contact);
+    }
 };
 
 /// The state at the start: declared positions and velocities, no stress.
 State initial_state(const Structure& structure);
+
+/// Whether what was read can be a state of the structure: each array as long as it must be, nothing that refers beyond it.
+bool makes_sense(const State& state, const Structure& structure);
 
 /// A hash of every array: equal states have equal hashes, whatever the machine's thread count.
 std::uint64_t hash(const State& state);

@@ -131,6 +131,28 @@ void Sweep::drop(int element) {
         if (const int place = place_[2 * element + e]; place >= 0) left_[place].setZero();
 }
 
+std::vector<std::uint8_t> Sweep::taking_part() const {
+    std::vector<std::uint8_t> whole;
+    for (const Block& b : blocks_) whole.push_back(std::uint8_t(b.whole));
+    return whole;
+}
+
+std::vector<double> Sweep::frames() const {
+    const auto* first = reinterpret_cast<const double*>(built_.data());
+    return {first, first + built_.size() * lane_count};
+}
+
+/// False, and nothing has changed, where somebody would take part who is broken or not there.
+bool Sweep::take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built) {
+    if (whole.size() != blocks_.size() || built.size() != built_.size() * lane_count) return false;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        if (whole[i] & ~blocks_[i].whole) return false;
+    for (std::size_t i = 0; i < whole.size(); ++i) blocks_[i].whole = whole[i];
+    std::copy(built.begin(), built.end(), reinterpret_cast<double*>(built_.data()));
+    for (Vec6& l : left_) l.setZero();
+    return true;
+}
+
 namespace {
 
 /// Three numbers of each node, from the given one of its numbers on.

@@ -23,6 +23,7 @@ struct Pose {
 struct Yielding {
     int element;
     beam::Flow flow;
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.element, s.flow); }
 };
 
 class Sweep {
@@ -49,6 +50,17 @@ public:
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
 
+    /// What a checkpoint holds, read after take_up: who takes part, and the frames of the last builds.
+    template <class A>
+    static void fields(const Sweep& s, A& a) { a(s.taking_part(), s.frames(), s.updates_); }
+    template <class A>
+    static void fields(Sweep& s, A& a) {
+        std::vector<std::uint8_t> whole;
+        std::vector<double> built;
+        a(whole, built, s.updates_);
+        a.must(s.take_part(whole, built));
+    }
+
 private:
     struct Block;
     struct Kind;
@@ -57,6 +69,9 @@ private:
     template <bool large, bool inertia, bool cubic>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found);
     void share_out();
+    std::vector<std::uint8_t> taking_part() const;   ///< a byte a block, a bit for each of its elements
+    std::vector<double> frames() const;
+    bool take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
 
     const Structure& structure_;
     Team& team_;

@@ -14,6 +14,7 @@
 #include "contact/contact.h"
 #include "contact/gap_rule.h"
 #include "contact/segments.h"
+#include "core/archive.h"
 
 using namespace hinge;
 using namespace hinge::contact;
@@ -1100,6 +1101,16 @@ TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact
 
 // -------------------------------------------------------------------------------------------------------------- snapshots
 
+namespace {
+
+std::string record(const Contact& c) {
+    std::string bytes;
+    Writer{bytes}(c);
+    return bytes;
+}
+
+}  // namespace
+
 TEST_CASE("contact: a copy and a saved record continue with the same bits", "[contact]") {
     const auto run = [](Scene& s, Contact& contact, int from, int to) {
         for (int i = from; i < to; ++i) {
@@ -1120,28 +1131,30 @@ TEST_CASE("contact: a copy and a saved record continue with the same bits", "[co
     REQUIRE_FALSE(contact.idle());
     Scene s2 = s, s3 = s;
     Contact copy = contact, read{ContactSettings()};
-    std::vector<char> bytes(3, 'x');
-    contact.save(bytes);
-    CHECK(read.restore(bytes.data() + 3, bytes.size() - 3) == bytes.size() - 3);
+    const std::string bytes = record(contact);
+    Reader reader{bytes};
+    reader(read);
+    CHECK(reader.rest().empty());
+    const int nodes = int(s.x.size()), bars = int(s.bars.size());
+    int elements = 0;
+    for (const contact::Bar& bar : s.bars) elements = std::max(elements, bar.element + 1);
+    CHECK(read.makes_sense(nodes, elements, bars));
+    CHECK_FALSE(read.makes_sense(nodes - 1, elements, bars));
+    CHECK_FALSE(read.makes_sense(nodes, elements - 1, bars));
+    CHECK_FALSE(read.makes_sense(nodes, elements, bars - 1));
 
     run(s, contact, 150, 600);
     run(s2, copy, 150, 600);
     run(s3, read, 150, 600);
-    std::vector<char> a, b, c;
-    contact.save(a);
-    copy.save(b);
-    read.save(c);
-    CHECK(a == b);
-    CHECK(a == c);
+    CHECK(record(contact) == record(copy));
+    CHECK(record(contact) == record(read));
     CHECK(contact.counts().released > 0);
     for (std::size_t n = 0; n < s.x.size(); ++n) CHECK((s.x[n] == s2.x[n] && s.x[n] == s3.x[n]));
 
-    // Anything but a whole record is refused, and changes nothing.
-    for (std::size_t size : {std::size_t(0), std::size_t(7), a.size() / 2, a.size() - 1}) {
-        CHECK(read.restore(a.data(), size) == 0);
-        std::vector<char> after;
-        read.save(after);
-        CHECK(after == c);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {  // cut short anywhere
+        Contact half{ContactSettings()};
+        Reader cut{std::string_view(bytes).substr(0, size)};
+        CHECK_THROWS_AS(cut(half), Damaged);
     }
 }
 
@@ -1160,16 +1173,11 @@ TEST_CASE("contact: a step that is taken back leaves every byte as it was, and t
             contact.settle((i + 1) * 1e-5, 1e-5, s.x, s.q, impulse);
             if (i == 300) contact.drop(0);
         };
-        const auto record = [](const Contact& contact) {
-            std::vector<char> bytes;
-            contact.save(bytes);
-            return bytes;
-        };
         Scene straight = crossing(80, 0.1, 0.8, {0.1, 0.05, 0}), s = straight;
         Contact steady{settings}, contact{settings};
         int differs = 0, bound = 0;
         for (int i = 0; i < 600; ++i) {
-            const std::vector<char> before = record(contact);
+            const std::string before = record(contact);
             const Scene here = s;
             contact.remember();
             step(s, contact, i);
