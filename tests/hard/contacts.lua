@@ -10,7 +10,7 @@ local function two(name, a, b, c, d, velocity, o)
       parts.row(model, a, b, { members = 2, group = "first", side = o.first })
       parts.row(model, c, d, { members = 2, group = "second", side = o.second, material = o.material and parts.steel(o.material) })
       model:velocity("second", velocity)
-      model:contact { friction = o.friction }
+      model:contact { rule = o.rule, friction = o.friction }
       return model
     end }
 end
@@ -31,6 +31,14 @@ add("coincident from the start", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 
 add("crossing in overlap from the start", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0, -0.5, 0.01 }, { 0, 0.5, 0.01 }, { 0, 0, -20 })
 add("sliding along each other with friction", { 0, 0, 0 }, { 1, 0, 0 }, { 0, -0.5, 0.06 }, { 0.2, 0.5, 0.06 }, { 20, 0, -10 }, { friction = 0.3 })
 add("1 to 1000 in mass", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0.1, 0.5, 0.06 }, { 0, 0, -50 }, { material = { density = 7.85 }, dt = 1e-6 })
+
+for _, speed in ipairs { 1, 50, 300, 1000 } do
+  add(("crossing at %d m/s, gap elements"):format(speed), { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0.1, 0.5, 0.06 }, { 0, 0, -speed },
+    { rule = "gap", dt = speed > 100 and 2e-6 or 5e-6, steps = speed == 1 and 4000 or 1000 })
+end
+add("end on, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 1.06, 0, 0 }, { 2.06, 0, 0 }, { -20, 0, 0 }, { rule = "gap" })
+add("parallel, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0.08 }, { 1, 0, 0.08 }, { 0, 0, -20 }, { rule = "gap" })
+add("coincident, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 5 }, { rule = "gap" })
 
 scenes[#scenes + 1] = { "500 bars pile up on a floor", remainder = 5e-2, dt = 2e-5, steps = 20000, slow = true,
   make = function(hinge)

@@ -86,18 +86,14 @@ return {
       model:load { node = nodes[2], force = { 0, 6500, 0 }, history = function(t) return math.sin(2 * math.pi * 100 * t) end }
       return model
     end },
-  { "a support is removed", remainder = 1e-2, dt = 2e-4, steps = 2000,
+  { "supports of a loaded frame are let go at once", remainder = 1e-2, dt = 2e-4, steps = 2000,
     make = function(hinge)
       local model = hinge.model {}
-      local joints = parts.frame(model, { storeys = 2, bays = 2 })
+      local joints = parts.frame(model, { storeys = 2, bays = 3 })
+      local prop = model:node { 4.5, 0, 0 } -- a strut, its far end held until the run begins
+      model:member { joints[1][1], prop, section = parts.square(0.1), material = parts.steel(), group = "prop" }
       model:gravity { 0, 0, -9.80665 }
-      local at_rest = model:static { steps = 2 }:finish()
-      local _, _, up = at_rest:reaction(joints[0][1])
-      local without = hinge.model {}
-      local again = parts.frame(without, { storeys = 2, bays = 2 })
-      without:gravity { 0, 0, -9.80665 }
-      without:load { node = again[1][1], force = { 0, 0, -5 * up } }
-      return without
+      return model, { from = model:static { steps = 2, hold = "prop" }:finish() }
     end },
   { "a load that jumps every third step", remainder = 2e-2, dt = 1e-4, steps = 1000,
     make = function(hinge)

@@ -33,13 +33,13 @@ end
 local function try(scene, factor)
   local out = { factor = factor }
   local ok, failure = pcall(function()
-    local model = scene.make(hinge)
+    local model, more = scene.make(hinge)
     local run
     if scene.static then
       run = model:static {}
     else
       local options = { dt = scene.dt * factor, duration = scene.dt * scene.steps, record = false }
-      for k, v in pairs(scene.options or {}) do options[k] = v end
+      for k, v in pairs(more or {}) do options[k] = v end
       run = model:dynamic(options)
     end
     local before, most, at_energy = scene.free and run:momentum(), 0, 0
