@@ -34,7 +34,7 @@ add("1 to 1000 in mass", { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0
 
 for _, speed in ipairs { 1, 50, 300, 1000 } do
   add(("crossing at %d m/s, gap elements"):format(speed), { -0.5, 0, 0 }, { 0.5, 0, 0 }, { 0.1, -0.5, 0.06 }, { 0.1, 0.5, 0.06 }, { 0, 0, -speed },
-    { rule = "gap", dt = speed > 100 and 2e-6 or 5e-6, steps = speed == 1 and 4000 or 1000 })
+    { rule = "gap", dt = speed > 100 and 2e-6 or 5e-6, steps = speed == 1 and 12000 or 1000 })
 end
 add("end on, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 1.06, 0, 0 }, { 2.06, 0, 0 }, { -20, 0, 0 }, { rule = "gap" })
 add("parallel, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0.08 }, { 1, 0, 0.08 }, { 0, 0, -20 }, { rule = "gap" })
