@@ -28,7 +28,7 @@ local words = { "", "all", "xyz", "ux", "rz", "frame", "asi-gauss", "asi", "cubi
 local fields = { "node", "force", "moment", "history", "group", "groups", "between", "section", "material", "up", "elements", "E", "nu", "G", "density", "yield_stress", "width",
   "depth", "diameter", "thickness", "dt", "duration", "from", "steps", "control", "hold", "rule", "batch", "where", "keep", "pairs", "on_touch", "stiffness", "friction",
   "curvature_x", "axial_strain", "formulation", "displacement", "mass", "elements_per_member", "record", "integrator", "beta", "iterations", "threads", "solver", "to", "x", "z",
-  "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "turn", "letter", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "checkpoint" }
+  "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "turn", "letter", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y" }
 local functions = { function() end, function() return 1, 2, 3 end, function() return true end, function() return {} end, function() error "mine" end,
   function(v) return v and v.nonsense end, function() coroutine.yield() end, function() return 0 / 0 end }
 
@@ -74,7 +74,7 @@ add("hinge", "model material")
 add("section", "box h pipe solid round general")
 add("any", "node member fix load move gravity velocity fracture contact group counts static dynamic nodes members groups loads close step stop on_step probe displacement "
   .. "velocity acceleration reaction position forces state read momentum remove count hash energy time verdict fastest stages reason contacts probes wakings counts "
-  .. "nonsense __gc __index __eq __tostring __len __pairs checkpoint resume")
+  .. "nonsense __gc __index __eq __tostring __len __pairs")
 
 local before, ran, failed = collectgarbage "count", 0, 0
 for i = 1, calls do
