@@ -40,7 +40,7 @@ inline Inertia linear_inertia(const Rigidity& c, double L) {
 }
 
 /// What the linear mass misses of a pair of asi-gauss elements; `middle`: the element's end (0, 1) at the pair's middle. The pair's
-/// stiffness is that of a cubic, but its middle node sags only (3 - sqrt 3)/3 of what the cubic does. Here
+/// stiffness is that of a cubic, but its middle node sags only 2 - 2/sqrt 3 = 0.85 of what the cubic does. Here
 ///   - a pair that bows has the momentum of the parabola: 2/3 of its mass at the true sag;
 ///   - a part of its moment of inertia is the middle node's own, which turns ahead of the chord where the pair bends like an S: so the
 ///     masses off the chord count there too. A pair that does not bend has its mass and moment of inertia as before.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
 #include "sim/dynamics.h"
 
 namespace hinge {
@@ -15,7 +14,7 @@ constexpr std::size_t most_kept = 200'000;   ///< elements of a model whose last
 
 }  // namespace
 
-/// The remainder as a part of the energy turned over; not finite where the state is not. Below `floor` (J) all is rounding.
+/// The remainder as a part of the energy turned over; not finite where the state is not. Below ledger_floor_ all is rounding.
 double Dynamics::remainder_share() {
     if (ledger_floor_ == 0)
         for (const Element& e : structure_->elements()) ledger_floor_ += 1e-22 * e.rigidity.EA * e.length;
