@@ -378,22 +378,24 @@ function model:static(options) end
 ---@field tolerance? number force out of balance, of the forces at work; default 1e-9
 ---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
 
----A dynamic run, without damping: by Newmark's beta method (eq 15), or explicit, by central differences with lumped masses (half
+---A dynamic run, without damping but for what rho_infinity asks for: by Newmark's beta method (eq 15), or explicit, by central differences with lumped masses (half
 ---of each element on each of its nodes, the rotary inertia the section's polar one). Explicit steps solve nothing and take none of
----precision, beta, iterations, tolerance, predictor, geometric, turn and what is said of the solver.
+---precision, beta, rho_infinity, iterations, tolerance, predictor, geometric, turn and what is said of the solver.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
 
 ---@class hinge.dynamic_options
----@field dt number|"auto" s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change; explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it allows is an error that names the element)
+---@field dt number|"auto" s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change, with step_control = 0.01; explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it allows is an error that names the element)
 ---@field duration number s
 ---@field integrator? "newmark"|"explicit" default newmark
 ---@field from? hinge.run starts from another run's state, such as gravity at rest
 ---@field energy_tolerance? number default 0.1 (0 with shift = "whole", whose ledger cannot close): the run ends by itself, with verdict "failed", when the ledger's remainder is a larger part of the energy turned over (the most that any one account of run.energy has had). It is looked at every 100 steps, or 20 times in a short run, and at the end; the state is then that of the last look at which it closed (models of up to 200 000 elements). 0: never
+---@field step_control? number 0..1, the part of the energy turned over that the run may lose to its ledger's remainder. A step that would lose more than its share of it (or turn a node by more than 0.5 rad, or that cannot be solved) is taken back before anything is told of it, and tried again half as long, down to dt / 1024, below which the run fails; where all is well steps grow again up to dt. Costs a third of a step. Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is kept
 ---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
 ---@field threads? integer how many share a step's work, default 1, the same bits for any number
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
+---@field rho_infinity? number 0..1, what a step leaves of the amplitude of the highest frequencies; below 1 Newmark's method with alpha of Wood, Bossak and Zienkiewicz (1980), alpha = (rho - 1)/(rho + 1), which sets beta = 1/(1 + rho)^2 and gamma = 1/2 - alpha. Of second order; what it takes out of slow motion is of third order, and is run.energy.numerical. Default 1: nothing
 ---@field iterations? integer 1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer than the fastest vibration allows for one
 ---@field tolerance? number see iterations; default 1e-10
 ---@field predictor? "auto"|"acceleration"|"displacement" where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the first while dt is shorter than an axial wave needs for the shortest element
@@ -417,6 +419,7 @@ function model:dynamic(options) end
 ---@field verdict "running"|"completed"|"stopped"|"failed"
 ---@field reason string why it failed, with the culprit's name
 ---@field energy hinge.energy
+---@field dt number s, of the next step; nil in statics
 ---@field worst_remainder number J, the largest so far, of either sign
 ---@field contacts { bound: integer, released: integer } pairs of elements: bonds made, or touches begun; let go
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
@@ -424,7 +427,7 @@ function model:dynamic(options) end
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
----@field counts { element_updates: integer, element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer, pair_tests: integer, pair_lists: integer } work done: elements whose forces were recovered, elements whose stiffness was built, systems solved, pairs of members looked at closely, lists of near pairs made
+---@field counts { element_updates: integer, element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer, pair_tests: integer, pair_lists: integer, rejected_steps: integer } work done: elements whose forces were recovered, elements whose stiffness was built, systems solved, pairs of members looked at closely, lists of near pairs made, steps that step control took back
 ---@field probes hinge.probe[] those asked for so far
 ---@field wakings { time: number, effect: string, awake: boolean, why: string }[] what woke because it had something to do, or went to sleep; the first thousand
 local run = {}
@@ -442,6 +445,7 @@ local run = {}
 ---@field contact number contact_stored + contact_released
 ---@field contact_stored number in bonds and touches now
 ---@field contact_released number let go with bonds, or heat of friction
+---@field numerical number taken out by a dissipative integrator (rho_infinity)
 ---@field work number done by loads
 ---@field remainder number
 

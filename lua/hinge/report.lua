@@ -26,14 +26,14 @@ local function damage_table(damage, groups)
   return table.concat(lines, "\n")
 end
 
-local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping", "remainder" }
+local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "numerical", "remainder" }
 
 local function energy_table(energy)
   local brought = math.abs(energy.initial) + math.abs(energy.work)
   local lines = { "energy, kJ" }
   for _, name in ipairs(ledger) do
     local joules = energy[name]
-    if joules then
+    if joules and (joules ~= 0 or name ~= "numerical") then
       local part = name == "remainder" and brought > 0 and ("   %.2g %% of initial and work"):format(100 * joules / brought) or ""
       lines[#lines + 1] = ("%-16s%14.3f%s"):format(name, joules / 1e3, part)
     end

@@ -342,7 +342,7 @@ Json to_json(lua_State* L, int index, int depth) {
 Json energy_json(const Energy& e) {
     return {{"initial", e.initial}, {"kinetic", e.kinetic}, {"gravity", e.gravity}, {"elastic", e.elastic}, {"plastic", e.plastic}, {"fracture", e.fracture},
             {"fracture_elastic", e.fracture_elastic}, {"fracture_kinetic", e.fracture_kinetic}, {"contact", e.contact}, {"contact_stored", e.contact_stored},
-            {"contact_released", e.contact_released}, {"work", e.work}, {"remainder", e.remainder}};
+            {"contact_released", e.contact_released}, {"numerical", e.numerical}, {"work", e.work}, {"remainder", e.remainder}};
 }
 
 /// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns verdict, reason.
@@ -386,6 +386,8 @@ int write_summary(lua_State* L) {
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run.energy());
         j["worst_remainder"] = r->worst_remainder;
+        if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
+            j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
             j["fastest_node"] = {{"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
         j["state_hash"] = [&] { char t[20]; std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state())); return std::string(t); }();

@@ -157,8 +157,8 @@ void push_energy(lua_State* L, const Energy& e) {
     const std::pair<const char*, double> values[] = {
         {"initial", e.initial}, {"kinetic", e.kinetic}, {"gravity", e.gravity}, {"elastic", e.elastic}, {"plastic", e.plastic}, {"fracture", e.fracture},
         {"fracture_elastic", e.fracture_elastic}, {"fracture_kinetic", e.fracture_kinetic}, {"contact", e.contact}, {"contact_stored", e.contact_stored},
-        {"contact_released", e.contact_released}, {"work", e.work}, {"remainder", e.remainder}};
-    lua_createtable(L, 0, 13);
+        {"contact_released", e.contact_released}, {"numerical", e.numerical}, {"work", e.work}, {"remainder", e.remainder}};
+    lua_createtable(L, 0, 14);
     for (const auto& [name, v] : values) lua_pushnumber(L, v), lua_setfield(L, -2, name);
 }
 
@@ -171,6 +171,7 @@ int fields(lua_State* L) {
     else if (key == "factor") lua_pushnumber(L, run.state().factor);
     else if (key == "index") lua_pushinteger(L, run.steps_done());
     else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
+    else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt") d ? lua_pushnumber(L, d->settings().dt) : lua_pushnil(L);
     else if (key == "verdict") lua_pushstring(L, name(run.verdict()));
     else if (key == "reason") lua_pushstring(L, run.reason().c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
@@ -186,12 +187,13 @@ int fields(lua_State* L) {
         const auto* d = dynamic_cast<const Dynamics*>(&run);
         const auto* s = dynamic_cast<const Statics*>(&run);
         const Operator::Counts c = d ? d->operator_counts() : s ? s->operator_counts() : Operator::Counts{};
-        lua_createtable(L, 0, 7);
+        lua_createtable(L, 0, 8);
         lua_pushinteger(L, c.built), lua_setfield(L, -2, "element_builds");
         lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
         lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
         lua_pushinteger(L, c.factorisations), lua_setfield(L, -2, "factorisations");
         lua_pushinteger(L, d ? d->element_updates() : s ? s->element_updates() : 0), lua_setfield(L, -2, "element_updates");
+        lua_pushinteger(L, d ? d->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
         lua_pushinteger(L, run.state().contact ? run.state().contact->counts().pair_tests : 0), lua_setfield(L, -2, "pair_tests");
         lua_pushinteger(L, run.state().contact ? run.state().contact->counts().list_builds : 0), lua_setfield(L, -2, "pair_lists");
     } else if (key == "wakings") {
@@ -280,7 +282,7 @@ void open_run(lua_State* L) {
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
     name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages", "effects",
-                                      "wall_seconds", "fastest", "hash", "counts", "wakings", "probes"});
+                                      "wall_seconds", "fastest", "dt", "hash", "counts", "wakings", "probes"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }

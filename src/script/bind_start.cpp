@@ -135,7 +135,7 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance", "checkpoint"});
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance", "step_control", "rho_infinity", "checkpoint"});
     const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
@@ -150,6 +150,14 @@ int dynamic_run(lua_State* L) {
     if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
     s.beta = in_explicit_steps ? 0 : o.number("beta", "", Range::positive, s.beta);
     if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
+    s.rho_infinity = o.number("rho_infinity", "", Range::not_negative, 1);
+    if (s.rho_infinity > 1) o.complain("rho_infinity", show(s.rho_infinity), "must be between 0 and 1: what a step leaves of the highest frequencies' amplitude (1: all, Newmark's method)");
+    if (s.rho_infinity < 1) {
+        if (o.has("beta")) throw InputError("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = " + show(DynamicSettings::beta_of(s.rho_infinity)) + ": leave one out");
+        s.beta = DynamicSettings::beta_of(s.rho_infinity);
+    }
+    s.step_control = o.number("step_control", "", Range::not_negative, s.automatic ? 0.01 : 0);
+    if (s.step_control >= 1) o.complain("step_control", show(s.step_control), "must be below 1: the part of the energy turned over that the run may lose, such as 0.01");
     s.iterations = o.integer("iterations", 0, 0);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
     const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
@@ -162,7 +170,7 @@ int dynamic_run(lua_State* L) {
     s.threads = o.integer("threads", 1, 1);
     if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
     if (in_explicit_steps)
-        for (const char* field : {"beta", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "precision"})
+        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "precision"})
             if (o.has(field)) throw InputError(std::string("model:dynamic: field '") + field + "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);

@@ -48,7 +48,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
         }
         else std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
         c->writer = record;
-        std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,work,remainder";
+        std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder";
         for (const auto& p : r.probes) header += "," + p->name;
         write_whole(r.history_path, r.past.empty() ? header + "\n" : r.past);
         r.past.clear();
@@ -64,7 +64,7 @@ void add_row(RunRecord& r) {
     if (r.history_path.empty() || step < r.row_of) return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
     char text[400];
-    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time, r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.work, e.remainder);
+    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time, r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.numerical, e.work, e.remainder);
     r.rows += text;
     for (const auto& p : r.probes) {
         std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));

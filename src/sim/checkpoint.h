@@ -11,7 +11,7 @@
 namespace hinge {
 
 /// To be raised whenever a list of fields changes.
-inline constexpr std::uint32_t checkpoint_format = 1;
+inline constexpr std::uint32_t checkpoint_format = 2;
 
 /// What a checkpoint says before the run itself.
 struct Checkpoint {

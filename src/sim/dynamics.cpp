@@ -36,9 +36,10 @@ bool Dynamics::advance() {
         verdict_ = Verdict::completed;
         return false;
     }
-    if (has_rules_) remember();
+    if (has_rules_ || controlled()) remember();
     try {
-        take_step();
+        do take_step();
+        while (reject_ && again_shorter());
         if (with_contact()) state_.contact->forget();
     } catch (const HookError& e) {
         take_back();
@@ -46,7 +47,7 @@ bool Dynamics::advance() {
         std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1, state_.time + settings_.dt);
         throw HookError(e.what() + std::string(at));
     } catch (...) {
-        if (has_rules_) take_back();
+        if (has_rules_ || controlled()) take_back();
         throw;
     }
     guard();
@@ -54,7 +55,8 @@ bool Dynamics::advance() {
 }
 
 void Dynamics::take_step() {
-    if (settings_.automatic) choose_step();
+    if (settings_.automatic || controlled()) choose_step();
+    reject_ = false;
     std::size_t recover_at = 0;
     iteration_ = 0;
     for (std::size_t i = 0; i < stages_.size(); ++i) {
@@ -66,7 +68,9 @@ void Dynamics::take_step() {
         if (!failure_.empty()) {
             char at[64];
             std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + settings_.dt);
-            return fail(at + failure_);
+            if (reject_ = controlled(); !reject_) fail(at + failure_);
+            else failure_ = at + failure_;
+            return;
         }
         if (stage.run != &Dynamics::correct) continue;
         if (again_) {
@@ -93,13 +97,14 @@ void Dynamics::restart() {
 /// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the fastest
 /// waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
 void Dynamics::predict() {
-    const double dt = settings_.dt, beta = settings_.beta;
+    const double dt = settings_.dt, beta = settings_.beta, alpha = settings_.alpha(), gamma = settings_.gamma();
     if (from_rest_) {
         for (std::size_t i = 0; i < increment_.size(); ++i) {
             trial_.displacement[i] = state_.displacement[i];
             increment_[i].setZero();
             trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
-            trial_.velocity[i] = state_.velocity[i] + (0.5 * dt) * (state_.acceleration[i] + trial_.acceleration[i]);
+            trial_.velocity[i] = state_.velocity[i] + dt * ((1 - gamma) * state_.acceleration[i] + gamma * trial_.acceleration[i]);
+            if (alpha != 0) trial_.acceleration[i] = (1 - alpha) * trial_.acceleration[i] + alpha * state_.acceleration[i];
         }
         move_supports();
         return move_to_increment(0, int(increment_.size()));
@@ -225,7 +230,7 @@ void Dynamics::solve() {
 
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
 void Dynamics::correct() {
-    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = 0.5 * dt;
+    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = settings_.gamma() * dt, to_a = 1 - settings_.alpha();
     if (settings_.iterations > 1) {  // Newton that swings between two sets of hinges is held back
         double whole = 0;
         for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
@@ -248,7 +253,7 @@ void Dynamics::correct() {
         Lanes sum{};
         for (int i = first; i < end; ++i) {
             const Lanes change = load_row<6>(change_[i].data());
-            store_row<6>(trial_.acceleration[i].data(), load_row<6>(trial_.acceleration[i].data()) + change);
+            store_row<6>(trial_.acceleration[i].data(), load_row<6>(trial_.acceleration[i].data()) + to_a * change);
             store_row<6>(trial_.velocity[i].data(), load_row<6>(trial_.velocity[i].data()) + to_v * change);
             store_row<3>(trial_.displacement[i].data(), load_row<3>(trial_.displacement[i].data()) + to_u * change);
             if (!by_spin) store_row<3>(increment_[i].data(), load_row<3>(increment_[i].data()) + to_u * second_three(change));
@@ -270,6 +275,10 @@ void Dynamics::correct() {
         place_contact(trial_.displacement);
         again_ = state_.contact->unsettled(contact_position_, trial_.rotation);
     }
+    if (!again_) {
+        if (settings_.alpha() != 0) leave_met();
+        if (built::fracture) keep_stub_momentum(change_);
+    }
     if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ && first_change_ > 1e-12)
         failure_ = "Newton did not converge in " + std::to_string(iteration_) + " iterations (last correction " +
                    std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
@@ -279,11 +288,11 @@ void Dynamics::correct() {
 void Dynamics::commit() {
     if (with_contact()) note_contacts();
     book_supports();
-    for (Loaded& l : loaded_) {
-        const Vec6 mean = 0.5 * (l.now + l.before);
-        state_.booked.work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) + mean.tail<3>().dot(increment_[l.node]);
-        l.before = l.now;
-    }
+    state_.booked.work += work_of_loads();
+    for (Loaded& l : loaded_) l.before = l.now;
+    state_.booked.numerical += numerical_;
+    stub_rate_.swap(next_stub_rate_);
+    if (settings_.alpha() != 0) met_.swap(next_met_);
     state_.displacement.swap(trial_.displacement);
     state_.rotation.swap(trial_.rotation);
     state_.turn.swap(trial_.turn);
@@ -344,10 +353,11 @@ void Dynamics::commit() {
         to_break_.clear();
         restart_ = true;
     }
+    if (controlled() && restart_) kept_remainder_ = energy().remainder;  // what breaking and letting go left in the ledger is no step's
     watch_effects();
     ++state_.step;
     pace_.done += pace_.length;
-    if (settings_.automatic) state_.time = pace_.start + double(pace_.done) * pace_.shortest;
+    if (settings_.automatic || controlled()) state_.time = pace_.start + double(pace_.done) * pace_.unit;
     else state_.time += settings_.dt;
 }
 
@@ -358,17 +368,17 @@ void Dynamics::remember() {
     kept_before_.clear();
     strained_before_.clear();
     if (with_contact()) state_.contact->remember();
-    undo_ = {state_.booked, pace_, restart_, bars_changed_, contact_age_};
+    undo_ = {state_.booked, pace_, restart_, bars_changed_, contact_age_, fastest_};
 }
 
-/// A rule of the script failed: all as it was before the step.
+/// A rule of the script failed, or step control takes the step back: all as it was before.
 void Dynamics::take_back() {
     for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
     for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     take_steps_of(undo_.pace.length);
     state_.booked = undo_.booked;
     pace_ = undo_.pace;
-    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age;
+    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age, fastest_ = undo_.fastest;
     to_break_.clear();
     if (!with_contact()) return;
     state_.contact->take_back();

@@ -33,6 +33,12 @@ struct DynamicSettings {
     double duration = 0;            ///< s
     bool automatic = false;         ///< dt is the shortest step (Dynamics::shortest_step); longer ones where nothing happens
     double beta = 0.25;             ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
+    /// What a step leaves of the highest frequencies' amplitude, 0..1; below 1 Newmark's method with alpha of Wood, Bossak and
+    /// Zienkiewicz (Int. J. Num. Meth. Eng. 15, 1980), M ((1 - alpha) a' + alpha a) = F' - R', and beta = beta_of(rho_infinity).
+    double rho_infinity = 1;
+    double alpha() const { return (rho_infinity - 1) / (rho_infinity + 1); }   ///< -1..0
+    double gamma() const { return 0.5 - alpha(); }
+    static double beta_of(double rho_infinity) { const double x = rho_infinity + 1; return 1 / (x * x); }   ///< (1 - alpha)^2 / 4
     int iterations = 0;             ///< 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to
                                     ///< 1e-6) where hinges form or displacements are large, in steps too long for one
     Predictor predictor = Predictor::by_step;
@@ -43,6 +49,9 @@ struct DynamicSettings {
     /// The run ends, failed, when the ledger's remainder is a larger part of the energy turned over. 0: never, the default of Shift::whole,
     /// whose ledger cannot close; with Shift::plastic a tenth.
     std::optional<double> energy_tolerance;
+    /// Steps that would lose more than their share of this part of the energy turned over are taken back and halved, as are those that
+    /// cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.
+    double step_control = 0;
     bool rest = true;               ///< bodies at rest are left alone until something reaches them
     int threads = 1;                ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
@@ -70,7 +79,9 @@ public:
     void restore(std::string_view saved);
 
     Operator::Counts operator_counts() const { return operator_ ? operator_->counts() : Operator::Counts{}; }
-    double shortest() const { return pace_.shortest; }   ///< s: dt, with "auto" the shortest
+    double shortest() const { return pace_.unit * double(pace_.own); }   ///< s: dt, with "auto" the shortest, before any is halved
+    double shortest_taken() const { return pace_.unit * double(pace_.least); }   ///< s
+    long rejected() const { return pace_.rejected; }     ///< steps taken back by step control
     bool explicit_steps() const { return settings_.beta == 0; }
     /// The fastest node of the run so far: m/s, node, s.
     struct Fastest { double speed = 0; int node = -1; double time = 0; template <class Self, class A> static void fields(Self& s, A& a) { a(s.speed, s.node, s.time); } };
@@ -102,6 +113,7 @@ private:
     void apply_loads(double t);
     void find_acceleration();
     void add_hung_inertia();
+    void keep_stub_momentum(const std::vector<Vec6>& change);
     void renew_mass(const Pose& pose);
     void renew_couplings(const std::vector<Quat>& rotation);
     void place_contact(const std::vector<Vec3>& displacement);
@@ -133,7 +145,15 @@ private:
     void ask_batch(int rule);
     void take_step();
     void guard();
-    double remainder_share();
+    double remainder_share(const Energy& energy);
+    bool controlled() const { return settings_.step_control > 0; }
+    void weigh();
+    bool again_shorter();
+    bool halve(const std::string& why);
+    double work_of_loads() const;
+    double work_of_supports() const;
+    void leave_met();
+    double dissipated() const;
     void remember();
     void take_back();
     void renew_hung_operator(std::size_t node);
@@ -151,7 +171,9 @@ private:
     bool makes_sense() const;
 
     DynamicSettings settings_;
-    struct Pace { double shortest; long whole, done = 0, length = 1; int calm = 0; double start = 0; };   ///< all but calm counted in shortest steps
+    /// whole, done, the coming step's length, its own (that of the settings, with "auto" the shortest) and the least so far are counted in
+    /// units: own steps, or with step control the finest.
+    struct Pace { double unit; long own, whole, done = 0, length = own, least = own; int calm = 0; double start = 0; int easy = 0, patience = 8; long rejected = 0; };
     Pace pace_;
     double jump_ = 0, motion_ = 0;               ///< of the last step: dt |da| / |v|; sum of m v^2
     bool over() const { return pace_.done >= pace_.whole; }
@@ -187,8 +209,14 @@ private:
     bool bars_changed_ = true, again_ = false, restart_ = false, take_up_ = false, from_rest_ = false;
     long contact_age_ = 0;
     double first_change_ = 0, last_change_ = 0, damping_ = 1;
+    std::vector<Vec6> met_, next_met_;                      ///< dissipative: the acceleration that the last step's forces met, (1 - alpha) a' + alpha a
+    double numerical_ = 0;                       ///< J, taken out by the step
+    std::vector<Vec3> stub_rate_, next_stub_rate_, tried_stub_rate_;   ///< rate of change of w x S that a step's forces met: of the last one, of this one; where stresses were recovered
     int iteration_ = 0;
     std::string failure_;
+    bool reject_ = false;                        ///< failure_ is one that a shorter step may mend
+    State tried_;                                ///< what step control weighs
+    double kept_remainder_ = 0;                  ///< J, of the last step that was kept
     struct Good { State state; double share; };
     std::optional<Good> good_;                   ///< when the ledger was last looked at and closed
     long looked_at_ = 0;                         ///< the step of that
@@ -219,7 +247,7 @@ private:
     std::size_t kept_a_section_ = 0;             ///< numbers that rules keep of a section
     struct Kept { double* at; double before; };
     std::vector<Kept> kept_before_;
-    struct Undo { Booked booked; Pace pace; bool restart, bars_changed; long contact_age; };
+    struct Undo { Booked booked; Pace pace; bool restart, bars_changed; long contact_age; Fastest fastest; };
     Undo undo_{};
 };
 

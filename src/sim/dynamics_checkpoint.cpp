@@ -13,12 +13,12 @@ namespace hinge {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.settings_.dt, s.pace_.done, s.pace_.length, s.pace_.calm, s.pace_.start, s.jump_, s.motion_, s.fastest_);
+    a(s.settings_.dt, s.pace_.done, s.pace_.length, s.pace_.least, s.pace_.calm, s.pace_.start, s.pace_.easy, s.pace_.patience, s.pace_.rejected, s.kept_remainder_, s.jump_, s.motion_, s.fastest_);
     for (auto& stage : s.stages_) a(stage.seconds);
     a(s.external_, s.change_, s.force_, s.held_nodes_, s.mass_stale_, s.flowing_, s.fracture_candidates_, s.watched_);
     for (auto& l : s.loaded_) a(l.gravity, l.now, l.before);
     for (auto& [load, acting] : s.rule_loads_) a(acting);
-    a(s.yielding_, s.hinges_, s.was_yielding_, s.built_, s.rebuild_, s.hung_built_);
+    a(s.yielding_, s.hinges_, s.was_yielding_, s.built_, s.rebuild_, s.hung_built_, s.met_, s.stub_rate_);
     a(s.bars_changed_, s.restart_, s.contact_age_, s.pair_rules_, s.resting_, s.weight_at_rest_);
     bool good = s.good_.has_value();
     a(s.looked_at_, s.turned_over_, good);
@@ -89,9 +89,9 @@ bool Dynamics::makes_sense() const {
         return hinge::makes_sense(s, *structure_) && s.strained.size() == state_.strained.size() && s.kept.size() == state_.kept.size();
     };
     return state(state_) && (!good_ || state(good_->state)) && verdict_ >= Verdict::running && verdict_ <= Verdict::failed && pace_.length >= 1 && pace_.done >= 0 &&
-           pace_.done <= pace_.whole && settings_.dt == pace_.shortest * double(pace_.length) && int(external_.size()) == nodes && int(change_.size()) == nodes &&
+           pace_.done <= pace_.whole && pace_.least >= 1 && settings_.dt == pace_.unit * double(pace_.length) && int(external_.size()) == nodes && int(change_.size()) == nodes &&
            int(force_.size()) == elements && all(held_nodes_, within(nodes)) && all(watched_, element) && all(yielding_, element) && all(hinges_, element) &&
-           long_as(hung_built_, nodes) && (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && all(weight_at_rest_, node_key) &&
+           long_as(hung_built_, nodes) && (settings_.alpha() == 0 ? met_.empty() : int(met_.size()) == nodes) && stub_rate_.size() <= state_.hung.size() && (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && all(weight_at_rest_, node_key) &&
            all(reaction_, node_key) && fastest_.node < nodes;
 }
 

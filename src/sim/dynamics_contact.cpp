@@ -17,11 +17,11 @@ void Dynamics::contact() {
     const std::vector<ContactRule>& rules = structure_->model().contact();
     if (rules.size() > 1 || rules[0].between || rules[0].pairs) rule_of = [this](int a, int b) { return contact_rule(a, b); };
     std::optional<contact::Contact> before;
-    if (pace_.length > 1) before = state_.contact;
+    if (pace_.length > pace_.own) before = state_.contact;
     const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen}, settings_.dt, state_.time, rule_of);
     if (before && !state_.contact->idle()) {  // too long a step to touch in
         state_.contact = std::move(before);
-        take_steps_of(1);
+        take_steps_of(pace_.own);
         loads();
         return contact();
     }
@@ -88,7 +88,7 @@ double Dynamics::give_back(const contact::LetGo& bond) {
     // and so does its part of that: M a+ = M a- + f.
     double power = 2 * k.square;
     for (std::size_t i = 0; i < impulse.size(); ++i) power -= 2 * impulse[i].dot(trial_.acceleration[i]);
-    const double held_back = -0.5 * (settings_.beta - 0.25) * settings_.dt * settings_.dt * power;
+    const double held_back = -0.5 * (settings_.beta - 0.5 * settings_.gamma()) * settings_.dt * settings_.dt * power;
     const double energy = std::max(0.0, bond.energy + held_back);
     const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
     const double x = (-k.linear + std::copysign(root, opening)) / (2 * k.square);

@@ -46,6 +46,7 @@ void Dynamics::accelerate() {
     }
     move_supports();
     meet_supports();
+    if (built::fracture) keep_stub_momentum(trial_.acceleration);
     note_fastest();
 }
 

@@ -15,11 +15,10 @@ constexpr std::size_t most_kept = 200'000;   ///< elements of a model whose last
 }  // namespace
 
 /// The remainder as a part of the energy turned over; not finite where the state is not. Below ledger_floor_ all is rounding.
-double Dynamics::remainder_share() {
+double Dynamics::remainder_share(const Energy& e) {
     if (ledger_floor_ == 0)
         for (const Element& e : structure_->elements()) ledger_floor_ += 1e-22 * e.rigidity.EA * e.length;
-    const Energy e = energy();
-    for (double account : {e.initial, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.work}) {
+    for (double account : {e.initial, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.numerical, e.work}) {
         if (!std::isfinite(account)) return account;
         turned_over_ = std::max(turned_over_, std::abs(account));
     }
@@ -34,7 +33,7 @@ void Dynamics::guard() {
     const long between = std::clamp((pace_.whole - 1) / 20, 1L, most_between);
     if (verdict_ == Verdict::running && state_.step - looked_at_ < between) return;
     looked_at_ = state_.step;
-    const double share = remainder_share();
+    const double share = remainder_share(energy());
     if (std::abs(share) <= most) {
         if (verdict_ == Verdict::running && structure_->elements().size() <= most_kept) good_ = {state_, share};
         return;

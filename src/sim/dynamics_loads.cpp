@@ -59,7 +59,7 @@ void Dynamics::move_supports() {
         if (state_.gone[m.node]) continue;
         trial_.displacement[m.node][m.component] = m.next;
         trial_.velocity[m.node][m.component] = m.speed;
-        trial_.acceleration[m.node][m.component] = m.acceleration;
+        trial_.acceleration[m.node][m.component] = (1 - settings_.alpha()) * m.acceleration + settings_.alpha() * state_.acceleration[m.node][m.component];
     }
 }
 
@@ -80,10 +80,26 @@ void Dynamics::meet_supports() {
     }
 }
 
+double Dynamics::work_of_supports() const {
+    double work = 0;
+    for (const Moved& m : moved_)
+        if (!state_.gone[m.node]) work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
+    return work;
+}
+
+double Dynamics::work_of_loads() const {
+    double work = 0;
+    for (const Loaded& l : loaded_) {
+        const Vec6 mean = 0.5 * (l.now + l.before);
+        work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) + mean.tail<3>().dot(increment_[l.node]);
+    }
+    return work;
+}
+
 void Dynamics::book_supports() {
+    state_.booked.work += work_of_supports();
     for (Moved& m : moved_) {
         if (state_.gone[m.node]) continue;
-        state_.booked.work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
         m.force = m.next_force;
         m.long_before = m.before, m.before = m.now, m.now = m.next;
     }

@@ -27,6 +27,9 @@ void Dynamics::find_acceleration() {
     mass_->solve(nodal_, state_.acceleration, state_, 1e-12);
     yielding_.clear();
     restart_ = false;
+    if (settings_.alpha() != 0) met_ = state_.acceleration;
+    stub_rate_ = tried_stub_rate_;
+    for (std::size_t i = 0; i < stub_rate_.size(); ++i) stub_rate_[i] += state_.acceleration[i].tail<3>().cross(state_.rotation[i] * state_.hung[i].moment);
 }
 
 /// M alone, of what turned or broke since it was last needed.
@@ -63,15 +66,39 @@ void Dynamics::renew_hung_operator(std::size_t node) {
 /// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
 void Dynamics::add_hung_inertia() {
     const Vec3 g = structure_->model().gravity().value_or(Vec3::Zero());
+    tried_stub_rate_.assign(state_.hung.size(), Vec3::Zero());
     for (std::size_t i = 0; i < state_.hung.size(); ++i) {
         const HungMass& h = state_.hung[i];
         if (h.mass == 0) continue;
         const Mat3 R = trial_.rotation[i].toRotationMatrix();
         const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(), w = trial_.velocity[i].tail<3>();
         const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body), Ja = R * (h.inertia * (R.transpose() * alpha));
-        nodal_[i].head<3>() += h.mass * a + alpha.cross(S) + w.cross(w.cross(S));
+        tried_stub_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
+        nodal_[i].head<3>() += h.mass * a + tried_stub_rate_[i];
         nodal_[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
         if (trial_.rotation[i].coeffs().dot(hung_built_[i].coeffs()) < hung_turn) renew_hung_operator(i);
+    }
+}
+
+/// A stub's part of the momentum, w x S, turns with it: over a step it changes by a little else than the trapezium rule makes of the
+/// rates that the forces met. The node takes the difference, so that linear momentum stays what it was. Called with the change
+/// of the acceleration since the stresses were recovered.
+void Dynamics::keep_stub_momentum(const std::vector<Vec6>& change) {
+    const double alpha = settings_.alpha(), gamma = settings_.gamma();
+    next_stub_rate_ = tried_stub_rate_;
+    for (std::size_t i = 0; i < next_stub_rate_.size(); ++i) {
+        const HungMass& h = state_.hung[i];
+        if (h.mass == 0) continue;
+        const Vec3 S = state_.rotation[i] * h.moment, next_S = trial_.rotation[i] * h.moment;
+        const Vec3 S_met = operator_ ? Vec3(hung_built_[i] * h.moment) : next_S;
+        next_stub_rate_[i] = (tried_stub_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * stub_rate_[i]) / (1 - alpha);
+        const Vec3 met = settings_.dt * ((1 - gamma) * stub_rate_[i] + gamma * next_stub_rate_[i]);
+        double mass = h.mass;
+        for (int e : structure_->elements_at(int(i)))
+            if (!state_.broken[e]) mass += 0.5 * structure_->elements()[e].rigidity.rhoA * structure_->elements()[e].length;
+        const Vec3 missed = (trial_.velocity[i].tail<3>().cross(next_S) - state_.velocity[i].tail<3>().cross(S) - met) / mass;
+        for (int c = 0; c < 3; ++c)
+            if (!(state_.held[i] >> c & 1)) trial_.velocity[i][c] -= missed[c];
     }
 }
 

@@ -4,6 +4,8 @@
 // while nothing yields, breaks or touches, steps are eight times that, as long as the accelerations change little within one: where
 // something vibrates, they do not. Touches and loads are foreseen: a long step in which a touch would begin, or a load changes, is
 // not taken.
+//
+// With step control, a step that was taken back is halved, and steps grow again once that has gone well for a while.
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,8 @@ namespace {
 
 constexpr long long_step = 8;       ///< of the shortest
 constexpr int calm_steps = 20;      ///< before steps are long: K anew costs as much as ten steps
+constexpr int first_patience = 8;   ///< halved steps that must go well before they are doubled; twice as many after each that does not
+constexpr int most_patience = 512;
 constexpr double jump_limit = 1e-3; ///< dt |da| against |v| in a long step, weighted by mass: its error is a twelfth of that
 
 }  // namespace
@@ -30,29 +34,55 @@ bool Dynamics::loads_change() const {
         if (!load.history || state_.gone[load.node]) continue;
         const double now = load.history(state_.time);
         for (int i = 1; i <= int(long_step); ++i)
-            if (load.history(state_.time + i * pace_.shortest) != now) return true;
+            if (load.history(state_.time + i * shortest()) != now) return true;
     }
     return false;
 }
 
 void Dynamics::choose_step() {
-    const double longer = long_step / double(pace_.length);  // da grows with dt: what a short step says of a long one
+    if (pace_.length < pace_.own) {
+        if (pace_.easy < pace_.patience || pace_.done % (2 * pace_.length) != 0) return;
+        pace_.easy = 0;
+        return take_steps_of(2 * pace_.length);
+    }
+    if (pace_.easy >= pace_.patience) pace_.patience = first_patience;
+    if (!settings_.automatic) return;
+    const long longest = long_step * pace_.own;
+    const double longer = double(longest) / double(pace_.length);  // da grows with dt: what a short step says of a long one
     const bool calm = !in_contact() && yielding_.empty() && !restart_ && moved_.empty() && rule_loads_.empty() && jump_ * longer * longer <= jump_limit;
     pace_.calm = calm ? pace_.calm + 1 : 0;
-    const bool fits = pace_.done + long_step <= pace_.whole;
-    take_steps_of(fits && calm && (pace_.length > 1 || pace_.calm >= calm_steps) && !loads_change() ? long_step : 1);
+    const bool fits = pace_.done + longest <= pace_.whole;
+    take_steps_of(fits && calm && (pace_.length > pace_.own || pace_.calm >= calm_steps) && !loads_change() ? longest : pace_.own);
 }
 
 void Dynamics::take_steps_of(long length) {
     if (length == pace_.length) return;
-    note_waking("long steps", length > 1, length > 1 ? "nothing yields, breaks or touches" : "back to the shortest");
+    if (std::max(length, pace_.length) > pace_.own)
+        note_waking("long steps", length > pace_.own, length > pace_.own ? "nothing yields, breaks or touches" : "back to the shortest");
+    else if (length == pace_.own) note_waking("short steps", false, "back to dt");
     pace_.length = length;
-    if (length == 1) pace_.calm = 0;  // what ended the long steps is still ahead, or has just happened
-    settings_.dt = pace_.shortest * double(length);
-    operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
-    for (int e = 0; e < int(state_.broken.size()); ++e)
-        if (!state_.broken[e]) wants_rebuild(e);
+    pace_.least = std::min(pace_.least, length);
+    if (length <= pace_.own) pace_.calm = 0;  // what ended the long steps is still ahead, or has just happened
+    settings_.dt = pace_.unit * double(length);
+    for (Moved& m : moved_)
+        if (m.begun) m.before = m.path(state_.time - settings_.dt) - m.from, m.long_before = m.path(state_.time - 2 * settings_.dt) - m.from;
+    if (operator_) {
+        operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
+        for (int e = 0; e < int(state_.broken.size()); ++e)
+            if (!state_.broken[e]) wants_rebuild(e);
+    }
     if (in_contact()) place_contact(state_.displacement), renew_couplings(state_.rotation);
+}
+
+/// After a step that was taken back: half as long. False at the finest.
+bool Dynamics::halve(const std::string& why) {
+    if (pace_.length == 1) return false;
+    if (pace_.length == pace_.own) note_waking("short steps", true, why);
+    ++pace_.rejected;
+    pace_.easy = 0;
+    pace_.patience = std::min(2 * pace_.patience, most_patience);
+    take_steps_of(pace_.length > pace_.own ? pace_.own : pace_.length / 2);
+    return true;
 }
 
 }  // namespace hinge

@@ -8,6 +8,12 @@
 
 namespace hinge {
 
+namespace {
+
+constexpr long finest_part = 1024;   ///< of a step, with step control: a power of two, so that times stay those of whole steps to the bit
+
+}  // namespace
+
 double Dynamics::crossing(const Structure& structure, double dt) {
     double most = 0;
     for (const Element& e : structure.elements()) {
@@ -20,7 +26,8 @@ double Dynamics::crossing(const Structure& structure, double dt) {
 
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start)), settings_(settings),
-      pace_{settings.dt, std::llround(settings.duration / settings.dt)}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+      pace_{settings.step_control > 0 ? settings.dt / finest_part : settings.dt, settings.step_control > 0 ? finest_part : 1, 0}, team_(settings.threads), sweep_(*structure_, team_, !structure_->lumped()) {
+    pace_.whole = pace_.own * std::llround(settings.duration / settings.dt);
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     from_rest_ = !explicit_steps() && (settings_.predictor == Predictor::displacement || (settings_.predictor == Predictor::by_step && crossing(*structure_, settings_.dt) > 1));
@@ -62,6 +69,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         stages_.push_back({"correct", "inertia", &Dynamics::correct});
     }
     if (with_contact()) stages_.push_back({"part", "contact", &Dynamics::part});
+    if (controlled()) stages_.push_back({"step control", "inertia", &Dynamics::weigh});
     if (with_fracture()) stages_.push_back({"fracture", "fracture", &Dynamics::fracture});
     stages_.push_back({"commit", "inertia", &Dynamics::commit});
 
@@ -109,7 +117,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 }
 
 void Dynamics::begin_operator() {
-    operator_ = std::make_unique<Operator>(*structure_, team_, 1.0, settings_.beta * settings_.dt * settings_.dt, settings_.geometric && structure_->large(),
+    operator_ = std::make_unique<Operator>(*structure_, team_, 1 - settings_.alpha(), settings_.beta * settings_.dt * settings_.dt, settings_.geometric && structure_->large(),
                                            settings_.solver.direct ? Keeping::direct : settings_.narrow && !from_rest_ ? Keeping::narrow : Keeping::iterative);
     operator_->set_held(state_.held);
     if (structure_->large()) sweep_.watch_turning(settings_.turn);
@@ -127,9 +135,12 @@ std::vector<StageTime> Dynamics::stage_times() const {
 
 std::vector<Effect> Dynamics::effects() const {
     std::vector<Effect> list = effects_of(*structure_, true, settings_.geometric);
-    char how[120];
-    std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * pace_.shortest);
-    list.front().because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
+    char how[160];
+    std::snprintf(how, sizeof how, explicit_steps() ? "explicit steps of %.3g us, lumped masses" : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens" : "Newmark's method, steps of %.3g us", 1e6 * shortest());
+    std::string because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
+    if (controlled()) std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy", 100 * settings_.step_control), because += how;
+    if (settings_.alpha() != 0) std::snprintf(how, sizeof how, ", of the highest frequencies %.3g is left after a step", settings_.rho_infinity), because += how;
+    list.front().because = because;
     for (Effect& e : list)
         if (explicit_steps() && e.active && e.name == "geometric stiffness") e.active = false, e.because = "explicit steps form no stiffness; the forces have it";
     for (Effect& e : list)

@@ -58,8 +58,9 @@ Energy Ledger::balance(const State& state) const {
         e.contact_stored = bonds.stored_energy();
     }
     e.contact = e.contact_stored + e.contact_released;
+    e.numerical = now.numerical - then.numerical;
     e.work = now.work - then.work;
-    e.remainder = e.initial + e.work - (e.kinetic + e.gravity + e.elastic + e.plastic + e.fracture + e.contact);
+    e.remainder = e.initial + e.work - (e.kinetic + e.gravity + e.elastic + e.plastic + e.fracture + e.contact + e.numerical);
     return e;
 }
 

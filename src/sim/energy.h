@@ -5,7 +5,7 @@
 
 namespace hinge {
 
-/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact): the numerical error.
+/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact + numerical): the numerical error.
 struct Energy {
     double initial = 0;   ///< kinetic + elastic at the start of the run
     double kinetic = 0;
@@ -15,6 +15,7 @@ struct Energy {
     double fracture = 0;  ///< let go by fracture: strain energy, and kinetic energy of stubs
     double contact = 0;   ///< stored in bonds and touches now; let go with bonds, heat of friction
     double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
+    double numerical = 0; ///< taken out by a dissipative integrator
     double work = 0;      ///< done by loads (not gravity)
     double remainder = 0;
 };

@@ -61,7 +61,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
     parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
-        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.turn, s.narrow, s.energy_tolerance, s.rest, s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
+        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.turn, s.narrow, s.energy_tolerance, s.step_control, s.rho_infinity, s.rest, s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
     }));
     return parts;
 }

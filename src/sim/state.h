@@ -28,9 +28,9 @@ struct Booked {
     double fracture_elastic = 0;  ///< strain energy let go by broken elements
     double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
     double contact_released = 0;  ///< let go with bonds, heat of friction
-    double damping = 0;
+    double numerical = 0;         ///< taken out by a dissipative integrator
 
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.work, s.plastic, s.fracture_elastic, s.fracture_kinetic, s.contact_released, s.damping); }
+    template <class Self, class A> static void fields(Self& s, A& a) { a(s.work, s.plastic, s.fracture_elastic, s.fracture_kinetic, s.contact_released, s.numerical); }
 };
 
 struct State {

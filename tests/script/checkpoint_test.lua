@@ -37,7 +37,7 @@ local function impact(o)
   if o.declare then o.declare(model, corner, foot) end
   local options = { from = start, dt = 2e-5, duration = 0.012, beta = 0.4 }
   for field, value in pairs(o.run or {}) do options[field] = value end
-  if options.integrator == "explicit" then options.beta = nil end
+  if options.integrator == "explicit" or not options.beta then options.beta = nil end
   local run = model:dynamic(options)
   run:probe { node = low, "uy" }
   return run
@@ -86,6 +86,7 @@ local function goes_on(name, options, times)
   end
   expect(resumed_from >= times, "%s: went on %d times", name, resumed_from)
   same(name .. ", with checkpoints taken", watched, whole)
+  if (options.run or {}).step_control then expect(whole.counts.rejected_steps > 2, "%s: %d steps taken back", name, whole.counts.rejected_steps) end
 end
 
 goes_on("gap", {}, 8)
@@ -96,6 +97,7 @@ goes_on("no rest", { run = { rest = false, beta = 0.25 }, contact = { rule = "su
 goes_on("point and all", { model = { shift = "whole" } }, 3)
 goes_on("conventional, factors", { model = { formulation = "conventional" }, run = { solver = "direct", duration = 0.008 } }, 3)
 goes_on("long steps, double", { fracture = { curvature_x = 0.03, curvature_y = 0.03 }, run = { dt = 2e-4, precision = "double", duration = 0.02 } }, 5)
+goes_on("damped, with step control", { run = { dt = 8e-5, beta = false, rho_infinity = 0.7, step_control = 3e-4, duration = 0.02 } }, 5)
 goes_on("rules of the script's own", {
   fracture = { keep = { "damage" }, rule = function(section)
     section.damage = section.damage + math.abs(section.curvature_rate_x) * section.dt
@@ -199,7 +201,7 @@ end
 local newer = string.pack("<I4", 7) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
 support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
 refused("another version", "checkpoint " .. file .. " is of format 7, written by hinge 9.8.7; this is hinge " .. hinge.version ..
-  ", which reads format 1: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
+  ", which reads format 2: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
 
 support.write(file, bytes)
 refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...", function() small(5e-5):resume(file) end)

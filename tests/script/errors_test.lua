@@ -256,6 +256,15 @@ wrong("model:dynamic: field 'precision' has no meaning with " .. explicit,
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, precision = "double" } end)
 wrong("model:dynamic: field 'integrator' is 'explict'; must be one of 'newmark', 'explicit' (did you mean 'explicit'?)",
   function(s) s.model:dynamic { integrator = "explict", dt = 1e-5, duration = 1 } end)
+wrong("model:dynamic: field 'rho_infinity' is 1.5; must be between 0 and 1: what a step leaves of the highest frequencies' amplitude ...",
+  function(s) s.model:dynamic { dt = 1e-5, duration = 1, rho_infinity = 1.5 } end)
+wrong("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = 0.3086419753: leave one out",
+  function(s) s.model:dynamic { dt = 1e-5, duration = 1, rho_infinity = 0.8, beta = 0.4 } end)
+wrong("model:dynamic: field 'rho_infinity' has no meaning with integrator = 'explicit', which solves nothing; leave it out",
+  function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, rho_infinity = 0.8 } end)
+wrong("model:dynamic: field 'step_control' is 1; must be below 1: the part of the energy turned over that the run may lose, such as 0.01",
+  function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = 1 } end)
+wrong("model:dynamic: field 'step_control' is -1; must be 0 or above", function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = -1 } end)
 wrong("model:dynamic: field 'beta' is 0; must be above 0", function(s) s.model:dynamic { dt = 1e-5, duration = 1, beta = 0 } end)
 wrong("model:dynamic: field 'threads' is 0; must be a whole number, 1 or above", function(s) s.model:dynamic { dt = 1e-5, duration = 1, threads = 0 } end)
 wrong("model:dynamic: field 'threads' is 1000; must be at most 256", function(s) s.model:dynamic { dt = 1e-5, duration = 1, threads = 1000 } end)

@@ -1,0 +1,133 @@
+-- Step control: a step that would lose too much is taken back and halved before anything is told of it, and steps grow again.
+--
+-- Run: lua5.4 tests/script/step_control_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "step_control"
+local expect, equal = checks.expect, checks.equal
+local bar, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.material { E = 206e9, density = 7850 }
+
+local function share(run) return math.abs(run.energy.remainder) / run.energy.initial end
+
+-- A bar that turns by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
+local function turning(options)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = bar, material = steel, group = "bar" }
+  model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
+  options.dt, options.duration, options.iterations, options.record = 1e-4, 0.05, 1, false
+  return model:dynamic(options)
+end
+local dt = 1e-4
+local run, last, told = turning { step_control = 0.01 }, 0, 0
+run:on_step(function(r)
+  local parts = dt / (r.time - last)
+  expect(math.abs(parts - math.floor(parts + 0.5)) < 1e-6 and parts <= 1024, "a step of dt / %.9g at %g s", parts, r.time)
+  last, told = r.time, told + 1
+end)
+run:finish()
+equal(run.verdict, "completed", "a bar that turns: " .. run.reason)
+expect(share(run) <= 0.01, "remainder %g", share(run))
+expect(run.counts.rejected_steps > 0 and run.dt < dt, "%d steps taken back, dt %g", run.counts.rejected_steps, run.dt)
+equal(told, run.index, "steps told to the script")
+expect(math.abs(run.time - 0.05) < 1e-15, "it ends at %.17g s", run.time)
+
+-- Where every step may be kept, it changes no bit.
+local free, watched = turning { energy_tolerance = 0 }, turning { energy_tolerance = 0, step_control = 0.999 }
+for _ = 1, 3 do free:step() watched:step() end
+equal(watched.counts.rejected_steps, 0, "none taken back")
+equal(watched.hash, free.hash, "the bits of three steps")
+
+-- What no step can meet ends the run by itself, in the state before.
+local never = turning { step_control = 1e-15 }
+never:finish()
+equal(never.verdict, "failed", "step_control = 1e-15")
+expect(support.says(never.reason, "step ..., t = ... s: the step would lose ... % of the energy turned over, its share of step_control is ... %; "
+  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried"), "reason: %s", never.reason)
+expect(share(never) < 1e-3 and not never:step(), "the state before it, remainder %g", share(never))
+
+-- Impact by surfaces at eight times the step that it needs: what the script is told of belongs to steps that were kept.
+local function crash(options)
+  local model, touched, released, asked = hinge.model {}, 0, 0, {}
+  local function row(group, from, to)
+    local nodes = {}
+    for i = 0, 2 do nodes[i + 1] = model:node { from[1] + (to[1] - from[1]) * i / 2, from[2] + (to[2] - from[2]) * i / 2, from[3] } end
+    for i = 1, 2 do model:member { nodes[i], nodes[i + 1], section = bar, material = steel, group = group } end
+    return nodes
+  end
+  row("struck", { 0, 0, 0 }, { 1, 0, 0 })
+  local striker = row("striker", { 0, 0, 0.06 }, { 1, 0, 0.06 })
+  model:velocity("striker", { 0, 0, -20 })
+  model:contact { rule = "surface", on_touch = function() touched = touched + 1 end, on_release = function() released = released + 1 end }
+  model:load { node = striker[2], force = { 1, 0, 0 }, history = function(t) asked[#asked + 1] = t return 1 end }
+  options.duration, options.record = 4e-3, false
+  local run = model:dynamic(options)
+  local before = run:momentum().linear[3]
+  run:finish()
+  return run, touched, released, asked, math.abs(run:momentum().linear[3] / before - 1)
+end
+local long = crash { dt = 4e-5, energy_tolerance = 0 }
+expect(share(long) > 0.02, "without control the ledger is off by %g", share(long))
+local held, touched, released, asked, lost = crash { dt = 4e-5, step_control = 0.01 }
+equal(held.verdict, "completed", "impact: " .. held.reason)
+expect(share(held) <= 0.01 and lost < 1e-6, "impact: remainder %g, momentum %g", share(held), lost)
+expect(held.counts.rejected_steps > 0, "impact: steps taken back")
+equal(held.contacts.bound, touched, "touches told")
+equal(held.contacts.released, released, "releases told")
+local back = 0
+for i = 2, #asked do back = back + (asked[i] < asked[i - 1] and 1 or 0) end
+expect(back >= held.counts.rejected_steps, "loads are asked again where a step is tried again: %d times for %d", back, held.counts.rejected_steps)
+
+-- A function of the script that fails in a step is undone as ever.
+do
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = bar, material = steel }
+  model:fix(a)
+  local fails = false
+  model:load { node = b, force = { 0, 0, 1e3 }, history = function() return fails and error "not now" or 1 end }
+  local run = model:dynamic { dt = 1e-5, duration = 1e-3, step_control = 0.01, record = false }
+  for _ = 1, 10 do run:step() end
+  local before = run.hash
+  fails = true
+  local ok, why = pcall(run.step, run)
+  expect(not ok and tostring(why):find "not now", "the function's error: %s", why)
+  equal(run.hash, before, "the state before it")
+  fails = false
+  run:finish()
+  equal(run.verdict, "completed", "and goes on")
+end
+
+-- Hinges that chatter so that Newton's method finds no end: steps that cannot be solved are halved too.
+do
+  local function mechanism(options)
+    local model = hinge.model {}
+    local soft = hinge.material { E = 206e9, density = 7850, yield_stress = 1e6 }
+    local nodes = {}
+    for level = 0, 2 do
+      nodes[level] = {}
+      for x = 0, 2 do nodes[level][x] = model:node { 3 * x, 0, 3 * level } end
+    end
+    model:fix { nodes[0][0], nodes[0][1], nodes[0][2] }
+    for level = 1, 2 do
+      for x = 0, 2 do
+        model:member { nodes[level - 1][x], nodes[level][x], section = bar, material = soft }
+        if x > 0 then model:member { nodes[level][x - 1], nodes[level][x], section = bar, material = soft } end
+      end
+    end
+    model:gravity { 0.5, 0, -9.80665 }
+    options.dt, options.duration, options.record = 2e-3, 0.2, false
+    return model:dynamic(options):finish()
+  end
+  local alone, controlled = mechanism {}, mechanism { step_control = 0.01 }
+  print(("hinges everywhere: %s; with step control %s, %d taken back, %d steps, dt down to %g s"):format(alone.verdict, controlled.verdict,
+    controlled.counts.rejected_steps, controlled.index, controlled.dt))
+  equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
+end
+
+-- dt = "auto" has it by itself.
+local effects = turning({ step_control = 0.02 }).effects
+expect(effects[1].because:find("halved where one would lose more than its share of 2 % of the energy", 1, true), "the plan says so: %s", effects[1].because)
+
+checks.done()
