@@ -7,11 +7,8 @@ namespace hinge {
 namespace {
 
 Mat3 frame(const Structure& structure, const State& state, int index) {
-    const Element& e = structure.elements()[index];
-    if (!structure.large()) return e.axes.toRotationMatrix();
-    const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-    const Vec3 c = e.chord + (state.displacement[e.node[1]] - state.displacement[e.node[0]]);
-    return axes_of(beam::place<double>({c.x(), c.y(), c.z()}, quad(state.rotation[e.node[0]]), quad(state.rotation[e.node[1]]), quad(e.axes)));
+    if (!structure.large()) return structure.elements()[index].axes.toRotationMatrix();
+    return axes_of(place_element(structure, index, state));
 }
 
 Mat12 mass_matrix(const Structure& structure, const State& state, int index) { return structure.inertia(index).matrix(frame(structure, state, index)); }
@@ -39,21 +36,28 @@ Mat6 hung_in_space(const HungMass& h, const Quat& rotation) {
 
 Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
 
-double kinetic_energy(const Structure& structure, const State& state) {
+double kinetic_energy(const Structure& structure, const State& state, int index, const Mat3& axes) {
+    const Element& e = structure.elements()[index];
+    const Mat3 back = axes.transpose();
+    const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
+    const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = back * a.tail<3>(), wb = back * b.tail<3>();
+    const beam::Inertia m = structure.inertia(index);
+    return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) + wb.dot(m.rotary[1].cwiseProduct(wb))) +
+           m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
+}
+
+double kinetic_energy_of_stubs(const State& state) {
     double energy = 0;
-    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
-        if (state.broken[i]) continue;
-        const Element& e = structure.elements()[i];
-        const Mat3 axes = frame(structure, state, int(i)).transpose();
-        const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
-        const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = axes * a.tail<3>(), wb = axes * b.tail<3>();
-        const beam::Inertia m = structure.inertia(int(i));
-        energy += 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) + wb.dot(m.rotary[1].cwiseProduct(wb))) +
-                  m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
-    }
     for (std::size_t i = 0; i < state.hung.size(); ++i)
         if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);
     return energy;
+}
+
+double kinetic_energy(const Structure& structure, const State& state) {
+    double energy = 0;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i)
+        if (!state.broken[i]) energy += kinetic_energy(structure, state, int(i), frame(structure, state, int(i)));
+    return energy + kinetic_energy_of_stubs(state);
 }
 
 Momentum momentum(const Structure& structure, const State& state) {
@@ -86,7 +90,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     report.carrier = carrier;
     const auto where = [&](int node) -> Vec3 { return structure.position()[node] + state.displacement[node]; };
     const beam::Stiffness k = stiffness_now(structure, state, index);
-    const Vec6 stretched = element_deformation(structure, index, pose_of(state)) - state.plastic[index];
+    const Vec6 stretched = element_deformation(structure, index, state) - state.plastic[index];
     report.elastic = 0.5 * stretched.dot(k.times(stretched));
 
     // what the element carries now, about the carrier

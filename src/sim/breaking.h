@@ -30,6 +30,8 @@ BreakReport break_element(const Structure& structure, State& state, int element,
 struct Momentum { double mass; Vec3 linear, angular; };
 Momentum momentum(const Structure& structure, const State& state);
 double kinetic_energy(const Structure& structure, const State& state);
+double kinetic_energy(const Structure& structure, const State& state, int element, const Mat3& axes);   ///< of one whole element, its axes in columns
+double kinetic_energy_of_stubs(const State& state);
 
 /// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
 Mat6 hung_in_space(const HungMass& hung, const Quat& rotation);

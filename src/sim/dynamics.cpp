@@ -136,6 +136,7 @@ void Dynamics::recover() {
         if (!state_.contact->touches().empty()) renew_couplings(trial_.rotation);
     }
     for (int e : sweep_.turned()) wants_rebuild(e);
+    if (iteration_ == 0 && sweep_.twisted() >= 0) failure_ = sweep_.twisted_reason();
 }
 
 /// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short steps,

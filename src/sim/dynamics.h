@@ -148,6 +148,7 @@ private:
     double remainder_share(const Energy& energy);
     bool controlled() const { return settings_.step_control > 0; }
     void weigh();
+    Energy energy_of_trial();
     bool again_shorter();
     bool halve(const std::string& why);
     double work_of_loads() const;
@@ -215,7 +216,6 @@ private:
     int iteration_ = 0;
     std::string failure_;
     bool reject_ = false;                        ///< failure_ is one that a shorter step may mend
-    State tried_;                                ///< what step control weighs
     double kept_remainder_ = 0;                  ///< J, of the last step that was kept
     struct Good { State state; double share; };
     std::optional<Good> good_;                   ///< when the ledger was last looked at and closed

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/dynamics.h"
-#include "sim/hinges.h"
 
 namespace hinge {
 namespace {
@@ -16,7 +15,29 @@ constexpr double advance_part = 0.1; ///< of what may be lost, there from the be
 
 }  // namespace
 
-/// The ledger of what is tried: whether the step is kept.
+/// The ledger of what is tried; the state is as before afterwards.
+Energy Dynamics::energy_of_trial() {
+    const Booked booked = state_.booked;
+    std::vector<Vec6> plastic;
+    const auto exchange = [this] {
+        state_.displacement.swap(trial_.displacement), state_.rotation.swap(trial_.rotation), state_.turn.swap(trial_.turn), state_.velocity.swap(trial_.velocity);
+    };
+    state_.booked.work += work_of_loads() + work_of_supports();
+    state_.booked.numerical += numerical_;
+    for (const Yielding& y : yielding_) {
+        plastic.push_back(state_.plastic[y.element]);
+        state_.plastic[y.element] += y.flow.plastic;
+        state_.booked.plastic += y.flow.dissipation;
+    }
+    exchange();
+    const Energy energy = ledger_.balance(state_);
+    exchange();
+    for (std::size_t i = 0; i < yielding_.size(); ++i) state_.plastic[yielding_[i].element] = plastic[i];
+    state_.booked = booked;
+    return energy;
+}
+
+/// Whether the step is kept.
 void Dynamics::weigh() {
     if (structure_->large())
         for (std::size_t i = 0; i < increment_.size(); ++i)
@@ -26,19 +47,8 @@ void Dynamics::weigh() {
                 failure_ = structure_->node_name(int(i)) + what;
                 return;
             }
-    tried_ = state_;
-    tried_.displacement = trial_.displacement;
-    tried_.rotation = trial_.rotation;
-    tried_.turn = trial_.turn;
-    tried_.velocity = trial_.velocity;
-    tried_.force = force_;
-    std::vector<int> flowing = flowing_;
-    commit_flow(*structure_, tried_, yielding_, flowing);
-    tried_.booked.work += work_of_loads() + work_of_supports();
-    tried_.booked.numerical += numerical_;
-
     const double before = turned_over_;
-    const Energy energy = ledger_.balance(tried_);
+    const Energy energy = energy_of_trial();
     const double share = remainder_share(energy), of_run = double(pace_.length) / double(pace_.whole), so_far = double(pace_.done) / double(pace_.whole);
     const double may = settings_.step_control * turned_over_, lost = std::abs(energy.remainder) - std::abs(kept_remainder_);
     const bool within = std::abs(energy.remainder) <= may * (advance_part + (1 - advance_part) * (so_far + of_run));

@@ -6,7 +6,9 @@ namespace hinge {
 
 Ledger::Ledger(const Structure& structure, const State& start) : structure_(structure), booked_at_start_(start.booked) {
     potential_at_start_ = potential(start);
-    initial_ = kinetic_energy(structure, start) + elastic(start);
+    Energy e;
+    add_elements(start, e);
+    initial_ = e.kinetic + e.elastic;
 }
 
 double Ledger::potential(const State& state) const {
@@ -25,31 +27,31 @@ double Ledger::potential(const State& state) const {
     return -moment.dot(g);
 }
 
-double Ledger::elastic(const State& state) const {
-    const Pose pose = pose_of(state);
-    double energy = 0;
+/// Kinetic and strain energy, in one pass.
+void Ledger::add_elements(const State& state, Energy& energy) const {
     for (std::size_t i = 0; i < structure_.elements().size(); ++i) {
         if (state.broken[i]) continue;
+        const beam::Placement<double> placement = place_element(structure_, int(i), state);
         const beam::Stiffness k = stiffness_now(structure_, state, int(i));
-        const Vec6 d = element_deformation(structure_, int(i), pose) - state.plastic[i];
-        energy += 0.5 * d.dot(k.times(d));
+        const Vec6 d = element_deformation(structure_, int(i), state, placement) - state.plastic[i];
+        energy.elastic += 0.5 * d.dot(k.times(d));
+        energy.kinetic += kinetic_energy(structure_, state, int(i), axes_of(placement));
     }
-    return energy;
+    energy.kinetic += kinetic_energy_of_stubs(state);
 }
 
 Energy Ledger::balance(const State& state) const {
     Energy e;
     const Booked &now = state.booked, &then = booked_at_start_;
     e.initial = initial_;
-    e.kinetic = kinetic_energy(structure_, state);
+    add_elements(state, e);
     e.gravity = potential(state) - potential_at_start_;
-    e.elastic = elastic(state);
     e.plastic = now.plastic - then.plastic;
     e.fracture_elastic = now.fracture_elastic - then.fracture_elastic;
     e.fracture_kinetic = now.fracture_kinetic - then.fracture_kinetic;
     e.fracture = e.fracture_elastic + e.fracture_kinetic;
     e.contact_released = now.contact_released - then.contact_released;
-    if (state.contact) {
+    if (state.contact && !state.contact->idle()) {
         std::vector<Vec3> x(structure_.position());
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += state.displacement[i];
         contact::Contact bonds = *state.contact;

@@ -29,7 +29,7 @@ public:
 
 private:
     double potential(const State& state) const;
-    double elastic(const State& state) const;
+    void add_elements(const State& state, Energy& energy) const;
     const Structure& structure_;
     double potential_at_start_ = 0;
     Booked booked_at_start_;

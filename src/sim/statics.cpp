@@ -226,6 +226,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && turn <= 1e-11 && r <= 1e-6 * scale;
         if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
+            if (sweep_.twisted() >= 0) return Outcome::diverged;
             converged_in_ = iteration;
             last_move_ = total;
             return Outcome::converged;
@@ -280,7 +281,7 @@ bool Statics::advance() {
             char text[200];
             std::snprintf(text, sizeof text, "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a mechanism or a snap; "
                           "control by displacement or arc length can go on", state_.factor, state_.step + 1, increment);
-            fail(text);
+            fail(sweep_.twisted() >= 0 ? text + ("; " + sweep_.twisted_reason()) : text);
             return false;
         }
         step_size_ = increment;

@@ -37,7 +37,11 @@ struct Sweep::Kind {
 struct Sweep::Found {
     std::vector<Yielding> yielding;
     std::vector<int> turned;
+    int twisted = -1;
 };
+
+/// The mean of an element's two y axes, each of length one, where its ends have twisted against each other by 160 degrees.
+constexpr double least_mean_y = 0.17;
 
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
@@ -226,6 +230,9 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
             place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
             beam::deformation(place, kind.length, d);
+            if (beam::any_not_below(Lanes{} - place.y_mean_y, -least_mean_y))
+                for (int i = 0; i < lane_count; ++i)
+                    if (b.whole >> i & 1 && place.y_mean_y[i] <= least_mean_y) found.twisted = element + i;
         } else {
             place = start_placement(axes, kind.length);
             linear_deformation(place, u2 - u1, gather(pose.turn, b.node[0]), gather(pose.turn, b.node[1]), d);
@@ -340,6 +347,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
         found_[i].turned.clear();
+        found_[i].twisted = -1;
         const auto go_over = [&]<bool large>() {
             const auto run_blocks_of = !inertia_           ? &Sweep::run_blocks<large, false, false>
                                        : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
@@ -354,11 +362,17 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     });
     yielding.clear();
     turned_.clear();
+    twisted_ = -1;
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
         turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
+        twisted_ = std::max(twisted_, f.twisted);
     }
     for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
+}
+
+std::string Sweep::twisted_reason() const {
+    return "the two ends of " + structure_.element_name(twisted_) + " have twisted by 160 degrees against each other, and at half a turn an element's frame jumps; more elements a member, or fracture, may help";
 }
 
 Mat3 axes_of(const beam::Placement<double>& p) {
@@ -367,26 +381,30 @@ Mat3 axes_of(const beam::Placement<double>& p) {
     return axes;
 }
 
-beam::Placement<double> place_element(const Structure& structure, int index, const Pose& pose) {
+beam::Placement<double> place_element(const Structure& structure, int index, const Places& at) {
     const Element& e = structure.elements()[index];
     const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
     if (structure.large()) {
-        const Vec3 chord = e.chord + (pose.displacement[e.node[1]] - pose.displacement[e.node[0]]);
-        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(pose.rotation[e.node[0]]), quad(pose.rotation[e.node[1]]), quad(e.axes));
+        const Vec3 chord = e.chord + (at.displacement[e.node[1]] - at.displacement[e.node[0]]);
+        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]), quad(at.rotation[e.node[1]]), quad(e.axes));
     }
     return beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes));
 }
 
-Vec6 element_deformation(const Structure& structure, int index, const Pose& pose) {
+Vec6 element_deformation(const Structure& structure, int index, const Places& at) {
+    return element_deformation(structure, index, at, structure.large() ? place_element(structure, index, at) : beam::Placement<double>{});
+}
+
+Vec6 element_deformation(const Structure& structure, int index, const Places& at, const beam::Placement<double>& placement) {
     Vec6 d;
     const Element& e = structure.elements()[index];
     if (structure.large()) {
-        beam::deformation(place_element(structure, index, pose), e.length, d.data());
+        beam::deformation(placement, e.length, d.data());
         return d;
     }
     const Mat3 axes = e.axes.toRotationMatrix().transpose();
     Vec12 u;
-    u << axes * pose.displacement[e.node[0]], axes * pose.turn[e.node[0]], axes * pose.displacement[e.node[1]], axes * pose.turn[e.node[1]];
+    u << axes * at.displacement[e.node[0]], axes * at.turn[e.node[0]], axes * at.displacement[e.node[1]], axes * at.turn[e.node[1]];
     return beam::linear_deformation(e.length) * u;
 }
 

@@ -44,6 +44,10 @@ public:
     /// Elements whose frame has turned by more than `tolerance` (rad) since they were last marked. Filled by run.
     const std::vector<int>& turned() const { return turned_; }
     void watch_turning(double tolerance);
+    /// An element whose ends have twisted against each other by more than 160 degrees, near the half turn at which its frame jumps; -1
+    /// when there is none. Filled by run; large displacement.
+    int twisted() const { return twisted_; }
+    std::string twisted_reason() const;   ///< why a run cannot go on with it
     /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
     void mark_built(int element, const Mat3& frame);
 
@@ -86,14 +90,25 @@ private:
     std::vector<Vec6> left_;
     std::vector<beam::Lanes> built_;          ///< six a block: frame z and y at the last build
     std::vector<int> turned_;
+    int twisted_ = -1;
     double turn_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;
 };
 
+/// Where the nodes are, of a state or of a pose.
+struct Places {
+    const std::vector<Vec3>& displacement;
+    const std::vector<Quat>& rotation;
+    const std::vector<Vec3>& turn;
+    Places(const State& s) : displacement(s.displacement), rotation(s.rotation), turn(s.turn) {}
+    Places(const Pose& p) : displacement(p.displacement), rotation(p.rotation), turn(p.turn) {}
+};
+
 /// Where one element is (for its tangent and for reading it).
 Mat3 axes_of(const beam::Placement<double>& placement);   ///< columns: the local axes in space
-beam::Placement<double> place_element(const Structure& structure, int element, const Pose& pose);
-Vec6 element_deformation(const Structure& structure, int element, const Pose& pose);
+beam::Placement<double> place_element(const Structure& structure, int element, const Places& at);
+Vec6 element_deformation(const Structure& structure, int element, const Places& at);
+Vec6 element_deformation(const Structure& structure, int element, const Places& at, const beam::Placement<double>& placement);
 
 }  // namespace hinge

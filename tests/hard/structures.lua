@@ -114,6 +114,13 @@ return {
   { "up along the member", says = "up", make = function(hinge)
       parts.row(hinge.model {}, { 0, 0, 0 }, { 1, 0, 0 }, { up = { 1, 1e-13, 0 } })
     end },
+  { "twisted by more than half a turn", says = "have twisted by 160 degrees against each other", dt = 1e-5, steps = 2000, make = function(hinge)
+      local model = hinge.model {}
+      local nodes = parts.row(model, { 0, 0, 0 }, { 2, 0, 0 }, { members = 2 })
+      model:fix(nodes[1])
+      model:velocity(nodes[3], { 0, 0, 0 }, { 3e4, 0, 0 })
+      return model
+    end },
   { "one node and nothing else", says = "no members", dt = 1e-4, steps = 10, make = function(hinge)
       local model = hinge.model {}
       model:node { 0, 0, 0 }

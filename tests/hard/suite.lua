@@ -50,7 +50,7 @@ local function try(scene, setting)
       local options = { duration = scene.dt * scene.steps, record = false }
       options.dt = setting.dt or scene.dt * setting.times
       for k, v in pairs(more or {}) do options[k] = v end
-      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations" } do options[k] = setting[k] end
+      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations" } do options[k] = setting[k] or options[k] end
       run = model:dynamic(options)
       local steps = run.planned_steps
       if setting ~= own and (steps < fewest_steps or steps > most_times_the_steps * scene.steps) then
@@ -70,6 +70,7 @@ local function try(scene, setting)
     run:finish()
     out.seconds = os.clock() - begun
     out.verdict, out.reason, out.steps, out.remainder = run.verdict, run.reason, run.index, at_energy
+    out.moves = run.energy.kinetic / math.max(most, 1e-300)
     out.momentum = before and momentum_error(run, before)
     out.speed = run.fastest and run.fastest.speed
     for _, quantity in ipairs { "ux", "uy", "uz", "vx", "vy", "vz" } do
@@ -94,6 +95,7 @@ local function breach(scene, out)
     return not (out.reason:find "step %d+" and out.reason:find "t = ") and "failed without a step and a time: " .. out.reason or nil
   end
   if out.times == 1 and not out.letter and out.remainder > scene.remainder then return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder) end
+  if scene.rests and out.moves > scene.rests then return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests) end
   if out.remainder > 0.1 then return ("completed with a remainder of %.2g"):format(out.remainder) end
   local bound = scene.momentum and math.max(scene.momentum, 1e-6) * math.max(1, (out.times or 1) ^ 2)
   if out.momentum and out.momentum > bound then return ("momentum off by %.2g, its bound is %.2g"):format(out.momentum, bound) end

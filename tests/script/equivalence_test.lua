@@ -10,7 +10,7 @@ local checks = support.checks "equivalence"
 local plain = {
   place = function(x) return x end, direction = function(v) return v end, -- m
   order = function(list) return list end, length = 1, mass = 1,           -- units of the script in m and kg; s in any
-  options = {},
+  options = {}, declare = function() end, interrupted = false,
 }
 
 local function told(changed) return setmetatable(changed, { __index = plain }) end
@@ -42,9 +42,18 @@ local function simulate(way)
   model:load { node = joints[6], force = vector(9e4, 2e4, 0, newton), history = function(t) return math.min(1, t / 0.01) end }
   model:velocity("bar", vector(0, 0, -30, m), vector(1, 2, 0, 1))
   model:contact { stiffness = 2e8 * newton / m }
+  way.declare(model, joints)
   local options = { dt = 2e-5, duration = 0.03, precision = "double", solver_tolerance = 1e-12, record = false }
   for k, v in pairs(way.options) do options[k] = v end
-  local run = model:dynamic(options):finish()
+  local run = model:dynamic(options)
+  if way.interrupted then
+    local file = os.tmpname()
+    for _ = 1, run.planned_steps // 2 do run:step() end
+    run:checkpoint(file)
+    run = model:dynamic(options):resume(file)
+    os.remove(file)
+  end
+  run:finish()
   checks.expect(run.verdict == "completed", "completed: %s", run.reason)
   local answer = {}
   for i, node in ipairs { joints[4], joints[6], falling[1], falling[2] } do
@@ -100,6 +109,13 @@ same("in mm, t and s", { length = 1e-3, mass = 1e3 }, 1e-10)
 same("in inches and pounds", { length = 0.0254, mass = 0.45359237 }, 1e-10)
 same("direct solver", { options = { solver = "direct" } }, 1e-10)
 same("two threads", { options = { threads = 2 } }, 0)
+same("kept halfway and gone on with", { interrupted = true }, 0)
+same("limits of fracture that nothing reaches", { declare = function(model) model:fracture { curvature_x = 1e3, curvature_y = 1e3, axial_strain = 10 } end }, 0)
+same("a function of fracture that says no", { declare = function(model) model:fracture { rule = function() return false end } end }, 0)
+same("a load of nothing", { declare = function(model, joints) model:load { node = joints[3], force = { 0, 0, 0 } } end }, 0)
+same("a support that is moved by nothing", { declare = function(model, joints) model:move { node = joints[1], x = function() return 0 end } end }, 1e-10)
+same("bodies never left alone", { options = { rest = false } }, 0)
+same("step control that keeps every step", { options = { step_control = 0.5 } }, 1e-10)
 same("single precision in the operator", { options = { precision = "single", solver_tolerance = 1e-8 } }, 1e-8)
 
 checks.done()

@@ -264,6 +264,11 @@ wrong("model:dynamic: field 'rho_infinity' has no meaning with integrator = 'exp
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, rho_infinity = 0.8 } end)
 wrong("model:dynamic: field 'step_control' is 1; must be below 1: the part of the energy turned over that the run may lose, such as 0.01",
   function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = 1 } end)
+wrong("model:dynamic: field 'step_control' needs a ledger that closes, and that of a model with shift = 'whole' cannot; leave it out", function()
+  local model = hinge.model { shift = "whole" }
+  model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1, density = 1 } }
+  model:dynamic { dt = 1e-3, duration = 1, step_control = 0.01 }
+end)
 wrong("model:dynamic: field 'step_control' is -1; must be 0 or above", function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = -1 } end)
 wrong("model:dynamic: field 'beta' is 0; must be above 0", function(s) s.model:dynamic { dt = 1e-5, duration = 1, beta = 0 } end)
 wrong("model:dynamic: field 'threads' is 0; must be a whole number, 1 or above", function(s) s.model:dynamic { dt = 1e-5, duration = 1, threads = 0 } end)

@@ -34,6 +34,19 @@ checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "an
 local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial, "Newton: %s, remainder %g", held.verdict, held.energy.remainder)
 
+-- An element that is twisted towards half a turn, where its frame would jump without a trace in the ledger.
+for _, step_control in ipairs { 0, 0.01 } do
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 } }
+  model:fix(a)
+  model:velocity(b, { 0, 0, 0 }, { 6e4, 0, 0 })
+  local twisted = model:dynamic { dt = 5e-6, duration = 0.01, step_control = step_control, record = false }:finish()
+  checks.expect(support.says(twisted.reason, "step ..., t = ... s: the two ends of element ... of member 1, nodes 1-2 have twisted by 160 degrees against each other, "
+    .. "and at half a turn an element's frame jumps; more elements a member, or fracture, may help" .. (step_control > 0 and "; dt was halved down to ... s, and no shorter step is tried" or "")), "twisted: %s, %s", twisted.verdict, twisted.reason)
+  checks.expect(math.abs(twisted.energy.remainder) < 1e-2 * twisted.energy.initial, "twisted: its ledger closes, %g", twisted.energy.remainder / twisted.energy.initial)
+end
+
 -- Rows of history.csv never go back in time.
 local build = arg[1]
 local folder = os.tmpname()
