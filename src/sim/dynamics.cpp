@@ -376,7 +376,7 @@ void Dynamics::remember() {
 void Dynamics::take_back() {
     for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
     for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
-    take_steps_of(undo_.pace.length);
+    set_length(undo_.pace.length);
     state_.booked = undo_.booked;
     pace_ = undo_.pace;
     restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age, fastest_ = undo_.fastest;

@@ -150,7 +150,7 @@ private:
     void weigh();
     Energy energy_of_trial();
     bool again_shorter();
-    bool halve(const std::string& why);
+    void halve(long tried, const std::string& why);
     double work_of_loads() const;
     double work_of_supports() const;
     void leave_met();
@@ -181,6 +181,7 @@ private:
     void choose_step();
     bool loads_change() const;
     void take_steps_of(long length);
+    void set_length(long length);
     std::vector<Stage> stages_;
     Team team_;
     Sweep sweep_;
@@ -238,8 +239,8 @@ private:
     std::vector<Strained> strained_before_;      ///< in this step
     std::vector<std::vector<int>> rule_elements_;   ///< of each fracture rule; filled when a batch asks
     std::map<std::pair<int, int>, std::optional<contact::ContactSettings>> pair_rules_;   ///< what the script's rule said of two members
-    /// A freedom of a support that moves: where it is now and was one and two steps ago, m; where the step takes it, m, m/s, m/s^2.
-    struct Moved { int node, component; History path; double from = 0, now = 0, before = 0, long_before = 0, next = 0, speed = 0, acceleration = 0, force = 0, next_force = 0; bool begun = false; };
+    /// A freedom of a support that moves: where it is now and was one and two steps ago, m, and how long a step is, s; where the step takes it, m, m/s, m/s^2.
+    struct Moved { int node, component; History path; double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0, force = 0, next_force = 0; bool begun = false; };
     std::vector<Moved> moved_;
     std::unordered_map<int, Mat12> support_parts_;   ///< of the operator, whole, for the elements at moved supports
     // for a step that is taken back because a rule of the script failed

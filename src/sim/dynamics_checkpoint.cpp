@@ -26,7 +26,7 @@ void Dynamics::fields(Self& s, A& a) {
     if (good) a(s.good_->state, s.good_->share);
     for (auto* sleeper : {&s.contact_sleeper_, &s.plasticity_sleeper_}) a(sleeper->awake, sleeper->quiet);
     for (auto& m : s.moved_) {
-        a(m.from, m.now, m.before, m.long_before, m.next, m.speed, m.acceleration, m.force, m.next_force, m.begun);
+        a(m.from, m.now, m.before, m.long_before, m.apart, m.next, m.speed, m.acceleration, m.force, m.next_force, m.begun);
         for (int e : s.structure_->elements_at(m.node)) a(s.support_parts_.at(e));
     }
     if (s.operator_) a(*s.operator_);

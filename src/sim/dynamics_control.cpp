@@ -58,7 +58,8 @@ void Dynamics::weigh() {
         return;
     }
     char what[160];
-    std::snprintf(what, sizeof what, "the step would lose %.3g %% of the energy turned over, its share of step_control is %.3g %%", 100 * lost / turned_over_, 100 * settings_.step_control * of_run);
+    if (!std::isfinite(share)) std::snprintf(what, sizeof what, "its energy would no longer be finite");
+    else std::snprintf(what, sizeof what, "the step would lose %.3g %% of the energy turned over, its share of step_control is %.3g %%", 100 * lost / turned_over_, 100 * settings_.step_control * of_run);
     failure_ = what;
     turned_over_ = before;
 }
@@ -67,8 +68,13 @@ void Dynamics::weigh() {
 bool Dynamics::again_shorter() {
     const std::string why = std::move(failure_);
     failure_.clear();
+    const long tried = pace_.length;
     take_back();
-    if (halve(why)) return remember(), true;
+    if (tried > 1) {
+        halve(tried, why);
+        remember();
+        return true;
+    }
     char finest[80];
     std::snprintf(finest, sizeof finest, "; dt was halved down to %.3g s, and no shorter step is tried", settings_.dt);
     fail(why + finest);

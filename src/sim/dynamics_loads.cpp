@@ -42,10 +42,13 @@ void Dynamics::foresee_supports() {
         if (!m.begun) {
             m.now = state_.displacement[m.node][m.component];
             m.from = m.path(state_.time) - m.now;
-            m.before = m.path(state_.time - dt) - m.from;
-            m.long_before = m.path(state_.time - 2 * dt) - m.from;
             m.force = reaction_[m.node][m.component];
             m.begun = true;
+        }
+        if (m.apart != dt) {
+            m.before = m.path(state_.time - dt) - m.from;
+            m.long_before = m.path(state_.time - 2 * dt) - m.from;
+            m.apart = dt;
         }
         m.next = m.path(state_.time + dt) - m.from;
         m.speed = (3 * m.next - 4 * m.now + m.before) / (2 * dt);

@@ -60,12 +60,15 @@ void Dynamics::take_steps_of(long length) {
     if (std::max(length, pace_.length) > pace_.own)
         note_waking("long steps", length > pace_.own, length > pace_.own ? "nothing yields, breaks or touches" : "back to the shortest");
     else if (length == pace_.own) note_waking("short steps", false, "back to dt");
+    set_length(length);
+}
+
+void Dynamics::set_length(long length) {
+    if (length == pace_.length) return;
     pace_.length = length;
     pace_.least = std::min(pace_.least, length);
     if (length <= pace_.own) pace_.calm = 0;  // what ended the long steps is still ahead, or has just happened
     settings_.dt = pace_.unit * double(length);
-    for (Moved& m : moved_)
-        if (m.begun) m.before = m.path(state_.time - settings_.dt) - m.from, m.long_before = m.path(state_.time - 2 * settings_.dt) - m.from;
     if (operator_) {
         operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
         for (int e = 0; e < int(state_.broken.size()); ++e)
@@ -74,15 +77,13 @@ void Dynamics::take_steps_of(long length) {
     if (in_contact()) place_contact(state_.displacement), renew_couplings(state_.rotation);
 }
 
-/// After a step that was taken back: half as long. False at the finest.
-bool Dynamics::halve(const std::string& why) {
-    if (pace_.length == 1) return false;
-    if (pace_.length == pace_.own) note_waking("short steps", true, why);
+/// After a step of that length was taken back.
+void Dynamics::halve(long tried, const std::string& why) {
     ++pace_.rejected;
-    pace_.easy = 0;
+    pace_.calm = pace_.easy = 0;
     pace_.patience = std::min(2 * pace_.patience, most_patience);
-    take_steps_of(pace_.length > pace_.own ? pace_.own : pace_.length / 2);
-    return true;
+    if (tried == pace_.own) note_waking("short steps", true, why);
+    set_length(tried > pace_.own ? pace_.own : tried / 2);
 }
 
 }  // namespace hinge

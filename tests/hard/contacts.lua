@@ -44,7 +44,7 @@ add("coincident, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0
 scenes[#scenes + 1] = { "500 bars pile up in a bin and come to rest", remainder = 2e-2, dt = 5e-4, steps = 4000, slow = true,
   rests = 0.01, -- of the energy turned over, that still moves at the end
   make = function(hinge)
-    local model = hinge.model {}
+    local model = hinge.model { formulation = "conventional", elements_per_member = 1 }
     local soft = parts.steel { yield_stress = 100e6 }
     local function rail(from, to) model:fix(parts.row(model, from, to, { members = 4, side = 0.07 })) end
     for i = -24, 24 do rail({ 0.1 * i, -2.4, 0 }, { 0.1 * i, 2.4, 0 }) end

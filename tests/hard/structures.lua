@@ -27,6 +27,18 @@ return {
       model:velocity(nodes[5], { 0, 0, 3 })
       return model
     end },
+  { "stiffness 1 to 1e8 and masses 1 to 1e6 in one row", remainder = 1e-2, dt = 1e-5, steps = 1000,
+    make = function(hinge)
+      local model = hinge.model {}
+      local nodes = { model:node { 0, 0, 0 } }
+      for i, material in ipairs { {}, { E = 2060 }, { density = 7.85e-3 }, { E = 2060, density = 7.85e-3 }, {} } do
+        nodes[i + 1] = model:node { i, 0, 0 }
+        model:member { nodes[i], nodes[i + 1], section = parts.square(0.05), material = parts.steel(material) }
+      end
+      model:fix(nodes[1])
+      model:velocity(nodes[6], { 0.2, 0, 1 })
+      return model
+    end },
   { "1:2000 in compression, three times Euler's load", remainder = 2e-2, dt = 1e-3, steps = 2000,
     make = function(hinge)
       local model = hinge.model {}

@@ -15,7 +15,7 @@ local settings = {
   { "1/4", times = 0.25 }, { "1/2", times = 0.5 }, { "2", times = 2 }, { "4", times = 4 }, { "8", times = 8 },
   { "8 control", times = 8, step_control = 0.01 }, { "64 control", times = 64, step_control = 0.01 }, { "8 damped", times = 8, rho_infinity = 0.8 },
   { "letter", times = 1, predictor = "displacement", iterations = 1 }, -- eq 15 as printed, one solve a step
-  { "auto", dt = "auto" },
+  { "auto", dt = "auto" }, { "explicit", dt = "auto", integrator = "explicit" },
 }
 local fewest_steps, most_times_the_steps = 4, 20 -- outside of these a setting is not tried
 
@@ -50,7 +50,8 @@ local function try(scene, setting)
       local options = { duration = scene.dt * scene.steps, record = false }
       options.dt = setting.dt or scene.dt * setting.times
       for k, v in pairs(more or {}) do options[k] = v end
-      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations" } do options[k] = setting[k] or options[k] end
+      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations", "integrator" } do options[k] = setting[k] or options[k] end
+      if setting.integrator then options.rho_infinity, options.tolerance = nil, nil end
       run = model:dynamic(options)
       local steps = run.planned_steps
       if setting ~= own and (steps < fewest_steps or steps > most_times_the_steps * scene.steps) then
@@ -103,6 +104,7 @@ end
 
 local function held(scene, out) return not (scene.names or scene.says) and out.verdict == "completed" and out.remainder <= math.max(scene.remainder, 0.02) end
 
+local letter = {} -- where eq 15 to the letter does not hold
 local scenes, breaches, count, holding, tried = {}, {}, 0, {}, {}
 for _, file in ipairs { "structures", "breaking", "contacts" } do table.move(require(file), 1, 999, #scenes + 1, scenes) end
 
@@ -133,10 +135,12 @@ for _, scene in ipairs(scenes) do
     local function number(x) return x and ("%9.1e"):format(x) or "" end
     local row = { ("%-58s %8s %9s %9s %8s  %-9s"):format(scene[1], first.steps or "", number(first.remainder), number(first.momentum),
       first.speed and ("%.3g"):format(first.speed) or "", first.verdict) }
-    if not (quick or scene.static or scene.says or scene.slow and wanted == "") then
+    if not (quick or scene.static or scene.says) then
       local cheapest, of = first.holds and first, own
       for _, setting in ipairs(settings) do
-        local out = judge(scene, setting)
+        local too_long = scene.slow and wanted == "" and (setting.times or 0) < 2
+        local out = not too_long and judge(scene, setting) or nil
+        if out and out.letter and not out.holds then letter[#letter + 1] = ("%s: %s"):format(scene[1], out.reason ~= "" and out.reason or ("remainder %.2g"):format(out.remainder)) end
         row[#row + 1] = ("%11s"):format(mark(out))
         if out and out.holds and (not cheapest or out.seconds < cheapest.seconds) then cheapest, of = out, setting end
       end
@@ -154,6 +158,8 @@ if not quick then
   for i, setting in ipairs(settings) do shares[i] = ("%s: %d of %d"):format(setting[1], holding[setting] or 0, tried[setting] or 0) end
   print("in other settings " .. table.concat(shares, ", ") .. "; the others ended by themselves or were refused")
 end
+if #letter > 0 then print "eq 15 to the letter, one solve a step from du = 0, does not hold in" end
+for _, l in ipairs(letter) do print("  " .. l:gsub("%. The state.*", "")) end
 for _, b in ipairs(breaches) do print("  breach: " .. b) end
 print(#breaches == 0 and "the rule holds" or ("the rule is broken %d times"):format(#breaches))
 os.exit(#breaches == 0)
