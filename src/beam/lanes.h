@@ -63,20 +63,21 @@ inline bool any_not_below(const Lanes& a, double limit) {
 
 /// Rows and columns of eight vectors change places.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
-    using Index = long __attribute__((vector_size(sizeof(Lanes))));
-    constexpr Index even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
-    constexpr Index first = {0, 1, 8, 9, 4, 5, 12, 13}, second = {2, 3, 10, 11, 6, 7, 14, 15};
-    constexpr Index low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
-    const auto half = [&](const Index& pick, int column) {  // columns `column`, + 2, + 4, + 6
-        const Lanes a = __builtin_shuffle(r[0], r[1], pick), b = __builtin_shuffle(r[2], r[3], pick), c = __builtin_shuffle(r[4], r[5], pick), d = __builtin_shuffle(r[6], r[7], pick);
-        const Lanes ab = __builtin_shuffle(a, b, first), cd = __builtin_shuffle(c, d, first), ab2 = __builtin_shuffle(a, b, second), cd2 = __builtin_shuffle(c, d, second);
-        out[column] = __builtin_shuffle(ab, cd, low);
-        out[column + 2] = __builtin_shuffle(ab2, cd2, low);
-        out[column + 4] = __builtin_shuffle(ab, cd, high);
-        out[column + 6] = __builtin_shuffle(ab2, cd2, high);
+    const auto half = [&]<int c>() {  // columns c, c + 2, c + 4, c + 6
+        const auto pick = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, c, c + 8, c + 2, c + 10, c + 4, c + 12, c + 6, c + 14); };
+        const auto first = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); };
+        const auto second = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); };
+        const auto low = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11); };
+        const auto high = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15); };
+        const Lanes rows01 = pick(r[0], r[1]), rows23 = pick(r[2], r[3]), rows45 = pick(r[4], r[5]), rows67 = pick(r[6], r[7]);
+        const Lanes upper = first(rows01, rows23), lower = first(rows45, rows67), upper2 = second(rows01, rows23), lower2 = second(rows45, rows67);
+        out[c] = low(upper, lower);
+        out[c + 2] = low(upper2, lower2);
+        out[c + 4] = high(upper, lower);
+        out[c + 6] = high(upper2, lower2);
     };
-    half(even, 0);
-    half(odd, 1);
+    half.template operator()<0>();
+    half.template operator()<1>();
 }
 
 /// The first n of the numbers at p, zeros behind them; and back.

@@ -131,7 +131,7 @@ void Finder::unjoined() {
     for (const auto& [i, j] : pairs) {
         if (j >= members) continue;
         const Vec3 along = (end(i, 1) - end(i, 0)).normalized();
-        const auto offset = [&](int side) { const Vec3 d = end(j, side) - end(i, 0); return (d - d.dot(along) * along).norm(); };
+        const auto offset = [&, i = i, j = j](int side) { const Vec3 d = end(j, side) - end(i, 0); return (d - d.dot(along) * along).norm(); };
         if (offset(0) > close || offset(1) > close) continue;
         const double a = (end(j, 0) - end(i, 0)).dot(along), b = (end(j, 1) - end(i, 0)).dot(along);
         const double stretch = std::min(length(i), std::max(a, b)) - std::max(0.0, std::min(a, b));
@@ -151,7 +151,7 @@ void Finder::unjoined() {
         }
         const Vec3 span = end(i, 1) - end(i, 0), d = position(n) - end(i, 0);
         const double share = d.dot(span) / span.squaredNorm(), margin = 10 * close / span.norm();
-        const auto lies_on = [&](int member) { return on_each_other.count({i, member}) > 0; };
+        const auto lies_on = [&, i = i](int member) { return on_each_other.count({i, member}) > 0; };
         if (share < margin || share > 1 - margin || (d - share * span).norm() > close || std::any_of(members_at[n].begin(), members_at[n].end(), lies_on)) continue;
         tell("through", name(i) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) + ", but is not joined to it",
              "let two members meet there, or move the node", member_line(i));

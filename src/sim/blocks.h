@@ -68,15 +68,15 @@ inline Wide times(const Number* B, const double* x) {
 /// B^T x; x is masked: its last two numbers are zero.
 template <class Number>
 inline Wide times_transposed(const Number* B, const Wide& x) {
-    using Lanes = long __attribute__((vector_size(64)));
     const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x, p4 = load(B + 24) * x, p5 = load(B + 30) * x;
-    constexpr Lanes even = {0, 8, 2, 10, 4, 12, 6, 14}, odd = {1, 9, 3, 11, 5, 13, 7, 15};
-    const Wide s01 = __builtin_shuffle(p0, p1, even) + __builtin_shuffle(p0, p1, odd), s23 = __builtin_shuffle(p2, p3, even) + __builtin_shuffle(p2, p3, odd),
-               s45 = __builtin_shuffle(p4, p5, even) + __builtin_shuffle(p4, p5, odd);
-    constexpr Lanes low = {0, 1, 8, 9, 4, 5, 12, 13}, high = {2, 3, 10, 11, 6, 7, 14, 15};
-    const Wide q = __builtin_shuffle(s01, s23, low) + __builtin_shuffle(s01, s23, high), r = __builtin_shuffle(s45, s45, low) + __builtin_shuffle(s45, s45, high);
-    constexpr Lanes first = {0, 1, 2, 3, 8, 9, 8, 9}, second = {4, 5, 6, 7, 12, 13, 12, 13};
-    return __builtin_shuffle(q, r, first) + __builtin_shuffle(q, r, second);
+    const auto by_twos = [](const Wide& a, const Wide& b) {
+        return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) + __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    };
+    const auto by_fours = [](const Wide& a, const Wide& b) {
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) + __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    };
+    const Wide s45 = by_twos(p4, p5), q = by_fours(by_twos(p0, p1), by_twos(p2, p3)), r = by_fours(s45, s45);
+    return __builtin_shufflevector(q, r, 0, 1, 2, 3, 8, 9, 8, 9) + __builtin_shufflevector(q, r, 4, 5, 6, 7, 12, 13, 12, 13);
 }
 
 /// The inverse of a symmetric positive matrix from its 3x3 quarters, which Eigen inverts without loops.

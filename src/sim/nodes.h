@@ -13,9 +13,6 @@ using beam::store_row;
 inline constexpr int some_nodes = 1024;
 
 /// Numbers 3 to 5 of a row, in front.
-inline Lanes second_three(const Lanes& row) {
-    constexpr long __attribute__((vector_size(64))) from = {3, 4, 5, 6, 7, 0, 1, 2};
-    return __builtin_shuffle(row, from);
-}
+inline Lanes second_three(const Lanes& row) { return __builtin_shufflevector(row, row, 3, 4, 5, 6, 7, 0, 1, 2); }
 
 }  // namespace hinge
