@@ -111,8 +111,8 @@ inline void store_row(double* p, const Lanes& v) {
 /// Adds the first six to those at p, four and two at a time: a masked store would have to leave the core before the next element
 /// on the same node could read it.
 inline void add_six(double* p, const Lanes& v) {
-    using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
-    using Two = double __attribute__((vector_size(16), aligned(8), may_alias));
+    using Four __attribute__((vector_size(32), aligned(8), may_alias)) = double;
+    using Two __attribute__((vector_size(16), aligned(8), may_alias)) = double;
     *reinterpret_cast<Four*>(p) += Four{v[0], v[1], v[2], v[3]};
     *reinterpret_cast<Two*>(p + 4) += Two{v[4], v[5]};
 }

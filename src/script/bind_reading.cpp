@@ -25,7 +25,7 @@ std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model) {
 
 std::pair<int, int> elements_of(const Structure& structure, int member) {
     const auto& all = structure.elements();
-    const auto [first, end] = std::ranges::equal_range(all, member, {}, &Element::member);
+    const auto first = std::ranges::lower_bound(all, member, {}, &Element::member), end = std::ranges::upper_bound(first, all.end(), member, {}, &Element::member);
     return {int(first - all.begin()), int(end - all.begin())};
 }
 

@@ -12,7 +12,7 @@ namespace hinge::blocks {
 
 /// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are masked out.
 /// Arrays end with room for two more.
-using Wide = double __attribute__((vector_size(64), aligned(8), may_alias));
+using Wide __attribute__((vector_size(64), aligned(8), may_alias)) = double;  // this order: clang passes over aligned() in the other
 constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 
 /// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight over
@@ -25,7 +25,7 @@ inline Wide load(const float* p) {
 #ifdef __AVX512F__
     return reinterpret_cast<Wide>(_mm512_cvtps_pd(_mm256_loadu_ps(p)));  // the compiler makes two halves of it
 #endif
-    using Narrow = float __attribute__((vector_size(32), aligned(4), may_alias));
+    using Narrow __attribute__((vector_size(32), aligned(4), may_alias)) = float;
     return __builtin_convertvector(*reinterpret_cast<const Narrow*>(p), Wide);
 }
 /// Six numbers with nothing behind them.

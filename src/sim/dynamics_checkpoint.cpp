@@ -88,11 +88,13 @@ bool Dynamics::makes_sense() const {
     const auto state = [&](const State& s) {
         return hinge::makes_sense(s, *structure_) && s.strained.size() == state_.strained.size() && s.kept.size() == state_.kept.size();
     };
-    return state(state_) && (!good_ || state(good_->state)) && verdict_ >= Verdict::running && verdict_ <= Verdict::failed && pace_.length >= 1 && pace_.done >= 0 &&
-           pace_.done <= pace_.whole && pace_.least >= 1 && settings_.dt == pace_.unit * double(pace_.length) && int(external_.size()) == nodes && int(change_.size()) == nodes &&
-           int(force_.size()) == elements && all(held_nodes_, within(nodes)) && all(watched_, element) && all(yielding_, element) && all(hinges_, element) &&
-           long_as(hung_built_, nodes) && (settings_.alpha() == 0 ? met_.empty() : int(met_.size()) == nodes) && stub_rate_.size() <= state_.hung.size() && (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && all(weight_at_rest_, node_key) &&
-           all(reaction_, node_key) && fastest_.node < nodes;
+    const bool states = state(state_) && (verdict_ == Verdict::failed || is_finite(state_)) && (!good_ || (state(good_->state) && is_finite(good_->state)));
+    const bool pace = pace_.length >= 1 && pace_.least >= 1 && pace_.done >= 0 && pace_.done <= pace_.whole && settings_.dt == pace_.unit * double(pace_.length);
+    const bool lengths = int(external_.size()) == nodes && int(change_.size()) == nodes && int(force_.size()) == elements && long_as(hung_built_, nodes) &&
+                         (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && stub_rate_.size() <= state_.hung.size() &&
+                         int(met_.size()) == (settings_.alpha() == 0 ? 0 : nodes);
+    return states && pace && lengths && verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(held_nodes_, within(nodes)) && all(watched_, element) &&
+           all(yielding_, element) && all(hinges_, element) && all(weight_at_rest_, node_key) && all(reaction_, node_key) && fastest_.node < nodes;
 }
 
 }  // namespace hinge

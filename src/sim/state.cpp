@@ -1,6 +1,7 @@
 #include "sim/state.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace hinge {
@@ -42,6 +43,21 @@ bool makes_sense(const State& s, const Structure& structure) {
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
     return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
            std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) && (!any_broken || (!s.hung.empty() && !s.stub.empty()));
+}
+
+bool is_finite(const State& s) {
+    const auto finite = [](double x) { return std::isfinite(x); };
+    const Booked& b = s.booked;
+    bool good = true;
+    for (double x : {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical}) good = good && finite(x);
+    State::for_each_field(s, [&](const char*, const auto& array) {
+        if (static_cast<const void*>(&array) == &s.kept) return;  // a rule of the script may keep what it likes
+        if constexpr (sizeof(array[0]) > 1) {  // doubles or made of them; else bytes
+            const auto* first = reinterpret_cast<const double*>(array.data());
+            good = good && std::all_of(first, first + array.size() * sizeof(array[0]) / sizeof(double), finite);
+        }
+    });
+    return good;
 }
 
 std::uint64_t hash(const State& state) {

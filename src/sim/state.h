@@ -84,6 +84,7 @@ State initial_state(const Structure& structure);
 
 /// Whether what was read can be a state of the structure: each array as long as it must be, nothing that refers beyond it.
 bool makes_sense(const State& state, const Structure& structure);
+bool is_finite(const State& state);   ///< each of its numbers
 
 /// A hash of every array: equal states have equal hashes, whatever the machine's thread count.
 std::uint64_t hash(const State& state);
