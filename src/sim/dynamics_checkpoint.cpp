@@ -9,6 +9,11 @@
 #include "sim/dynamics.h"
 
 namespace hinge {
+namespace {
+
+constexpr int most_counted = 1 << 29;   ///< of what a run counts step by step
+
+}  // namespace
 
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
@@ -89,7 +94,9 @@ bool Dynamics::makes_sense() const {
         return hinge::makes_sense(s, *structure_) && s.strained.size() == state_.strained.size() && s.kept.size() == state_.kept.size();
     };
     const bool states = state(state_) && (verdict_ == Verdict::failed || is_finite(state_)) && (!good_ || (state(good_->state) && is_finite(good_->state)));
-    const bool pace = pace_.length >= 1 && pace_.least >= 1 && pace_.done >= 0 && pace_.done <= pace_.whole && settings_.dt == pace_.unit * double(pace_.length);
+    const auto counts = [](int n) { return n >= 0 && n <= most_counted; };
+    const bool pace = counts(pace_.calm) && counts(pace_.easy) && counts(pace_.patience) &&
+                      pace_.length >= 1 && pace_.least >= 1 && pace_.done >= 0 && pace_.done <= pace_.whole && settings_.dt == pace_.unit * double(pace_.length);
     const bool lengths = int(external_.size()) == nodes && int(change_.size()) == nodes && int(force_.size()) == elements && long_as(hung_built_, nodes) &&
                          (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && stub_rate_.size() <= state_.hung.size() &&
                          int(met_.size()) == (settings_.alpha() == 0 ? 0 : nodes);

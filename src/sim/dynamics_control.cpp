@@ -11,6 +11,7 @@ namespace hinge {
 namespace {
 
 constexpr double most_turn = 0.5;    ///< rad: of a node in a step
+constexpr int most_easy = 1 << 20;   ///< more is not counted
 constexpr double advance_part = 0.1; ///< of what may be lost, there from the beginning
 
 }  // namespace
@@ -54,7 +55,7 @@ void Dynamics::weigh() {
     const bool within = std::abs(energy.remainder) <= may * (advance_part + (1 - advance_part) * (so_far + of_run));
     if (share == 0 || (std::isfinite(share) && (within || lost <= may * of_run))) {
         kept_remainder_ = energy.remainder;
-        pace_.easy = lost <= 0.25 * may * of_run || std::abs(energy.remainder) <= 0.5 * may * (advance_part + (1 - advance_part) * so_far) ? pace_.easy + 1 : 0;
+        pace_.easy = lost <= 0.25 * may * of_run || std::abs(energy.remainder) <= 0.5 * may * (advance_part + (1 - advance_part) * so_far) ? std::min(pace_.easy + 1, most_easy) : 0;
         return;
     }
     char what[160];
