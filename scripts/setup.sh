@@ -4,6 +4,7 @@
 set -euo pipefail
 root=$(CDPATH='' cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build
+options=()  # of cmake, beside the mode
 
 # What each is for stands in README.md.
 packages=(g++ cmake ninja-build libeigen3-dev liblua5.4-dev lua5.4 catch2 libvtk9-dev nlohmann-json3-dev libcli11-dev
@@ -48,7 +49,7 @@ build_targets() {
   { mkdir -p "$build" && [ -w "$build" ]; } 2>/dev/null ||
     stop "cannot write to $build; copy the repository to a folder you may write to"
   exec 9>"$build/.lock" && flock 9  # two of these at once would build over each other
-  configured || cmake --fresh -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release || stop "cmake failed; see above"
+  configured || cmake --fresh -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}" || stop "cmake failed; see above"
   cmake --build "$build" --parallel "$(nproc)" --target "$@" || stop "the build failed; see above"
   exec 9>&-
 }

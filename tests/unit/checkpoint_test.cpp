@@ -113,6 +113,18 @@ TEST_CASE("checkpoint: contents that make no sense are refused, and the run is a
     }
 }
 
+TEST_CASE("checkpoint: a state with a number that is not finite is refused", "[checkpoint]") {
+    const Crash crash(false);
+    Dynamics run = crash.start();
+    const std::string good = saved(run);
+    for (double number : {infinite, -infinite, std::nan("")}) {
+        std::string bytes = good;
+        std::memcpy(&bytes[8], &number, sizeof number);  // behind their count, the first displacement
+        CHECK_THROWS_AS(run.restore(bytes), Damaged);
+        CHECK((saved(run) == good));
+    }
+}
+
 TEST_CASE("checkpoint: one of another model or other settings is told by its parts", "[checkpoint]") {
     const Crash crash(false), faster(false, 61);
     const std::string bytes = checkpoint_of(crash.start());
