@@ -11,13 +11,16 @@ local bar, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.mat
 local function share(run) return math.abs(run.energy.remainder) / run.energy.initial end
 
 -- A bar that turns by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
-local function turning(options)
+local function bar_in_flight()
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = bar, material = steel, group = "bar" }
   model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
+  return model
+end
+local function turning(options)
   options.dt, options.duration, options.iterations, options.record = 1e-4, 0.05, 1, false
-  return model:dynamic(options)
+  return bar_in_flight():dynamic(options)
 end
 local dt = 1e-4
 local run, last, told = turning { step_control = 0.01 }, 0, 0
@@ -126,8 +129,15 @@ do
   equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
 end
 
--- dt = "auto" has it by itself.
-local effects = turning({ step_control = 0.02 }).effects
-expect(effects[1].because:find("halved where one would lose more than its share of 2 % of the energy", 1, true), "the plan says so: %s", effects[1].because)
+-- dt = "auto" has it by itself, and only that.
+do
+  local text = "halved where one would lose more than its share of "
+  local function said(options) return bar_in_flight():dynamic(options).effects[1].because end
+  expect(said { dt = "auto", duration = 1e-3 }:find(text .. "1 %", 1, true), "auto: %s", said { dt = "auto", duration = 1e-3 })
+  expect(said { dt = 1e-5, duration = 1e-3, step_control = 0.02 }:find(text .. "2 %", 1, true), "as told")
+  for _, none in ipairs { { dt = "auto", duration = 1e-3, step_control = 0 }, { dt = 1e-5, duration = 1e-3 }, { dt = "auto", duration = 1e-3, integrator = "explicit" } } do
+    expect(not said(none):find(text, 1, true), "not there: %s", said(none))
+  end
+end
 
 checks.done()
