@@ -47,7 +47,7 @@ end
 
 --- The exit status that a verdict means; why a run failed goes to stderr.
 function runner.status(verdict, reason)
-  if verdict == "failed" then io.stderr:write("hinge: the run failed: ", tostring(reason), "\n") end
+  if verdict == "failed" then io.stderr:write("hinge: the run failed: " .. tostring(reason) .. "\n") end
   return verdict == "failed" and run_failed or done
 end
 
@@ -77,7 +77,7 @@ local function plan_script(options)
   if ok and described == 0 then say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated")) end
   if ok then return done end
   if described == 0 or checking and failure.kind == "input" then
-    io.stderr:write("hinge: ", failure.text, "\n")
+    io.stderr:write("hinge: " .. failure.text .. "\n")
     return failure.status
   end
   say(("the script was followed as far as it goes without results (%s)"):format(failure.text:match("^[^\n]*")))
@@ -115,7 +115,7 @@ function runner.guard(f, memory)
   elseif type(result) ~= "table" then -- the error stumbled over itself
     result = { status = wrong_input, text = tostring(result) }
   end
-  io.stderr:write("hinge: ", result.text, "\n")
+  io.stderr:write("hinge: " .. result.text .. "\n") -- one write: what a terminal echoes meanwhile does not come between
   return result.status
 end
 
