@@ -19,7 +19,7 @@ local function pull(rule)
   local held, pulled = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(held, "all")
   local member = model:member { held, pulled, section = rod, material = glass, elements = 8 }
-  model:move { node = pulled, x = function(t) return t > 0 and acceleration * t ^ 2 / 2 or 0 end }
+  model:move { node = pulled, x = function(t) return acceleration * t ^ 2 / 2 end }
   model:fracture(rule)
   local run = model:dynamic { dt = 1e-5, duration = 0.025 }:finish()
   local _, _, time = member:state()

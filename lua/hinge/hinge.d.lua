@@ -252,8 +252,9 @@ function model:member(options) end
 function model:load(options) end
 
 ---Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run begins. Velocity and
----acceleration follow by differences over the last steps, so a path should be smooth; it is asked for two steps before the
----start too. The work that it does is in the ledger. In statics the supports stand still.
+---acceleration follow by differences over the last steps; before the run a support moved as the state says that it begins from, or
+---stood still. A path may set off and stop at once, which is a blow. The work that supports do is in the ledger. In statics they
+---stand still.
 ---@param options { node: hinge.node|hinge.node[], x?: fun(time: number): number|number[][], y?: fun(time: number): number|number[][], z?: fun(time: number): number|number[][] } displacement, m, over time, s: a function, or points { { time, displacement }, ... }
 function model:move(options) end
 

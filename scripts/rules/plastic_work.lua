@@ -20,7 +20,7 @@ local model = hinge.model { displacement = "small" }
 local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
 model:fix(wall, "all")
 local member = model:member { wall, tip, section = bar, material = steel }
-model:move { node = tip, z = function(t) return t > 0 and sway * (1 - math.cos(2 * math.pi * t / period)) / 2 or 0 end }
+model:move { node = tip, z = function(t) return sway * (1 - math.cos(2 * math.pi * t / period)) / 2 end }
 
 local worst = 0
 model:fracture {

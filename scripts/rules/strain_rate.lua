@@ -33,7 +33,6 @@ local function pull(rate)
   local member = model:member { held, pulled, section = rod, material = glass, elements = 4 }
   local speed, start = rate * L, 0.1 * e0 / rate
   model:move { node = pulled, x = function(t)
-    if t <= 0 then return 0 end
     local part = t / start
     return speed * (part < 1 and start * (part ^ 3 - part ^ 4 / 2) or t - start / 2)
   end }

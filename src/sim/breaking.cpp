@@ -139,7 +139,11 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
     for (std::size_t i = 0; i < impulse.size(); ++i)
         for (int c = 0; c < 6; ++c)
-            if (state.held[i] >> c & 1) impulse[i][c] = 0;  // the support takes it
+            if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
+                state.booked.work -= impulse[i][c] * state.velocity[i][c];
+                state.booked.fracture_kinetic -= impulse[i][c] * state.velocity[i][c];
+                impulse[i][c] = 0;
+            }
     std::vector<Vec6> change;
     mass.solve(impulse, change, state, 1e-13);
     double cost = 0;

@@ -344,7 +344,9 @@ void Dynamics::commit() {
     take_up_ = false;
     if (built::fracture && !to_break_.empty()) {
         renew_mass(pose_of(state_));
+        const double before = work_on_momentum(state_.velocity);
         pass_on(state_, *mass_, right_);
+        state_.booked.work += work_on_momentum(state_.velocity) - before;
         if (with_contact()) {
             list_bars();
             place_contact(state_.displacement);

@@ -123,7 +123,7 @@ private:
     void move_supports();
     void meet_supports();
     void book_supports();
-    struct Kick { double square = 0, linear = 0; };
+    struct Kick { double square = 0, linear = 0, by_supports = 0; };
     Kick kick(const std::vector<Vec6>& impulse);
     void add_missed(const std::vector<Vec6>& impulse, double work);
     double give_back(const contact::LetGo& bond);
@@ -242,6 +242,8 @@ private:
     /// A freedom of a support that moves: where it is now and was one and two steps ago, m, and how long a step is, s; where the step takes it, m, m/s, m/s^2.
     struct Moved { int node, component; History path; double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0, force = 0, next_force = 0; bool begun = false; };
     std::vector<Moved> moved_;
+    double momentum_at(const Moved& m, const std::vector<Vec6>& of, bool stubs = true) const;
+    double work_on_momentum(const std::vector<Vec6>& velocity) const;
     std::unordered_map<int, Mat12> support_parts_;   ///< of the operator, whole, for the elements at moved supports
     // for a step that is taken back because a rule of the script failed
     bool has_rules_ = false;

@@ -64,6 +64,7 @@ void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
         const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
         if (std::abs(exact - 1) < 0.5) x = exact;
     }
+    state_.booked.work += x * k.by_supports;
     for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
 }
 
@@ -92,6 +93,7 @@ double Dynamics::give_back(const contact::LetGo& bond) {
     const double energy = std::max(0.0, bond.energy + held_back);
     const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
     const double x = (-k.linear + std::copysign(root, opening)) / (2 * k.square);
+    state_.booked.work += x * k.by_supports;
     for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
     return bond.energy;
 }

@@ -25,7 +25,7 @@ void Dynamics::leave_met() {
     numerical_ = dissipated();
 }
 
-/// The work by the trapezium rule of what the forces met, less the change of the kinetic energy. With b and b' met, V the mean velocity,
+/// The work by the trapezium rule of what the forces met, less the change of the kinetic energy. With b and b' met, V = v + dv/2,
 /// dv = dt ((1 - gamma) a + gamma a') and du = dt V + dt^2 (beta - gamma/2) (a' - a) that is
 /// dt V . M ((b + b')/2 - (1 - gamma) a - gamma a') + dt^2 (beta - gamma/2) (b + b')/2 . M (a' - a).
 double Dynamics::dissipated() const {
@@ -34,7 +34,8 @@ double Dynamics::dissipated() const {
     const auto at = [&](int n) {
         const Vec6 &a = state_.acceleration[n], &next = trial_.acceleration[n];
         const Vec6 met = 0.5 * (met_[n] + next_met_[n]);
-        return AtNode{0.5 * dt * (state_.velocity[n] + trial_.velocity[n]), met - (1 - gamma) * a - gamma * next, c * met, next - a};
+        const Vec6 rate = (1 - gamma) * a + gamma * next;
+        return AtNode{dt * (state_.velocity[n] + 0.5 * dt * rate), met - rate, c * met, next - a};
     };
     double sum = 0;
     for (std::size_t i = 0; i < structure_->elements().size(); ++i) {

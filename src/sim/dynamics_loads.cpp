@@ -42,7 +42,6 @@ void Dynamics::foresee_supports() {
         if (!m.begun) {
             m.now = state_.displacement[m.node][m.component];
             m.from = m.path(state_.time) - m.now;
-            m.force = reaction_[m.node][m.component];
             m.begun = true;
         }
         if (m.apart != dt) {
@@ -78,15 +77,50 @@ void Dynamics::meet_supports() {
                 change << change_[element.node[0]], change_[element.node[1]];
                 force += support_parts_.at(e).row((element.node[0] == m.node ? 0 : 6) + m.component).dot(change);
             }
-        else force += lumped_mass_[m.node] * m.acceleration;
+        else force += momentum_at(m, trial_.acceleration, false);
         m.next_force = force;
     }
 }
 
-double Dynamics::work_of_supports() const {
+/// The row of M of a support's freedom, times such a value of each node; with or without the stubs that hang on it.
+double Dynamics::momentum_at(const Moved& m, const std::vector<Vec6>& of, bool stubs) const {
+    const int c = m.component;
+    double sum = stubs && !state_.hung.empty() ? state_.hung[m.node].mass * of[m.node][c] : 0;
+    for (int e : structure_->elements_at(m.node)) {
+        if (state_.broken[e]) continue;
+        const Element& element = structure_->elements()[e];
+        const int end = element.node[0] == m.node ? 0 : 1;
+        const beam::Inertia inertia = structure_->inertia(e);
+        sum += inertia.own[end] * of[m.node][c] + inertia.across * of[element.node[1 - end]][c];
+    }
+    return sum;
+}
+
+/// What supports do as the nodes get such a velocity at once, and theirs stays.
+double Dynamics::work_on_momentum(const std::vector<Vec6>& velocity) const {
     double work = 0;
     for (const Moved& m : moved_)
-        if (!state_.gone[m.node]) work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
+        if (!state_.gone[m.node]) work += state_.velocity[m.node][m.component] * momentum_at(m, velocity);
+    return work;
+}
+
+/// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what they do beyond that,
+/// so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean velocity, dv_N as Newmark has it and b the mean
+/// acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M b).
+double Dynamics::work_of_supports() const {
+    const double dt = settings_.dt, beta = settings_.beta, gamma = settings_.gamma();
+    const bool damped = settings_.alpha() != 0;
+    double work = 0;
+    for (const Moved& m : moved_) {
+        if (state_.gone[m.node]) continue;
+        work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
+        const double v = state_.velocity[m.node][m.component], a = state_.acceleration[m.node][m.component], next_a = trial_.acceleration[m.node][m.component];
+        const double j = m.speed - v - dt * ((1 - gamma) * a + gamma * next_a), k = m.next - m.now - dt * v - dt * dt * ((0.5 - beta) * a + beta * next_a);
+        const double mv = 0.5 * (momentum_at(m, state_.velocity) + momentum_at(m, trial_.velocity));
+        const double mdv = dt * ((1 - gamma) * momentum_at(m, state_.acceleration) + gamma * momentum_at(m, trial_.acceleration));
+        const double mb = 0.5 * (momentum_at(m, damped ? met_ : state_.acceleration) + momentum_at(m, damped ? next_met_ : trial_.acceleration));
+        work += j * mv + 0.5 * j * mdv - k * mb;
+    }
     return work;
 }
 

@@ -16,7 +16,11 @@ constexpr double hung_turn = 1 - 5e-7;
 /// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a step
 /// of a force that is no longer there would go into the velocities.
 void Dynamics::find_acceleration() {
+    std::vector<double> given;   // of the supports that move
+    for (const Moved& m : moved_) given.push_back(state_.acceleration[m.node][m.component]);
+    const auto give = [&] { for (std::size_t i = 0; i < moved_.size(); ++i) state_.acceleration[moved_[i].node][moved_[i].component] = given[i]; };
     for (Vec6& a : state_.acceleration) a.setZero();
+    give();
     trial_ = pose_of(state_);
     iteration_ = 0;
     recover();
@@ -25,6 +29,9 @@ void Dynamics::find_acceleration() {
     for (std::size_t i = 0; i < nodal_.size(); ++i) nodal_[i] = external_[i] - nodal_[i];
     take_reactions(nodal_);
     mass_->solve(nodal_, state_.acceleration, state_, 1e-12);
+    if (explicit_steps()) give();   // else the support's own mass is in its reaction
+    for (Moved& m : moved_) m.force = reaction_[m.node][m.component] + momentum_at(m, state_.acceleration, false);
+    give();
     yielding_.clear();
     restart_ = false;
     if (settings_.alpha() != 0) met_ = state_.acceleration;
@@ -40,19 +47,19 @@ void Dynamics::renew_mass(const Pose& pose) {
     mass_stale_.clear();
 }
 
-/// change_ = M^-1 impulse, and what x times it does to the kinetic energy: square x^2 + linear x.
+/// change_ = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to it.
 Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
+    Kick out;
     right_ = impulse;
-    for (std::size_t i = 0; i < right_.size(); ++i)
+    for (std::size_t i = 0; i < right_.size(); ++i) {
+        out.linear += right_[i].dot(trial_.velocity[i]);
         for (int c = 0; c < 6; ++c)
-            if (state_.held[i] >> c & 1) right_[i][c] = 0;
+            if (state_.held[i] >> c & 1) out.by_supports -= right_[i][c] * trial_.velocity[i][c], right_[i][c] = 0;
+    }
     renew_mass(trial_);
     mass_->solve(right_, change_, state_, 1e-10);
-    Kick out;
-    for (std::size_t i = 0; i < right_.size(); ++i) {
-        out.square += 0.5 * right_[i].dot(change_[i]);
-        out.linear += right_[i].dot(trial_.velocity[i]);
-    }
+    for (std::size_t i = 0; i < right_.size(); ++i) out.square += 0.5 * right_[i].dot(change_[i]);
+    for (const Moved& m : moved_) out.by_supports += trial_.velocity[m.node][m.component] * momentum_at(m, change_);
     return out;
 }
 

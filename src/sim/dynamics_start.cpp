@@ -43,7 +43,8 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const ContactRule& rule : model.contact()) has_rules_ = has_rules_ || rule.pairs || rule.on_touch || rule.on_release;
     for (const NodalLoad& load : model.loads()) has_rules_ = has_rules_ || load.follows_state() || load.history;
     for (const SupportMotion& m : model.motions()) {
-        moved_.push_back({m.node, m.component, m.displacement});
+        const double begin = state_.time, speed = state_.velocity[m.node][m.component];
+        moved_.push_back({m.node, m.component, [path = m.displacement, begin, speed](double t) { return t < begin ? path(begin) + speed * (t - begin) : path(t); }});
         for (int e : structure_->elements_at(m.node)) support_parts_[e] = Mat12::Zero();
         has_rules_ = true;
     }

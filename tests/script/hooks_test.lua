@@ -286,45 +286,6 @@ do
   checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is booked: %g", run.energy.remainder)
 end
 
--- A short column on a shaken support moves with it: the support's force is mass times acceleration, its work the kinetic energy.
-for _, integrator in ipairs { "newmark", "explicit" } do
-  local model = hinge.model()
-  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 0.2 }
-  model:fix(foot, "all")
-  model:member { foot, top, section = bar, material = elastic }
-  local mass, w = 7850 * 0.05 ^ 2 * 0.2, 2 * math.pi * 10
-  model:move { node = foot, x = function(t) return t <= 0 and 0 or 0.02 * (t - math.sin(w * t) / w) end }
-  local run = model:dynamic { dt = integrator == "explicit" and "auto" or 2e-5, duration = 0.025, integrator = integrator }
-  run:finish()
-  local t = run.time
-  checks.near(run:displacement(foot), 0.02 * (t - math.sin(w * t) / w), 1e-9, integrator .. ": where the support is")
-  checks.near(run:velocity(foot), 0.02 * (1 - math.cos(w * t)), 1e-5, integrator .. ": how fast it is")
-  checks.near(run:reaction(foot), mass * 0.02 * w * math.sin(w * t), 0.02 * mass * 0.02 * w, integrator .. ": what it takes")
-  checks.near(run.energy.work, 0.5 * mass * (0.02 * (1 - math.cos(w * t))) ^ 2, 0.02 * run.energy.work, integrator .. ": what it does")
-  checks.expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.work, "%s: remainder %g of %g J", integrator, run.energy.remainder, run.energy.work)
-end
-
--- The remainder of a frame that is shaken hard falls with the square of the step.
-do
-  local function remainder(dt)
-    local model = hinge.model()
-    local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
-    model:fix(foot, "all")
-    model:member { foot, top, section = bar, material = elastic }
-    model:move { node = foot, x = hinge.ground { dt = 0.01, acceleration = { 0, 60, -80, 30, 0 } } }
-    local run = model:dynamic { dt = dt, duration = 0.05 }
-    run:finish()
-    return math.abs(run.energy.remainder), run.energy.work
-  end
-  local coarse, work = remainder(4e-5)
-  local fine = remainder(1e-5)
-  checks.expect(coarse < 1e-3 * work and fine < coarse / 8, "%g and %g of %g J", coarse, fine, work)
-end
-local ground = hinge.ground { dt = 0.5, acceleration = { 2, 2, 2 }, scale = 3 }
-checks.near(ground(1), 3, 1e-12, "constant acceleration for a second")
-checks.near(ground(2), 3 + 6 * 1, 1e-12, "straight on after the record")
-checks.equal(ground(-1), 0, "before the record")
-
 -- Callbacks -----------------------------------------------------------------------------------------------------------------
 
 do
