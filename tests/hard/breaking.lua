@@ -27,6 +27,15 @@ return {
       end }
       return model
     end },
+  { "feet shake until the columns on them break", remainder = 1e-2, dt = 2e-5, steps = 2500,
+    make = function(hinge)
+      local model = hinge.model {}
+      local joints = parts.frame(model, { storeys = 2, bays = 2, material = parts.steel { yield_stress = 245e6 } })
+      model:gravity { 0, 0, -9.80665 }
+      model:move { node = { joints[0][0], joints[0][1], joints[0][2] }, x = function(t) return 0.1 * math.sin(150 * t) end }
+      model:fracture { curvature_x = 0.05, curvature_y = 0.05, axial_strain = 0.005 }
+      return model
+    end },
   { "a body in flight breaks into single elements", remainder = 1e-2, momentum = 2e-6, dt = 1e-5, steps = 1000, free = true,
     make = function(hinge)
       local model = hinge.model { elements_per_member = 4 }

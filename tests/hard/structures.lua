@@ -115,6 +115,18 @@ return {
       model:load { node = nodes[3], force = { 0, 2e4, 1e4 }, history = function(t) return math.floor(t / 3e-4 + 0.5) % 2 == 0 and 1 or -1 end }
       return model
     end },
+  { "feet that set off, stop and turn back at once", remainder = 1e-2, dt = 1e-4, steps = 600,
+    make = function(hinge)
+      local model = hinge.model {}
+      local joints = parts.frame(model, { storeys = 2, bays = 2 })
+      local feet = { joints[0][0], joints[0][1], joints[0][2] }
+      -- m, s: 3 m/s forth, a rest, 6 m/s back, round again
+      model:move { node = feet, x = function(t)
+        local part = t % 0.02
+        return part < 0.01 and 3 * part or part < 0.015 and 0.03 or 0.03 - 6 * (part - 0.015)
+      end }
+      return model
+    end },
   { "up almost along the member", remainder = 1e-2, dt = 1e-5, steps = 500,
     make = function(hinge)
       local model = hinge.model {}
