@@ -13,12 +13,10 @@
 not_under_asan=(
   script_objects      # these two bound the memory of the process; ASan keeps for a while what is freed
   script_isolation
-  script_sandbox      # the program bounds its own address space; ASan asks for terabytes of it
-  script_install      # compiles a host program without the sanitizer against the engine with it
+  script_sandbox      # these two bound the address space; ASan asks for terabytes of it
+  script_cost
+  script_install      # the compiler, which the test calls, leaks
   script_startup      # bounds how long a script takes to begin
-  script_cost         # these three weigh the seconds of runs against each other
-  script_cost_effects
-  script_cost_scenes
 )
 # Leaks of others: bash, the tool that makes a terminal, Xvfb, Mesa.
 leaks_of_others=(script_setup script_prompt script_program output_test)
