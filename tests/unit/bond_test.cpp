@@ -1,0 +1,220 @@
+// The gap element: forces against finite differences of the energy, their balance, the tangent.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "contact/bond.h"
+#include "contact_parts.h"
+
+using namespace hinge;
+using namespace hinge::contact;
+
+namespace {
+
+/// A bond of two bars in general position, one of them a stub with arms, everything turned since it was bound.
+struct Bound {
+    std::vector<Vec3> x;
+    std::vector<Quat> q;
+    Bond bond;
+};
+
+Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_all, bool arms) {
+    Dice dice(seed);
+    Bound out;
+    for (int i = 0; i < 4; ++i) {
+        out.x.push_back(dice.vector(0.5));
+        out.q.push_back(dice.turn(pi));
+    }
+    for (int i = 0; i < 4; ++i) {
+        out.bond.end[i].node = i;
+        out.bond.end[i].arm = arms ? dice.vector(0.3) : Vec3::Zero();
+    }
+    const auto point = [&](int i) { return Vec3(out.x[i] + out.q[i] * out.bond.end[i].arm); };
+    for (int g = 0; g < 4; ++g) {
+        out.bond.gap[g].rest = point(gap_b(g)) - point(gap_a(g));
+        out.bond.gap[g].stiffness = 1e3 * (1 + g);
+    }
+    out.bond.side = Vec3::UnitZ();
+    out.bond.at[0] = 0.3;
+    out.bond.at[1] = 0.6;
+    const Quat all = dice.turn(turn_all);
+    out.bond.turn = all;  // as a bond has that followed the whole so far
+    const Vec3 shift = dice.vector(3);
+    for (int i = 0; i < 4; ++i) {
+        out.x[i] = all * out.x[i] + shift + dice.vector(stretch);
+        out.q[i] = dice.turn(turn_each) * all * out.q[i];
+    }
+    return out;
+}
+
+std::vector<Vec6> forces_of(Bound& b) {
+    std::vector<Vec6> f(b.x.size(), Vec6::Zero());
+    add_bond_forces(b.bond, b.x, b.q, f);
+    return f;
+}
+
+/// `b` with freedom `k` of node `n` moved by h.
+Bound nudged(const Bound& b, int n, int k, double h) {
+    Bound out = b;
+    if (k < 3)
+        out.x[n][k] += h;
+    else
+        out.q[n] = turned(h * Vec3::Unit(k - 3), out.q[n]);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("contact: a bond's forces are the derivative of their energy", "[contact]") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const bool arms = seed % 2;
+        // The nodes turn against each other as well: that must not matter, but for arms.
+        Bound b = bound_pair(seed, 0.02, seed < 10 ? 0.05 : 1.0, 2.0, arms);
+        const std::vector<Vec6> f = forces_of(b);
+        double largest = 0;
+        for (const Vec6& n : f) largest = std::max(largest, n.cwiseAbs().maxCoeff());
+        const double h = 1e-5;
+        for (int n = 0; n < 4; ++n)
+            for (int k = 0; k < 6; ++k) {
+                Bound up = nudged(b, n, k, h), down = nudged(b, n, k, -h);
+                forces_of(up);
+                forces_of(down);
+                CHECK(f[n][k] == Approx((up.bond.energy - down.bond.energy) / (2 * h)).margin(1e-6 * largest));
+            }
+    }
+}
+
+TEST_CASE("contact: a bond's forces and moments balance", "[contact]") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Bound b = bound_pair(seed, 0.1, 0.5, 3.0, seed % 2);
+        const std::vector<Vec6> f = forces_of(b);
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        double size = 0;
+        for (int n = 0; n < 4; ++n) {
+            force += f[n].head<3>();
+            moment += f[n].tail<3>() + b.x[n].cross(f[n].head<3>());
+            size += f[n].norm();
+        }
+        CHECK(force.norm() < 1e-14 * size);
+        CHECK(moment.norm() < 1e-14 * size * 5);
+    }
+}
+
+TEST_CASE("contact: a bond that moves as one piece stores nothing", "[contact]") {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Bound b = bound_pair(seed, 0.0, 0.0, pi, seed % 2);
+        for (const Vec6& n : forces_of(b)) CHECK(n.norm() < 1e-11);
+        CHECK(b.bond.energy < 1e-24);
+    }
+}
+
+TEST_CASE("contact: a bond resists the same way whether or not the bars have passed each other", "[contact]") {
+    // Crossing bars 0.2 mm apart. A gap that pulled along the line between nodes would flip as they pass.
+    Bond bond;
+    const std::vector<Vec3> start{{-0.5, 0, 0}, {0.4, 0, 0}, {0, -0.3, 2e-4}, {0, 0.6, 2e-4}};
+    for (int i = 0; i < 4; ++i) bond.end[i].node = i;
+    for (int g = 0; g < 4; ++g) bond.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+    bond.side = Vec3::UnitZ();
+    bond.at[0] = 5.0 / 9;
+    bond.at[1] = 1.0 / 3;
+    // A node that spins does not loosen the bond.
+    for (const Vec3& spin : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0.4)}) {
+        std::vector<Quat> q(4, Quat::Identity());
+        q[0] = q[3] = turned(spin, q[0]);
+        for (double way : {0.0, 1e-4, 2e-4, 3e-4, 1e-3}) {
+            std::vector<Vec3> x = start;
+            x[2].z() -= way;
+            x[3].z() -= way;
+            std::vector<Vec6> f(4, Vec6::Zero());
+            add_bond_forces(bond, x, q, f);
+            // As one piece turns along a little with the shift, the force is below 4 k way, but not by much.
+            CHECK(bond.energy <= 2e9 * way * way * (1 + 1e-6) + 1e-20);
+            CHECK(bond.energy >= 1.7e9 * way * way);
+            CHECK(bond.opening == Approx(-way).epsilon(0.2).margin(1e-15));
+            CHECK(f[2][2] + f[3][2] <= -3.4e9 * way);
+            for (const Vec6& n : f) CHECK(n.tail<3>().norm() == 0);
+        }
+    }
+}
+
+TEST_CASE("contact: bonds in degenerate positions", "[contact]") {
+    struct Case {
+        const char* name;
+        Vec3 a0, a1, b0, b1;
+    };
+    const Case cases[] = {
+        {"parallel, abreast", {0, 0, 0}, {1, 0, 0}, {0, 0, 0.05}, {1, 0, 0.05}},
+        {"coincident", {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}},
+        {"collinear, overlapping", {0, 0, 0}, {1, 0, 0}, {0.8, 0, 0}, {1.8, 0, 0}},
+        {"collinear, end to end", {0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+        {"an end on a side", {0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.5, 0, 1}},
+        {"no length", {0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.5, 0, 0}},
+        {"all one point", {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+    };
+    for (const Case& c : cases) {
+        INFO(c.name);
+        Bond bond;
+        const std::vector<Vec3> start{c.a0, c.a1, c.b0, c.b1};
+        for (int i = 0; i < 4; ++i) bond.end[i].node = i;
+        for (int g = 0; g < 4; ++g) bond.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+        Dice dice(11);
+        for (double stretch : {0.0, 1e-6, 1e-3, 0.1, 3.0}) {
+            std::vector<Vec3> x = start;
+            std::vector<Quat> q(4, dice.turn(1));
+            for (Vec3& p : x) p = q[0] * p + dice.vector(stretch);
+            std::vector<Vec6> f(4, Vec6::Zero());
+            add_bond_forces(bond, x, q, f);
+            Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+            for (int n = 0; n < 4; ++n) {
+                force += f[n].head<3>();
+                moment += x[n].cross(f[n].head<3>());
+            }
+            const double size = 1e9 * (stretch + 1e-15) * 20;
+            CHECK(force.norm() <= 1e-13 * size + 1e-6);
+            CHECK(moment.norm() <= 1e-9 * size + 1e-6);
+            CHECK(bond.energy <= 4 * 0.5e9 * 12 * stretch * stretch + 1e-15);
+            add_bond_stiffness(bond, x, q, [](int, int, const Mat12& m) { CHECK(m.allFinite()); });
+        }
+    }
+}
+
+TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
+    for (unsigned seed = 0; seed < 16; ++seed) {
+        const bool arms = seed % 2, stub = seed >= 12;   // a stub: both ends of a bar on one node
+        Bound b = bound_pair(seed, 0.05, 0.3, 2.0, arms || stub);
+        if (stub) {
+            // The end keeps its place; node 1, or node 3, is left alone.
+            const int from = seed < 14 ? 1 : 3, to = from - 1;
+            End& end = b.bond.end[from];
+            end.arm = b.q[to].conjugate() * (b.x[from] + b.q[from] * end.arm - b.x[to]);
+            end.node = to;
+        }
+        Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
+        add_bond_stiffness(b.bond, b.x, b.q, [&](int p, int r, const Mat12& m) {
+            CHECK(p != r);
+            CHECK((m - m.transpose()).cwiseAbs().maxCoeff() == 0);
+            const int node[2] = {p, r};
+            for (int i = 0; i < 2; ++i)
+                for (int j = 0; j < 2; ++j) k.block<6, 6>(6 * node[i], 6 * node[j]) += m.block<6, 6>(6 * i, 6 * j);
+        });
+        const double h = 1e-5;
+        for (int n = 0; n < 4; ++n)
+            for (int c = 0; c < 6; ++c) {
+                Bound up = nudged(b, n, c, h), down = nudged(b, n, c, -h);
+                const std::vector<Vec6> fu = forces_of(up), fd = forces_of(down);
+                for (int i = 0; i < 4; ++i) d.block<6, 1>(6 * i, 6 * n + c) = (fu[i] - fd[i]) / (2 * h);
+            }
+        // Moments about fixed axes make the derivative of an arm's moment lopsided; its symmetric part is the tangent.
+        if (!arms && !stub) CHECK((d - d.transpose()).cwiseAbs().maxCoeff() < 1e-6 * k.cwiseAbs().maxCoeff());
+        const double error = (k - 0.5 * (d + d.transpose())).cwiseAbs().maxCoeff();
+        INFO("seed " << seed << " error " << error << " of " << k.cwiseAbs().maxCoeff());
+        CHECK(error <= 1e-6 * k.cwiseAbs().maxCoeff());
+    }
+}
+
+TEST_CASE("contact: stiffness of a gap element", "[contact]") {
+    CHECK(gap_stiffness(2e8, 2e8, 0.5, 0.1) == Approx(4e8));
+    CHECK(gap_stiffness(2e8, 2e8, 1e-6, 0.1) == Approx(2e9));          // floored
+    CHECK(gap_stiffness(1e8, 1e12, 1, 0.1) == Approx(2e8).epsilon(1e-3));   // the softer bar rules
+}
