@@ -96,8 +96,9 @@ local function breach(scene, out)
   if out.verdict == "failed" then
     return not (out.reason:find "step %d+" and out.reason:find "t = ") and "failed without a step and a time: " .. out.reason or nil
   end
-  if out.times == 1 and not out.letter and out.remainder > scene.remainder then return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder) end
-  if scene.rests and out.moves > scene.rests then return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests) end
+  local own_step = out.times == 1 and not out.letter
+  if own_step and out.remainder > scene.remainder then return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder) end
+  if own_step and scene.rests and out.moves > scene.rests then return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests) end
   if out.remainder > 0.1 then return ("completed with a remainder of %.2g"):format(out.remainder) end
   local bound = scene.momentum and math.max(scene.momentum, 1e-6) * math.max(1, (out.times or 1) ^ 2)
   if out.momentum and out.momentum > bound then return ("momentum off by %.2g, its bound is %.2g"):format(out.momentum, bound) end
