@@ -20,7 +20,7 @@ BreakReport break_off(const Structure& structure, State& state, int element, int
 /// motion of before, the nearest in kinetic energy: M v' = T^T M v, which is M (v' - v) = impulse with M as it is after the breaks.
 /// It keeps both momenta, and as a projection it cannot gain energy. (When the carrier's velocity alone was made to keep the
 /// momenta, debris with little inertia was flung about: 51 MJ out of nothing in one impact of 112 MJ.)
-/// Books and returns the kinetic energy that takes, J.
+/// Books and returns the kinetic energy that takes, J; books what supports that move do beside it.
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse);
 
 /// Both, for one element.
