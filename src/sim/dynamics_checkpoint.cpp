@@ -100,7 +100,10 @@ bool Dynamics::makes_sense() const {
     const bool lengths = int(external_.size()) == nodes && int(change_.size()) == nodes && int(force_.size()) == elements && long_as(hung_built_, nodes) &&
                          (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) && stub_rate_.size() <= state_.hung.size() &&
                          int(met_.size()) == (settings_.alpha() == 0 ? 0 : nodes);
-    return states && pace && lengths && verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(held_nodes_, within(nodes)) && all(watched_, element) &&
+    bool held = true;  // stay where they are, in explicit steps
+    for (int n = 0; states && mass_ && structure_->lumped() && n < nodes; ++n)
+        for (int c = 0; c < 6; ++c) held = held && (!(state_.held[n] >> c & 1) || mass_->lumped_inverse()[n][c] == 0);
+    return states && pace && lengths && held && verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(held_nodes_, within(nodes)) && all(watched_, element) &&
            all(yielding_, element) && all(hinges_, element) && all(weight_at_rest_, node_key) && all(reaction_, node_key) && fastest_.node < nodes;
 }
 

@@ -40,6 +40,8 @@ bool makes_sense(const State& s, const Structure& structure) {
                        long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) && none_or(nodes, s.hung) &&
                        none_or(elements, s.stub);
     if (!whole) return false;
+    for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
+        if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
     return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
            std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) && (!any_broken || (!s.hung.empty() && !s.stub.empty()));

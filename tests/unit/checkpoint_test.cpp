@@ -3,6 +3,7 @@
 #include "core/errors.h"
 #include "helpers.h"
 #include "sim/checkpoint.h"
+#include "sim/mass.h"
 
 using namespace hinge;
 using namespace hinge::test;
@@ -120,6 +121,35 @@ TEST_CASE("checkpoint: a state with a number that is not finite is refused", "[c
     for (double number : {infinite, -infinite, std::nan("")}) {
         std::string bytes = good;
         std::memcpy(&bytes[8], &number, sizeof number);  // behind their count, the first displacement
+        CHECK_THROWS_AS(run.restore(bytes), Damaged);
+        CHECK((saved(run) == good));
+    }
+}
+
+TEST_CASE("checkpoint: a node that is gone does not move, and what is held has no way to", "[checkpoint]") {
+    const Crash crash(true);
+    Dynamics run = crash.start();
+    while (run.advance() && std::none_of(run.state().gone.begin(), run.state().gone.end(), [](char g) { return g; })) {}
+    REQUIRE(run.verdict() == Verdict::running);
+    State state = run.state();
+    const auto gone = std::size_t(std::find(state.gone.begin(), state.gone.end(), 1) - state.gone.begin());
+    REQUIRE(makes_sense(state, *crash.structure));
+    for (Vec6* of : {&state.velocity[gone], &state.acceleration[gone]}) {
+        (*of)[4] = 1e-9;
+        CHECK_FALSE(makes_sense(state, *crash.structure));
+        (*of)[4] = 0;
+    }
+    state.held[gone] = 62;
+    CHECK_FALSE(makes_sense(state, *crash.structure));
+
+    const auto bytes_of = [](const std::vector<Vec6>& list) { return std::string(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(Vec6)); };
+    const std::string good = saved(run), inverse = bytes_of(Mass(*crash.structure, run.state()).lumped_inverse());
+    const auto at = good.find(inverse);
+    REQUIRE(at != std::string::npos);
+    for (const std::size_t held : {std::size_t(0), gone}) {
+        std::string bytes = good;
+        const double loose = 0.1;
+        std::memcpy(&bytes[at + held * sizeof(Vec6)], &loose, sizeof loose);
         CHECK_THROWS_AS(run.restore(bytes), Damaged);
         CHECK((saved(run) == good));
     }
