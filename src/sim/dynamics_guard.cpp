@@ -50,13 +50,14 @@ void Dynamics::guard() {
     if (failed) why = reason_ + "; before it, " + why;
     if (good_) {
         state_ = std::move(good_->state);
-        std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%; a shorter dt may hold", state_.step, state_.time, 100 * good_->share);
+        std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%", state_.step, state_.time, 100 * good_->share);
         why += what;
         good_.reset();
-    } else {
-        why += "; a shorter dt may hold";
     }
-    fail(why);
+    why += "; a shorter dt";
+    if (!controlled()) why += " or step_control";
+    if (!explicit_steps() && settings_.alpha() == 0) why += " or rho_infinity below 1";
+    fail(why + " may hold");
 }
 
 }  // namespace hinge
