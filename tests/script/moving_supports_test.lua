@@ -102,6 +102,23 @@ for name, settings in pairs { newmark = { { dt = 1e-5 }, 1e-4 }, damped = { { dt
   checks.expect(left < settings[2], "%s: remainder %g of the work", name, left)
 end
 
+-- What is hit beside a moving support: the blows of contact that a step gives at once are the support's work, too.
+for _, rule in ipairs { "surface", "gap" } do
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local model = hinge.model()
+    local a, b, c, d = model:node { -0.5, 0, 0 }, model:node { 0.5, 0, 0 }, model:node { -0.4, -0.5, 0.08 }, model:node { -0.4, 0.5, 0.08 }
+    for _, foot in ipairs { a, b } do model:fix(foot, "all") end
+    model:member { a, b, section = bar, material = elastic }
+    model:member { c, d, section = bar, material = elastic, group = "striker" }
+    model:velocity("striker", { 0, 0, -20 })
+    model:move { node = { a, b }, z = function(t) return 5 * t end }
+    model:contact { rule = rule }
+    local run = model:dynamic { dt = integrator == "explicit" and "auto" or 5e-6, duration = 0.01, integrator = integrator }:finish()
+    checks.expect(run:count { state = "touched" } > 0, "%s, %s: they meet", rule, integrator)
+    checks.expect(math.abs(run.energy.remainder) < 4e-4 * run.energy.work, "%s, %s: remainder %g of %g J", rule, integrator, run.energy.remainder, run.energy.work)
+  end
+end
+
 -- A run that goes on from another takes its supports at their speed: nothing jumps.
 do
   local model = hinge.model()

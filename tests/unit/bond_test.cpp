@@ -1,6 +1,5 @@
 // The gap element: forces against finite differences of the energy, their balance, the tangent.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
@@ -60,7 +59,7 @@ Bound nudged(const Bound& b, int n, int k, double h) {
     if (k < 3)
         out.x[n][k] += h;
     else
-        out.q[n] = turned(h * Vec3::Unit(k - 3), out.q[n]);
+        out.q[n] = exponential(h * Vec3::Unit(k - 3)) * out.q[n];
     return out;
 }
 
@@ -121,7 +120,7 @@ TEST_CASE("contact: a bond resists the same way whether or not the bars have pas
     // A node that spins does not loosen the bond.
     for (const Vec3& spin : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0.4)}) {
         std::vector<Quat> q(4, Quat::Identity());
-        q[0] = q[3] = turned(spin, q[0]);
+        q[0] = q[3] = exponential(spin) * q[0];
         for (double way : {0.0, 1e-4, 2e-4, 3e-4, 1e-3}) {
             std::vector<Vec3> x = start;
             x[2].z() -= way;

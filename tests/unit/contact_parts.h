@@ -1,37 +1,12 @@
-// What the tests of contact are made of: random numbers, bars that move, two that cross.
+// What the tests of contact are made of: bars that move, two that cross.
 #pragma once
 
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
-
 #include "contact/contact.h"
+#include "helpers.h"
 
 namespace hinge::contact {
 
-inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Random numbers that are the same on every machine.
-struct Dice {
-    std::mt19937_64 engine;
-    explicit Dice(unsigned seed) : engine(seed) {}
-    double operator()(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
-    Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
-    Vec3 direction() {
-        while (true) {
-            const Vec3 v = vector(1);
-            if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
-        }
-    }
-    Quat turn(double angle) { return Quat(Eigen::AngleAxisd((*this)(-angle, angle), direction())); }
-};
-
-inline Quat turned(const Vec3& by, const Quat& rotation) {
-    const double angle = by.norm();
-    return angle > 0 ? Quat(Eigen::AngleAxisd(angle, by / angle)) * rotation : rotation;
-}
+using namespace hinge::test;
 
 /// A structure of bars for Contact: nodes, their motion, and a step that just moves them.
 struct Scene {
@@ -71,7 +46,7 @@ struct Scene {
     void move(double dt) {
         for (std::size_t i = 0; i < x.size(); ++i) {
             x[i] += dt * v[i].head<3>();
-            q[i] = turned(dt * v[i].tail<3>(), q[i]).normalized();
+            q[i] = (exponential(dt * v[i].tail<3>()) * q[i]).normalized();
         }
     }
     std::vector<Vec6> forces(Contact& contact) const {

@@ -1,6 +1,5 @@
 // Contact: the rule at work in small scenes, who is let go when, what a record keeps.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <map>

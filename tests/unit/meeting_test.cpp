@@ -1,6 +1,5 @@
 // Where bars meet: closest points, eqs 17 to 19, the sweep over a step and the broad phase, against brute force.
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
