@@ -23,10 +23,25 @@ struct Request {
 
 /// --sandbox and its limits, for the verbs that run a script.
 void add_sandbox(CLI::App& verb, Request& request) {
-    auto* sandbox = verb.add_flag("--sandbox", request.sandbox, "For a script that is not trusted: no files but its output folder, no processes, no native modules, and limits");
-    verb.add_option("--memory", request.limits.memory, "Most memory in the sandbox, in bytes or as 512M, 2G; default 1G")->needs(sandbox)->transform(CLI::AsSizeValue(false))->check(CLI::Range(16e6, 1e15))->type_name("SIZE");
-    verb.add_option("--seconds", request.limits.seconds, "Most wall time in the sandbox, s")->needs(sandbox)->check(CLI::Range(1e-3, 1e9))->capture_default_str()->type_name("TIME");
-    verb.add_option("--instructions", request.limits.instructions, "Most instructions of Lua's machine in the sandbox")->needs(sandbox)->check(CLI::Range(1.0, 1e18))->capture_default_str()->type_name("NUMBER");
+    auto* sandbox = verb.add_flag("--sandbox", request.sandbox,
+                                  "For a script that is not trusted: no files but its output folder, no processes, no "
+                                  "native modules, and limits");
+    verb.add_option("--memory", request.limits.memory,
+                    "Most memory in the sandbox, in bytes or as 512M, 2G; default 1G")
+        ->needs(sandbox)
+        ->transform(CLI::AsSizeValue(false))
+        ->check(CLI::Range(16e6, 1e15))
+        ->type_name("SIZE");
+    verb.add_option("--seconds", request.limits.seconds, "Most wall time in the sandbox, s")
+        ->needs(sandbox)
+        ->check(CLI::Range(1e-3, 1e9))
+        ->capture_default_str()
+        ->type_name("TIME");
+    verb.add_option("--instructions", request.limits.instructions, "Most instructions of Lua's machine in the sandbox")
+        ->needs(sandbox)
+        ->check(CLI::Range(1.0, 1e18))
+        ->capture_default_str()
+        ->type_name("NUMBER");
 }
 
 /// Calls require("hinge.<module>").<function>(table) and returns its status.
@@ -63,7 +78,8 @@ int call_library(lua_State* L, const char* module, const char* function, const R
         lua_rawseti(L, -2, ++n);
     }
     lua_setfield(L, -2, "overrides");
-    if (lua_pcall(L, 1, 1, 0) != LUA_OK) return std::cerr << "hinge: " << (lua_tostring(L, -1) ? lua_tostring(L, -1) : "the script failed") << "\n", 2;
+    if (lua_pcall(L, 1, 1, 0) != LUA_OK)
+        return std::cerr << "hinge: " << (lua_tostring(L, -1) ? lua_tostring(L, -1) : "the script failed") << "\n", 2;
     return lua_isinteger(L, -1) ? int(lua_tointeger(L, -1)) : 0;
 }
 
@@ -102,20 +118,31 @@ int with_lua(const Request& request, const char* module, const char* function, b
 bool are_settings(const std::vector<std::string>& words) {
     for (const std::string& pair : words)
         if (pair.find('=') == std::string::npos || pair[0] == '=')
-            return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n", false;
+            return std::cerr << "hinge: '" << pair << "' is not a setting; write key=value, for example speed=100\n",
+                   false;
     return true;
 }
 
 int run(Request request, bool named) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
-        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'" << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"}) << "; hinge --help lists the verbs\n", 2;
+        return std::cerr << "hinge: there is no verb and no script '" << request.script << "'"
+                         << hinge::script::did_you_mean(
+                                request.script, {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"})
+                         << "; hinge --help lists the verbs\n",
+               2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
-    if (request.out.empty()) request.out = (fs::path("out") / fs::path(request.script).stem()).string() + (request.case_name.empty() ? "" : "-" + request.case_name) + (request.verb != "cost" ? "" : request.effects ? "-effects" : "-cost");
+    if (request.out.empty())
+        request.out = (fs::path("out") / fs::path(request.script).stem()).string() +
+                      (request.case_name.empty() ? "" : "-" + request.case_name) +
+                      (request.verb != "cost" ? ""
+                       : request.effects      ? "-effects"
+                                              : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     const int status = with_lua(request, "hinge.runner", "main", true);
-    if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json")) std::cout << "written to " << request.out << "\n";
+    if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json"))
+        std::cout << "written to " << request.out << "\n";
     return status;
 }
 
@@ -125,8 +152,10 @@ int main(int argc, char** argv) {
     const std::vector<std::string> verbs = {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
-    const bool named = !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
-    if (!words.empty() && (!named || words[0] == "--sandbox")) words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
+    const bool named =
+        !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
+    if (!words.empty() && (!named || words[0] == "--sandbox"))
+        words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
 
     CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
     app.set_version_flag("--version", HINGE_VERSION);
@@ -136,38 +165,57 @@ int main(int argc, char** argv) {
     run_verb->add_option("script", request.script, "Lua script")->required();
     run_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
-    run_verb->add_option("--out", request.out, "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
-    run_verb->add_flag("--resume", request.resume, "Go on where checkpoints are: of each run that names one and whose file is there");
-    run_verb->footer("Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong, 3 interrupted with a checkpoint written; 130 (Ctrl-C) and 143 (SIGTERM) without.");
+    run_verb->add_option("--out", request.out,
+                         "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
+    run_verb->add_flag("--resume", request.resume,
+                       "Go on where checkpoints are: of each run that names one and whose file is there");
+    run_verb->footer(
+        "Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong, 3 interrupted with a checkpoint "
+        "written; 130 (Ctrl-C) and 143 (SIGTERM) without.");
     add_sandbox(*run_verb, request);
-    auto* plan_verb = app.add_subcommand("plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
+    auto* plan_verb = app.add_subcommand(
+        "plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
     plan_verb->add_option("script", request.script, "Lua script")->required();
     plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*plan_verb, request);
-    auto* check_verb = app.add_subcommand("check", "Say what a script's runs would work on (counts, mass, natural periods) and what in it looks like a slip; runs nothing");
+    auto* check_verb = app.add_subcommand("check",
+                                          "Say what a script's runs would work on (counts, mass, natural periods) and "
+                                          "what in it looks like a slip; runs nothing");
     check_verb->add_option("script", request.script, "Lua script")->required();
     check_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     check_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*check_verb, request);
     check_verb->footer("Exit status: 0, warnings or not; 2 the script or its input is wrong.");
-    auto* cost_verb = app.add_subcommand("cost", "Compare a scenario's accuracy settings: what each costs in time and how far it is from a finer reference");
+    auto* cost_verb = app.add_subcommand(
+        "cost",
+        "Compare a scenario's accuracy settings: what each costs in time and how far it is from a finer reference");
     cost_verb->add_option("script", request.script, "Lua script that returns a hinge.scenario")->required();
-    cost_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value; one of the accuracy settings is then held");
+    cost_verb->add_option("settings", request.overrides,
+                          "Parameters of the script's scenario, key=value; one of the accuracy settings is then held");
     cost_verb->add_option("--within", request.within, "Error that is good enough, as 1% or 0.01 (default 1%)");
     cost_verb->add_option("--quantity", request.quantity, "Judge by this answer alone (default: by the worst)");
     cost_verb->add_option("--case", request.case_name, "One of the scenario's cases");
-    cost_verb->add_option("--budget", request.budget, "Stop in this time, as 60s, 5min, 1h; what is finished is kept, and a second call goes on");
-    cost_verb->add_flag("--effects", request.effects, "Leave out one effect at a time instead (contact, plasticity, ...): what each changes in the answers and costs in time");
-    cost_verb->add_option("--out", request.out, "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost; with --effects effects.csv and summary.json, out/SCRIPT[-CASE]-effects)");
+    cost_verb->add_option("--budget", request.budget,
+                          "Stop in this time, as 60s, 5min, 1h; what is finished is kept, and a second call goes on");
+    cost_verb->add_flag("--effects", request.effects,
+                        "Leave out one effect at a time instead (contact, plasticity, ...): what each changes in the "
+                        "answers and costs in time");
+    cost_verb->add_option(
+        "--out", request.out,
+        "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost; with "
+        "--effects effects.csv and summary.json, out/SCRIPT[-CASE]-effects)");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
-    auto* reference_verb = app.add_subcommand("reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
+    auto* reference_verb = app.add_subcommand(
+        "reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
     reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
-    auto* do_verb = app.add_subcommand("do", "Run a line of Lua, in which 'hinge' is there, and print what it returns; 'hinge -e CODE' is the same");
+    auto* do_verb = app.add_subcommand(
+        "do", "Run a line of Lua, in which 'hinge' is there, and print what it returns; 'hinge -e CODE' is the same");
     do_verb->add_option("code", request.code, "Lua, an expression or statements")->required();
     do_verb->add_option("settings", request.overrides, "key=value, in a table, '...'");
-    auto* prompt_verb = app.add_subcommand("prompt", "Type Lua and see what it does, after a script if one is given; 'hinge -i' is the same");
+    auto* prompt_verb = app.add_subcommand(
+        "prompt", "Type Lua and see what it does, after a script if one is given; 'hinge -i' is the same");
     prompt_verb->add_option("script", request.script, "Lua script to run first; its globals stay");
     prompt_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     prompt_verb->add_option("--case", request.case_name, "One of the scenario's cases");
@@ -175,9 +223,7 @@ int main(int argc, char** argv) {
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
+    } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
     if (*render_verb) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);

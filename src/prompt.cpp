@@ -11,7 +11,10 @@ namespace {
 
 using namespace script;
 
-struct TerminalBox { static constexpr const char* lua_name = "hinge.terminal"; std::unique_ptr<Terminal> value; };
+struct TerminalBox {
+    static constexpr const char* lua_name = "hinge.terminal";
+    std::unique_ptr<Terminal> value;
+};
 
 /// Calls the function that read_line was given; what goes wrong in it is no reason to disturb who types.
 std::vector<std::string> completions(lua_State* L, const std::string& line) {
@@ -52,7 +55,8 @@ void stop_script(lua_State* L, lua_Debug*) {
 
 void push_line_reader(lua_State* L) {
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO)) return lua_pushnil(L);
-    if (luaL_newmetatable(L, TerminalBox::lua_name)) lua_pushcfunction(L, collect<TerminalBox>), lua_setfield(L, -2, "__gc");
+    if (luaL_newmetatable(L, TerminalBox::lua_name))
+        lua_pushcfunction(L, collect<TerminalBox>), lua_setfield(L, -2, "__gc");
     lua_pop(L, 1);
     push<TerminalBox>(L, std::make_unique<Terminal>([L](const std::string& line) { return completions(L, line); }));
     lua_pushcclosure(L, guarded<read_line>, 1);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int remembered = 1000;   // lines
+constexpr int remembered = 1000;  // lines
 Terminal::Complete completer;
 volatile std::sig_atomic_t stopped = 0;
 
@@ -33,15 +33,16 @@ char** complete(const char* word, int, int end) {
     static std::vector<std::string> found;
     static std::size_t next;
     found = completer(std::string(rl_line_buffer, end)), next = 0;
-    rl_attempted_completion_over = 1;   // no names of files where there is none of Lua
-    return rl_completion_matches(word, [](const char*, int) { return next < found.size() ? strdup(found[next++].c_str()) : nullptr; });
+    rl_attempted_completion_over = 1;  // no names of files where there is none of Lua
+    return rl_completion_matches(
+        word, [](const char*, int) { return next < found.size() ? strdup(found[next++].c_str()) : nullptr; });
 }
 
 }  // namespace
 
 Terminal::Terminal(Complete complete_line) : history_(history_file()) {
     completer = std::move(complete_line);
-    std::setlocale(LC_CTYPE, "");   // letters beyond ASCII; numbers stay as Lua writes them
+    std::setlocale(LC_CTYPE, "");  // letters beyond ASCII; numbers stay as Lua writes them
     rl_readline_name = "hinge";
     rl_attempted_completion_function = complete;
     rl_completer_word_break_characters = const_cast<char*>(" \t\n\"'`@$><=;|&{}()[]+-*/,%#~^");
@@ -55,7 +56,7 @@ Terminal::Terminal(Complete complete_line) : history_(history_file()) {
 std::optional<std::string> Terminal::read(const char* ask) {
     stopped = 0;
     struct sigaction give_up = {}, before;
-    give_up.sa_handler = [](int) { stopped = 1; };   // no SA_RESTART: the read ends
+    give_up.sa_handler = [](int) { stopped = 1; };  // no SA_RESTART: the read ends
     sigaction(SIGINT, &give_up, &before);
     char* typed = readline(ask);
     sigaction(SIGINT, &before, nullptr);

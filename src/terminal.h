@@ -20,7 +20,7 @@ public:
     bool given_up() const { return given_up_; }
 
 private:
-    std::string history_;   ///< its file; empty where there is no place for one
+    std::string history_;  ///< its file; empty where there is no place for one
     bool given_up_ = false;
 };
 

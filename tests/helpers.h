@@ -1,4 +1,5 @@
-// What the engine's tests share: sections and materials, small models, runs to their end, and figures held against limits.
+// What the engine's tests share: sections and materials, small models, runs to their end, and figures held against
+// limits.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -14,13 +15,14 @@
 #include "sim/dynamics.h"
 #include "sim/statics.h"
 
-/// CHECK(figure <= limit), naming the figure. With HINGE_FIGURES set in the environment every figure is printed beside its limit.
-#define CHECK_FIGURE(what, figure, limit)                      \
-    do {                                                       \
-        const double figure_ = (figure), limit_ = (limit);     \
-        hinge::test::show_figure(what, figure_, limit_);       \
-        INFO(what);                                            \
-        CHECK(figure_ <= limit_);                              \
+/// CHECK(figure <= limit), naming the figure. With HINGE_FIGURES set in the environment every figure is printed beside
+/// its limit.
+#define CHECK_FIGURE(what, figure, limit)                  \
+    do {                                                   \
+        const double figure_ = (figure), limit_ = (limit); \
+        hinge::test::show_figure(what, figure_, limit_);   \
+        INFO(what);                                        \
+        CHECK(figure_ <= limit_);                          \
     } while (false)
 
 namespace hinge::test {
@@ -29,7 +31,8 @@ inline constexpr double pi = 3.14159265358979323846;
 inline const double infinite = std::numeric_limits<double>::infinity();
 
 inline void show_figure(const std::string& what, double figure, double limit) {
-    if (std::getenv("HINGE_FIGURES")) std::printf("%-96s %10.2e of %8.1e%s\n", what.c_str(), figure, limit, figure <= limit ? "" : "  FAILS");
+    if (std::getenv("HINGE_FIGURES"))
+        std::printf("%-96s %10.2e of %8.1e%s\n", what.c_str(), figure, limit, figure <= limit ? "" : "  FAILS");
 }
 
 /// How far `value` is from `reference`, as a part of it.
@@ -39,7 +42,9 @@ inline double off(double value, double reference) { return std::abs(value / refe
 struct Dice {
     std::mt19937_64 engine;
     explicit Dice(unsigned seed) : engine(seed) {}
-    double operator()(double low, double high) { return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53; }
+    double operator()(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
+    }
     int pick(int n) { return std::min(n - 1, static_cast<int>((*this)(0, n))); }
     Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
     Vec3 direction() {
@@ -52,7 +57,9 @@ struct Dice {
 };
 
 /// exp(v) by Eigen, not by the engine.
-inline Quat exponential(const Vec3& v) { return v.norm() > 0 ? Quat(Eigen::AngleAxisd(v.norm(), v.normalized())) : Quat::Identity(); }
+inline Quat exponential(const Vec3& v) {
+    return v.norm() > 0 ? Quat(Eigen::AngleAxisd(v.norm(), v.normalized())) : Quat::Identity();
+}
 
 // ---- materials and sections ---------------------------------------------------------------------------------------
 
@@ -107,7 +114,8 @@ inline ModelOptions small_displacement(Formulation f = Formulation::asi_gauss) {
     return o;
 }
 
-/// A model under construction; members take `elements`, `section` and `material` as they stand when the member is added.
+/// A model under construction; members take `elements`, `section` and `material` as they stand when the member is
+/// added.
 struct Frame {
     std::shared_ptr<Model> model;
     std::shared_ptr<const Section> section = square(0.05);
@@ -131,7 +139,9 @@ struct Frame {
         }
         return model->add_member({{a, b}, section, material, up, elements, groups});
     }
-    void load(int n, const Vec3& force, const Vec3& moment = Vec3::Zero(), History history = {}) { model->add_load({n, force, moment, std::move(history)}); }
+    void load(int n, const Vec3& force, const Vec3& moment = Vec3::Zero(), History history = {}) {
+        model->add_load({n, force, moment, std::move(history)});
+    }
     std::shared_ptr<const Structure> build() const { return std::make_shared<Structure>(model); }
 };
 
@@ -142,7 +152,8 @@ inline std::vector<int> chain(Frame& frame, const std::vector<Vec3>& points, con
     for (std::size_t i = 1; i < nodes.size(); ++i) frame.member(nodes[i - 1], nodes[i], up);
     return nodes;
 }
-inline std::vector<int> straight(Frame& frame, const Vec3& from, const Vec3& to, int members, const Vec3& up = Vec3::UnitZ()) {
+inline std::vector<int> straight(Frame& frame, const Vec3& from, const Vec3& to, int members,
+                                 const Vec3& up = Vec3::UnitZ()) {
     std::vector<Vec3> points;
     for (int i = 0; i <= members; ++i) points.push_back(from + (to - from) * i / members);
     return chain(frame, points, up);
@@ -151,7 +162,9 @@ inline std::vector<int> straight(Frame& frame, const Vec3& from, const Vec3& to,
 /// The space frame of fig 8 as reconstructed in benchmarks.md ("SF-1"): a cube of side 0.25 m, load +x at a top corner.
 struct SpaceFrame : Frame {
     int foot[4], top[4], loaded;
-    SpaceFrame(ModelOptions options, double load_x, double yield_stress, int elements_per_member = 2, History history = {}) : Frame(options) {
+    SpaceFrame(ModelOptions options, double load_x, double yield_stress, int elements_per_member = 2,
+               History history = {})
+        : Frame(options) {
         section = square(0.02);
         material = steel(yield_stress);
         elements = elements_per_member;
@@ -171,7 +184,8 @@ struct SpaceFrame : Frame {
 
 // ---- runs -----------------------------------------------------------------------------------------------------------
 
-inline std::unique_ptr<Statics> statics(const std::shared_ptr<const Structure>& structure, StaticSettings settings = {}) {
+inline std::unique_ptr<Statics> statics(const std::shared_ptr<const Structure>& structure,
+                                        StaticSettings settings = {}) {
     auto run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
     while (run->advance()) {}
     return run;
@@ -189,7 +203,8 @@ inline StaticSettings driven(int node, int component, double value, int steps) {
 }
 
 /// Stiffness or mass of the free freedoms as a dense matrix, put together from the engine's element matrices.
-inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, double stiffness_factor, std::vector<int>* freedoms = nullptr) {
+inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, double stiffness_factor,
+                             std::vector<int>* freedoms = nullptr) {
     const State state = initial_state(structure);
     Team alone;
     Operator op(structure, alone, mass_factor, stiffness_factor, false, Keeping::direct);
@@ -201,7 +216,8 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
     for (int i : all) {
         const Element& e = structure.elements()[i];
         for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b) whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += op.element_part(i).block<6, 6>(6 * a, 6 * b);
+            for (int b = 0; b < 2; ++b)
+                whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += op.element_part(i).block<6, 6>(6 * a, 6 * b);
     }
     std::vector<int> free;
     for (int i = 0; i < n; ++i)
@@ -211,7 +227,9 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
 }
 
 /// Runs a body's free flight to its end: the largest deviations, as parts of what there was at the start.
-struct Flight { double energy = 0, linear = 0, angular = 0; };
+struct Flight {
+    double energy = 0, linear = 0, angular = 0;
+};
 inline Flight worst_of_flight(Dynamics& run) {
     const Momentum before = momentum(run.structure(), run.state());
     Flight worst;

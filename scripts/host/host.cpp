@@ -1,5 +1,5 @@
-// A C++ host: the engine alone with a fracture rule in C++, then a Lua state of the host's own, in which a script declares the
-// same cantilever and is given the same rule.
+// A C++ host: the engine alone with a fracture rule in C++, then a Lua state of the host's own, in which a script
+// declares the same cantilever and is given the same rule.
 //
 // Run     see CMakeLists.txt here
 // Shows   how to declare and step a model in C++, and how a script gets at C++ and the host at its results
@@ -13,7 +13,9 @@
 namespace {
 
 /// The host's rule: a section breaks where the curvatures' sum of squares passes a limit, 1/m.
-bool breaks(double curvature_x, double curvature_y) { return curvature_x * curvature_x + curvature_y * curvature_y > 0.12 * 0.12; }
+bool breaks(double curvature_x, double curvature_y) {
+    return curvature_x * curvature_x + curvature_y * curvature_y > 0.12 * 0.12;
+}
 
 void engine_alone() {
     auto steel = std::make_shared<hinge::Material>();
@@ -38,7 +40,8 @@ void engine_alone() {
     settings.dt = 1e-5, settings.duration = 0.05;
     hinge::Dynamics run(structure, hinge::initial_state(*structure), settings);
     while (run.count_members(-1).broken == 0 && run.advance()) {}
-    std::printf("C++: %ld of 1 members broken at t = %.4f s, tip at %.9f m\n", run.count_members(-1).broken, run.state().time, run.displacement(tip)[2]);
+    std::printf("C++: %ld of 1 members broken at t = %.4f s, tip at %.9f m\n", run.count_members(-1).broken,
+                run.state().time, run.displacement(tip)[2]);
 }
 
 int rule_for_scripts(lua_State* L) {
@@ -80,7 +83,9 @@ bool with_lua(const char* prefix) {
         lua_pushcfunction(L, rule_for_scripts);
         ok = lua_pcall(L, 1, 3, 0) == LUA_OK;
     }
-    if (ok) std::printf("Lua: %d of 1 members broken at t = %.4f s, tip at %.9f m\n", int(lua_tointeger(L, -3)), lua_tonumber(L, -2), lua_tonumber(L, -1));
+    if (ok)
+        std::printf("Lua: %d of 1 members broken at t = %.4f s, tip at %.9f m\n", int(lua_tointeger(L, -3)),
+                    lua_tonumber(L, -2), lua_tonumber(L, -1));
     else std::fprintf(stderr, "host: %s\n", lua_tostring(L, -1));
     lua_close(L);
     return ok;

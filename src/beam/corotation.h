@@ -9,11 +9,18 @@
 
 namespace hinge::beam {
 
-template <class Real> struct Quadruple { Real w, x, y, z; };  // a unit quaternion
+template <class Real>
+struct Quadruple {
+    Real w, x, y, z;
+};  // a unit quaternion
 
-template <class Real> struct Triad { Triple<Real> x, y, z; };  // three orthonormal columns
+template <class Real>
+struct Triad {
+    Triple<Real> x, y, z;
+};  // three orthonormal columns
 
-/// The triad of quaternion a * b: the element's axes at a node (a: the node's rotation, b: the element's axes at the start).
+/// The triad of quaternion a * b: the element's axes at a node (a: the node's rotation, b: the element's axes at the
+/// start).
 template <class Real>
 [[gnu::always_inline]] inline Triad<Real> turned_triad(const Quadruple<Real>& a, const Quadruple<Real>& b) {
     const Real w = a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z;
@@ -22,8 +29,10 @@ template <class Real>
     const Real z = a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w;
     const Real x2 = x + x, y2 = y + y, z2 = z + z;
     const Real one = spread(1.0, x);
-    const Real xx = x * x2, yy = y * y2, zz = z * z2, xy = x * y2, xz = x * z2, yz = y * z2, wx = w * x2, wy = w * y2, wz = w * z2;
-    return {{one - (yy + zz), xy + wz, xz - wy}, {xy - wz, one - (xx + zz), yz + wx}, {xz + wy, yz - wx, one - (xx + yy)}};
+    const Real xx = x * x2, yy = y * y2, zz = z * z2, xy = x * y2, xz = x * z2, yz = y * z2, wx = w * x2, wy = w * y2,
+               wz = w * z2;
+    return {
+        {one - (yy + zz), xy + wz, xz - wy}, {xy - wz, one - (xx + zz), yz + wx}, {xz + wy, yz - wx, one - (xx + yy)}};
 }
 
 /// The rotation vector of R = frame^T * node, in the frame's axes, rad; unique below pi.
@@ -37,42 +46,58 @@ template <class Real>
     const Real q = dot(v, v);  // sin^2 of the angle
     // asin(sqrt q)/sqrt q by its series while the angle is below 0.2 rad, which it nearly always is
     const auto c = [&](double value) { return spread(value, q); };
-    Real factor = c(1) + q * (c(1.0 / 6) + q * (c(3.0 / 40) + q * (c(5.0 / 112) + q * (c(35.0 / 1152) + q * (c(63.0 / 2816) +
-                  q * (c(231.0 / 13312) + q * (c(143.0 / 10240) + q * (c(6435.0 / 557056) + q * (c(12155.0 / 1245184))))))))));
+    Real factor =
+        c(1) +
+        q * (c(1.0 / 6) +
+             q * (c(3.0 / 40) +
+                  q * (c(5.0 / 112) +
+                       q * (c(35.0 / 1152) +
+                            q * (c(63.0 / 2816) + q * (c(231.0 / 13312) +
+                                                       q * (c(143.0 / 10240) + q * (c(6435.0 / 557056) +
+                                                                                    q * (c(12155.0 / 1245184))))))))));
     const auto large = [&](int i) { return !(lane(q, i) < 0.04 && lane(cosine, i) > 0); };
-    if (any_not_below(q, 0.04) || any_not_below(-cosine, 0)) factor = replace_where(factor, large, [&](int i) {
-        const double sine = std::sqrt(lane(q, i));
-        return sine > 0 ? std::atan2(sine, lane(cosine, i)) / sine : 1.0;
-    });
+    if (any_not_below(q, 0.04) || any_not_below(-cosine, 0))
+        factor = replace_where(factor, large, [&](int i) {
+            const double sine = std::sqrt(lane(q, i));
+            return sine > 0 ? std::atan2(sine, lane(cosine, i)) / sine : 1.0;
+        });
     return factor * v;
 }
 
-/// eta(t) = (1 - (t/2) cot(t/2)) / t^2 with t^2 = q: the second coefficient of the inverse tangent of the rotation vector.
+/// eta(t) = (1 - (t/2) cot(t/2)) / t^2 with t^2 = q: the second coefficient of the inverse tangent of the rotation
+/// vector.
 template <class Real>
 inline Real inverse_tangent_coefficient(const Real& q) {
     const auto c = [&](double value) { return spread(value, q); };
-    Real eta = c(1.0 / 12) + q * (c(1.0 / 720) + q * (c(1.0 / 30240) + q * (c(1.0 / 1209600) + q * (c(1.0 / 47900160) +
-               q * (c(691.0 / 1307674368000.0) + q * c(1.0 / 74724249600.0))))));
+    Real eta =
+        c(1.0 / 12) +
+        q * (c(1.0 / 720) + q * (c(1.0 / 30240) +
+                                 q * (c(1.0 / 1209600) + q * (c(1.0 / 47900160) + q * (c(691.0 / 1307674368000.0) +
+                                                                                       q * c(1.0 / 74724249600.0))))));
     if (!any_not_below(q, 0.09)) return eta;
-    return replace_where(eta, [&](int i) { return !(lane(q, i) < 0.09); }, [&](int i) {
-        const double t = std::sqrt(lane(q, i));
-        return (1 - 0.5 * t / std::tan(0.5 * t)) / lane(q, i);
-    });
+    return replace_where(
+        eta, [&](int i) { return !(lane(q, i) < 0.09); },
+        [&](int i) {
+            const double t = std::sqrt(lane(q, i));
+            return (1 - 0.5 * t / std::tan(0.5 * t)) / lane(q, i);
+        });
 }
 
 /// Where an element is: its chord, and its frame's relation to its two nodes.
 template <class Real>
 struct Placement {
-    Triad<Real> frame;           ///< e1 e2 e3 in space
-    Real length;                 ///< of the chord, m
-    Triple<Real> theta[2];       ///< rotation vectors of the nodes in the frame, rad
-    Triple<Real> y[2];           ///< the nodes' y axes, in the frame
-    Real y_mean_y, y_mean_z;     ///< the mean y axis in the frame: (0, y_mean_y, y_mean_z)
+    Triad<Real> frame;        ///< e1 e2 e3 in space
+    Real length;              ///< of the chord, m
+    Triple<Real> theta[2];    ///< rotation vectors of the nodes in the frame, rad
+    Triple<Real> y[2];        ///< the nodes' y axes, in the frame
+    Real y_mean_y, y_mean_z;  ///< the mean y axis in the frame: (0, y_mean_y, y_mean_z)
 };
 
-/// chord: vector from node 1 to node 2 as it is now (m); node: the nodes' rotations; axes: the element's axes at the start.
+/// chord: vector from node 1 to node 2 as it is now (m); node: the nodes' rotations; axes: the element's axes at the
+/// start.
 template <class Real>
-[[gnu::always_inline]] inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1, const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
+[[gnu::always_inline]] inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1,
+                                                    const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
     const Triad<Real> t1 = turned_triad(node1, axes), t2 = turned_triad(node2, axes);
     const Real one = spread(1.0, chord.x), half = spread(0.5, chord.x);
     Placement<Real> p;
@@ -94,19 +119,24 @@ template <class Real>
 /// d = [tx1 tx2 ty1 ty2 e phi] (see timoshenko.h).
 template <class Real>
 inline void deformation(const Placement<Real>& p, const Real& L, Real d[6]) {
-    d[0] = p.theta[0].x; d[1] = p.theta[1].x;
-    d[2] = p.theta[0].y; d[3] = p.theta[1].y;
+    d[0] = p.theta[0].x;
+    d[1] = p.theta[1].x;
+    d[2] = p.theta[0].y;
+    d[3] = p.theta[1].y;
     d[4] = p.length - L;
     d[5] = p.theta[1].z - p.theta[0].z;
 }
 
-template <class Real> struct NodalForces { Triple<Real> force[2], moment[2]; };
+template <class Real>
+struct NodalForces {
+    Triple<Real> force[2], moment[2];
+};
 
 /// The nodal forces and moments, in space, that do the work of p: f = (dd/du)^T p.
 ///
-/// With m_i the moments on theta_i, mu_i = m_i + theta_i x m_i / 2 + eta theta_i x (theta_i x m_i) acts on the spin of the node
-/// relative to the frame, and the frame's own spin takes -(mu_1 + mu_2): about e1, e2 through the chord's ends, about e3
-/// through the nodes' y axes.
+/// With m_i the moments on theta_i, mu_i = m_i + theta_i x m_i / 2 + eta theta_i x (theta_i x m_i) acts on the spin of
+/// the node relative to the frame, and the frame's own spin takes -(mu_1 + mu_2): about e1, e2 through the chord's
+/// ends, about e3 through the nodes' y axes.
 template <class Real>
 [[gnu::always_inline]] inline NodalForces<Real> nodal_forces(const Placement<Real>& p, const Real f[6]) {
     const Real half = spread(0.5, p.length), zero = spread(0.0, p.length);

@@ -15,7 +15,9 @@ struct FractureStrains {
 };
 
 /// d: deformation of the element (timoshenko.h), elastic and plastic; L: its length, m.
-inline FractureStrains fracture_strains(const Vec6& d, double L) { return {(d[1] - d[0]) / L, (d[3] - d[2]) / L, d[4] / L, d[5] / L}; }
+inline FractureStrains fracture_strains(const Vec6& d, double L) {
+    return {(d[1] - d[0]) / L, (d[3] - d[2]) / L, d[4] / L, d[5] / L};
+}
 
 /// Eq 16: true when one of kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1. Bending and (unless
 /// tension_only) axial strain count in both directions.

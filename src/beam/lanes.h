@@ -1,7 +1,7 @@
 // One element or eight at once: the scalar that the element kernels are written in, and triples of it.
 //
-// A kernel is a template over Real: `double` for one element, `Lanes` for a block of eight (one vector register). Both do
-// the same operations in the same order, so an element's bits do not depend on the company it keeps.
+// A kernel is a template over Real: `double` for one element, `Lanes` for a block of eight (one vector register). Both
+// do the same operations in the same order, so an element's bits do not depend on the company it keeps.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,9 @@ inline Lanes spread(double a, Lanes) { return Lanes{a, a, a, a, a, a, a, a}; }
 
 /// f(lane) for each lane in which `pick` holds; the other lanes keep `a`.
 template <class Pick, class F>
-inline double replace_where(double a, Pick pick, F f, int = 0) { return pick(0) ? f(0) : a; }
+inline double replace_where(double a, Pick pick, F f, int = 0) {
+    return pick(0) ? f(0) : a;
+}
 template <class Pick, class F>
 inline Lanes replace_where(Lanes a, Pick pick, F f, int = 0) {
     for (int i = 0; i < lane_count; ++i)
@@ -64,13 +66,25 @@ inline bool any_not_below(const Lanes& a, double limit) {
 /// Rows and columns of eight vectors change places.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
     const auto half = [&]<int c>() {  // columns c, c + 2, c + 4, c + 6
-        const auto pick = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, c, c + 8, c + 2, c + 10, c + 4, c + 12, c + 6, c + 14); };
-        const auto first = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); };
-        const auto second = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); };
-        const auto low = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11); };
-        const auto high = [](const Lanes& a, const Lanes& b) { return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15); };
-        const Lanes rows01 = pick(r[0], r[1]), rows23 = pick(r[2], r[3]), rows45 = pick(r[4], r[5]), rows67 = pick(r[6], r[7]);
-        const Lanes upper = first(rows01, rows23), lower = first(rows45, rows67), upper2 = second(rows01, rows23), lower2 = second(rows45, rows67);
+        const auto pick = [](const Lanes& a, const Lanes& b) {
+            return __builtin_shufflevector(a, b, c, c + 8, c + 2, c + 10, c + 4, c + 12, c + 6, c + 14);
+        };
+        const auto first = [](const Lanes& a, const Lanes& b) {
+            return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+        };
+        const auto second = [](const Lanes& a, const Lanes& b) {
+            return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+        };
+        const auto low = [](const Lanes& a, const Lanes& b) {
+            return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+        };
+        const auto high = [](const Lanes& a, const Lanes& b) {
+            return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+        };
+        const Lanes rows01 = pick(r[0], r[1]), rows23 = pick(r[2], r[3]), rows45 = pick(r[4], r[5]),
+                    rows67 = pick(r[6], r[7]);
+        const Lanes upper = first(rows01, rows23), lower = first(rows45, rows67), upper2 = second(rows01, rows23),
+                    lower2 = second(rows45, rows67);
         out[c] = low(upper, lower);
         out[c + 2] = low(upper2, lower2);
         out[c + 4] = high(upper, lower);
@@ -87,7 +101,8 @@ inline Lanes load_row(const double* p) {
     if constexpr (n == 3) return reinterpret_cast<Lanes>(_mm512_zextpd256_pd512(_mm256_maskz_loadu_pd(7, p)));
     if constexpr (n == 4) return reinterpret_cast<Lanes>(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)));
     if constexpr (n == 6)
-        return reinterpret_cast<Lanes>(_mm512_insertf64x4(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)), _mm256_zextpd128_pd256(_mm_loadu_pd(p + 4)), 1));
+        return reinterpret_cast<Lanes>(_mm512_insertf64x4(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)),
+                                                          _mm256_zextpd128_pd256(_mm_loadu_pd(p + 4)), 1));
     return reinterpret_cast<Lanes>(_mm512_maskz_loadu_pd((1 << n) - 1, p));
 #else
     Lanes v{};
@@ -100,16 +115,20 @@ inline void store_row(double* p, const Lanes& v) {
 #ifdef __AVX512F__
     const __m512d w = reinterpret_cast<__m512d>(v);
     if constexpr (n == 4) return _mm256_storeu_pd(p, _mm512_castpd512_pd256(w));
-    if constexpr (n == 6) return _mm256_storeu_pd(p, _mm512_castpd512_pd256(w)), _mm_storeu_pd(p + 4, _mm256_castpd256_pd128(_mm512_extractf64x4_pd(w, 1)));
-    if constexpr (n == 3) return _mm_storeu_pd(p, _mm512_castpd512_pd128(w)), _mm_store_sd(p + 2, _mm256_extractf128_pd(_mm512_castpd512_pd256(w), 1));
+    if constexpr (n == 6)
+        return _mm256_storeu_pd(p, _mm512_castpd512_pd256(w)),
+               _mm_storeu_pd(p + 4, _mm256_castpd256_pd128(_mm512_extractf64x4_pd(w, 1)));
+    if constexpr (n == 3)
+        return _mm_storeu_pd(p, _mm512_castpd512_pd128(w)),
+               _mm_store_sd(p + 2, _mm256_extractf128_pd(_mm512_castpd512_pd256(w), 1));
     _mm512_mask_storeu_pd(p, (1 << n) - 1, w);
 #else
     for (int i = 0; i < n; ++i) p[i] = v[i];
 #endif
 }
 
-/// Adds the first six to those at p, four and two at a time: a masked store would have to leave the core before the next element
-/// on the same node could read it.
+/// Adds the first six to those at p, four and two at a time: a masked store would have to leave the core before the
+/// next element on the same node could read it.
 inline void add_six(double* p, const Lanes& v) {
     using Four __attribute__((vector_size(32), aligned(8), may_alias)) = double;
     using Two __attribute__((vector_size(16), aligned(8), may_alias)) = double;
@@ -120,7 +139,8 @@ inline void add_six(double* p, const Lanes& v) {
 /// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes: whole
 /// rows are read and turned.
 template <int n>
-[[gnu::always_inline]] inline void pick_rows(const double* from, const int* index, int stride, Lanes (&out)[lane_count]) {
+[[gnu::always_inline]] inline void pick_rows(const double* from, const int* index, int stride,
+                                             Lanes (&out)[lane_count]) {
     Lanes row[lane_count];
     for (int i = 0; i < lane_count; ++i) row[i] = load_row<n>(from + index[i] * stride);
     transpose(row, out);
@@ -139,11 +159,24 @@ struct Triple {
     Real x, y, z;
 };
 
-template <class Real> inline Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-template <class Real> inline Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-template <class Real> inline Triple<Real> operator*(const Real& s, const Triple<Real>& a) { return {s * a.x, s * a.y, s * a.z}; }
-template <class Real> inline Real dot(const Triple<Real>& a, const Triple<Real>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-template <class Real> inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
+template <class Real>
+inline Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Real>
+inline Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real>
+inline Triple<Real> operator*(const Real& s, const Triple<Real>& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+template <class Real>
+inline Real dot(const Triple<Real>& a, const Triple<Real>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 

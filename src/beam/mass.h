@@ -1,4 +1,5 @@
-// The element's mass: linear as in the paper, cubic in pairs, or lumped; and what becomes of it when the element breaks.
+// The element's mass: linear as in the paper, cubic in pairs, or lumped; and what becomes of it when the element
+// breaks.
 #pragma once
 
 #include <cmath>
@@ -10,12 +11,13 @@ namespace hinge::beam {
 /// Rotary inertia per length of the section in local axes, kg m: about x, about y, about z (polar).
 inline Vec3 rotary_inertia(const Rigidity& c) { return {c.rhoIx, c.rhoIy, c.rhoIx + c.rhoIy}; }
 
-/// What an element weighs on its two nodes. Translation resists alike in all directions; rotary inertia is about the local axes.
+/// What an element weighs on its two nodes. Translation resists alike in all directions; rotary inertia is about the
+/// local axes.
 struct Inertia {
-    double own[2], across;           ///< of each node, and between the two, kg
-    Vec3 rotary[2], rotary_across;   ///< likewise, kg m^2
+    double own[2], across;          ///< of each node, and between the two, kg
+    Vec3 rotary[2], rotary_across;  ///< likewise, kg m^2
 
-    double weight(int end) const { return own[end] + across; }   ///< what an even acceleration asks of the node, kg
+    double weight(int end) const { return own[end] + across; }  ///< what an even acceleration asks of the node, kg
 
     /// 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes.
     Mat12 matrix(const Mat3& axes) const {
@@ -32,20 +34,24 @@ struct Inertia {
     }
 };
 
-/// Consistent mass of linear shape functions; not changed by the position of the integration point (paper, after eq 15).
+/// Consistent mass of linear shape functions; not changed by the position of the integration point (paper, after eq
+/// 15).
 inline Inertia linear_inertia(const Rigidity& c, double L) {
     const double m = L / 6 * c.rhoA;
     const Vec3 J = L / 6 * rotary_inertia(c);
     return {{2 * m, 2 * m}, m, {2 * J, 2 * J}, J};
 }
 
-/// What the linear mass misses of a pair of asi-gauss elements; `middle`: the element's end (0, 1) at the pair's middle. The pair's
-/// stiffness is that of a cubic, but its middle node sags only 2 - 2/sqrt 3 = 0.85 of what the cubic does. Here
+/// What the linear mass misses of a pair of asi-gauss elements; `middle`: the element's end (0, 1) at the pair's
+/// middle. The pair's stiffness is that of a cubic, but its middle node sags only 2 - 2/sqrt 3 = 0.85 of what the cubic
+/// does. Here
 ///   - a pair that bows has the momentum of the parabola: 2/3 of its mass at the true sag;
-///   - a part of its moment of inertia is the middle node's own, which turns ahead of the chord where the pair bends like an S: so the
+///   - a part of its moment of inertia is the middle node's own, which turns ahead of the chord where the pair bends
+///   like an S: so the
 ///     masses off the chord count there too. A pair that does not bend has its mass and moment of inertia as before.
-/// In parts of rho A l: 1/4 on the outer node, 1/4 + 1/sqrt 3 on the middle one, 1/4 - 1/(2 sqrt 3) between; and rho A l^3/12 on the
-/// middle node about the two axes across. Translation alone couples the nodes, so it holds in any position. Not in the paper.
+/// In parts of rho A l: 1/4 on the outer node, 1/4 + 1/sqrt 3 on the middle one, 1/4 - 1/(2 sqrt 3) between; and rho A
+/// l^3/12 on the middle node about the two axes across. Translation alone couples the nodes, so it holds in any
+/// position. Not in the paper.
 inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
     Inertia i = linear_inertia(c, L);
     const double m = c.rhoA * L, root = 1 / std::sqrt(3.0), turning = m * L * L / 12;
@@ -63,7 +69,8 @@ inline Inertia lumped_inertia(const Rigidity& c, double L) {
     return {{m, m}, 0, {J, J}, Vec3::Zero()};
 }
 
-/// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes` likewise.
+/// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes`
+/// likewise.
 struct Stub {
     double mass;
     Vec3 moment;   ///< kg m
@@ -75,11 +82,13 @@ inline Stub rigid_stub(const Rigidity& c, const Vec3& span, const Mat3& axes) {
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's masses did
-/// would gain energy as it takes over their angular momentum.
+/// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's
+/// masses did would gain energy as it takes over their angular momentum.
 inline Stub lumped_stub(const Rigidity& c, const Vec3& span) {
     const double L = span.norm(), m = c.rhoA * L;
-    return {m, 0.5 * m * span, (c.rhoIx + c.rhoIy) * L * Mat3::Identity() + 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
+    return {m, 0.5 * m * span,
+            (c.rhoIx + c.rhoIy) * L * Mat3::Identity() +
+                0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
 /// Mass of a rigid body hung on a node, 6 x 6 in space, for first moment and inertia in space.

@@ -12,7 +12,9 @@ Vec3 eigen(const Triple<double>& a) { return {a.x, a.y, a.z}; }
 /// eta'(t)/t for eta of inverse_tangent_coefficient, t^2 = q.
 double inverse_tangent_slope(double q) {
     if (q < 0.09)
-        return 1.0 / 360 + q * (1.0 / 7560 + q * (1.0 / 201600 + q * (1.0 / 5987520 + q * (691.0 / 130767436800.0 + q / 6227020800.0))));
+        return 1.0 / 360 +
+               q * (1.0 / 7560 +
+                    q * (1.0 / 201600 + q * (1.0 / 5987520 + q * (691.0 / 130767436800.0 + q / 6227020800.0))));
     const double t = std::sqrt(q), s = std::sin(t / 2);
     return (t * (t + std::sin(t)) - 8 * s * s) / (4 * q * q * s * s);
 }
@@ -26,7 +28,8 @@ Mat3 inverse_tangent(const Vec3& t) {
 /// d(H^T m)/d(theta).
 Mat3 inverse_tangent_derivative(const Vec3& t, const Vec3& m) {
     const double q = t.squaredNorm();
-    return -0.5 * skew(m) + inverse_tangent_coefficient(q) * (t.dot(m) * Mat3::Identity() + t * m.transpose() - 2 * m * t.transpose()) +
+    return -0.5 * skew(m) +
+           inverse_tangent_coefficient(q) * (t.dot(m) * Mat3::Identity() + t * m.transpose() - 2 * m * t.transpose()) +
            inverse_tangent_slope(q) * t.cross(t.cross(m)) * t.transpose();
 }
 
@@ -37,8 +40,10 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
 
     // Spin of the frame, and of the nodes relative to it, in the frame's axes; columns [u1 t1 u2 t2].
     Rows spin = Rows::Zero();
-    spin(0, 1) = 1 / l; spin(0, 7) = -1 / l;
-    spin(1, 0) = -1 / l; spin(1, 6) = 1 / l;
+    spin(0, 1) = 1 / l;
+    spin(0, 7) = -1 / l;
+    spin(1, 0) = -1 / l;
+    spin(1, 6) = 1 / l;
     spin.row(2) = slope * spin.row(1);
     for (int i = 0; i < 2; ++i) {
         spin(2, 6 * i + 5) += place.y[i].y / (2 * py);
@@ -53,9 +58,13 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
         turn[i] = H[i] * relative[i];
     }
     Eigen::Matrix<double, 6, 12> T;
-    T.row(0) = turn[0].row(0); T.row(1) = turn[1].row(0);
-    T.row(2) = turn[0].row(1); T.row(3) = turn[1].row(1);
-    T.row(4).setZero(); T(4, 2) = -1; T(4, 8) = 1;
+    T.row(0) = turn[0].row(0);
+    T.row(1) = turn[1].row(0);
+    T.row(2) = turn[0].row(1);
+    T.row(3) = turn[1].row(1);
+    T.row(4).setZero();
+    T(4, 2) = -1;
+    T(4, 8) = 1;
     T.row(5) = turn[1].row(2) - turn[0].row(2);
 
     // lazyProduct: at this size plain loops beat the packed product

@@ -6,16 +6,17 @@
 
 namespace hinge::beam {
 
-/// d(nodal forces)/d(nodal displacements), 12 x 12, order [u1 t1 u2 t2], in space. Rotations are spins (a small rotation
-/// applied on top of the present one). Exact; symmetric only where the nodal moments vanish or balance, so a solver takes
-/// its symmetric part.
+/// d(nodal forces)/d(nodal displacements), 12 x 12, order [u1 t1 u2 t2], in space. Rotations are spins (a small
+/// rotation applied on top of the present one). Exact; symmetric only where the nodal moments vanish or balance, so a
+/// solver takes its symmetric part.
 ///   placement  where the element is
 ///   p          forces on its deformation, N m and N
 ///   k          dp/dd, 6 x 6: elastic, or the algorithmic tangent of the return to the yield surface
 ///   geometric  false leaves out the initial-stress part
 Mat12 tangent(const Placement<double>& placement, const Vec6& p, const Mat6& k, bool geometric);
 
-/// The same for geometry fixed at the start (small displacement): T^T k T with T to first order. `axes`: rows are the local axes.
+/// The same for geometry fixed at the start (small displacement): T^T k T with T to first order. `axes`: rows are the
+/// local axes.
 Mat12 linear_tangent(const Mat3& axes, double L, const Mat6& k);
 
 }  // namespace hinge::beam

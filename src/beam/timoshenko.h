@@ -4,19 +4,20 @@
 // The element's deformation, seen from a frame that moves with its chord, has six components:
 //   d = [tx1 tx2 ty1 ty2 e phi]   end rotations about x and y relative to the chord (rad), extension (m), twist (rad)
 // and the forces p = [mx1 mx2 my1 my2 N Mz] do work on them (N m, N m, N m, N m, N, N m). At the ends, the section's
-// bending moments are M(-1) = -m1 and M(+1) = +m2. They are the same for every position s of the integration point: moving
-// s changes the stiffness k(s), never p.
+// bending moments are M(-1) = -m1 and M(+1) = +m2. They are the same for every position s of the integration point:
+// moving s changes the stiffness k(s), never p.
 #pragma once
 
 #include "core/types.h"
 
 namespace hinge::beam {
 
-/// Position of the integration point that puts the stress evaluation points of a pair of elements at the Gauss points of
-/// the member (section 2.2): |s_g| = 2/sqrt(3) - 1.
+/// Position of the integration point that puts the stress evaluation points of a pair of elements at the Gauss points
+/// of the member (section 2.2): |s_g| = 2/sqrt(3) - 1.
 inline constexpr double gauss_point = 0.15470053837925152902;
 
-/// What a member is made of, as the element sees it. N m^2 for EI and GJ, N for EA and GA, kg/m for rhoA, kg m for rhoI.
+/// What a member is made of, as the element sees it. N m^2 for EI and GJ, N for EA and GA, kg/m for rhoA, kg m for
+/// rhoI.
 struct Rigidity {
     double EIx = 0, EIy = 0, EA = 0, GJ = 0, GAx = 0, GAy = 0;
     double rhoA = 0, rhoIx = 0, rhoIy = 0;
@@ -37,9 +38,14 @@ struct Stiffness {
     }
     Mat6 matrix() const {
         Mat6 m = Mat6::Zero();
-        m(0, 0) = x11; m(0, 1) = m(1, 0) = x12; m(1, 1) = x22;
-        m(2, 2) = y11; m(2, 3) = m(3, 2) = y12; m(3, 3) = y22;
-        m(4, 4) = axial; m(5, 5) = twist;
+        m(0, 0) = x11;
+        m(0, 1) = m(1, 0) = x12;
+        m(1, 1) = x22;
+        m(2, 2) = y11;
+        m(2, 3) = m(3, 2) = y12;
+        m(3, 3) = y22;
+        m(4, 4) = axial;
+        m(5, 5) = twist;
         return m;
     }
     /// d for given p: the elastic deformation.
@@ -57,9 +63,8 @@ struct Stiffness {
 inline Stiffness stiffness(const Rigidity& c, double L, double s) {
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
     const double bx = c.EIx / L, by = c.EIy / L, qy = c.GAy * L, qx = c.GAx * L;
-    return {bx + qy * n1 * n1, -bx + qy * n1 * n2, bx + qy * n2 * n2,
-            by + qx * n1 * n1, -by + qx * n1 * n2, by + qx * n2 * n2,
-            c.EA / L, c.GJ / L};
+    return {bx + qy * n1 * n1,  -bx + qy * n1 * n2, bx + qy * n2 * n2, by + qx * n1 * n1,
+            -by + qx * n1 * n2, by + qx * n2 * n2,  c.EA / L,          c.GJ / L};
 }
 
 /// B(s) of eq 2, 6 x 12: generalised strains [kx ky ez kz gx gy] (1/m, 1/m, -, 1/m, -, -) from the nodal displacements
@@ -67,29 +72,47 @@ inline Stiffness stiffness(const Rigidity& c, double L, double s) {
 inline Eigen::Matrix<double, 6, 12> strain_displacement(double L, double s) {
     Eigen::Matrix<double, 6, 12> B = Eigen::Matrix<double, 6, 12>::Zero();
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
-    B(0, 3) = -1 / L; B(0, 9) = 1 / L;
-    B(1, 4) = -1 / L; B(1, 10) = 1 / L;
-    B(2, 2) = -1 / L; B(2, 8) = 1 / L;
-    B(3, 5) = -1 / L; B(3, 11) = 1 / L;
-    B(4, 0) = -1 / L; B(4, 6) = 1 / L; B(4, 4) = -n1; B(4, 10) = -n2;
-    B(5, 1) = -1 / L; B(5, 7) = 1 / L; B(5, 3) = n1; B(5, 9) = n2;
+    B(0, 3) = -1 / L;
+    B(0, 9) = 1 / L;
+    B(1, 4) = -1 / L;
+    B(1, 10) = 1 / L;
+    B(2, 2) = -1 / L;
+    B(2, 8) = 1 / L;
+    B(3, 5) = -1 / L;
+    B(3, 11) = 1 / L;
+    B(4, 0) = -1 / L;
+    B(4, 6) = 1 / L;
+    B(4, 4) = -n1;
+    B(4, 10) = -n2;
+    B(5, 1) = -1 / L;
+    B(5, 7) = 1 / L;
+    B(5, 3) = n1;
+    B(5, 9) = n2;
     return B;
 }
 
 /// The stress-strain matrix [D_e] of eq 3 for the strains of strain_displacement.
-inline Vec6 elastic_moduli(const Rigidity& c) {
-    return (Vec6() << c.EIx, c.EIy, c.EA, c.GJ, c.GAx, c.GAy).finished();
-}
+inline Vec6 elastic_moduli(const Rigidity& c) { return (Vec6() << c.EIx, c.EIy, c.EA, c.GJ, c.GAx, c.GAy).finished(); }
 
 /// d (6) from nodal displacements (12) in local axes, to first order: rotations relative to the chord.
 inline Eigen::Matrix<double, 6, 12> linear_deformation(double L) {
     Eigen::Matrix<double, 6, 12> T = Eigen::Matrix<double, 6, 12>::Zero();
-    for (int row : {0, 1}) { T(row, 1) = -1 / L; T(row, 7) = 1 / L; }
-    T(0, 3) = 1; T(1, 9) = 1;
-    for (int row : {2, 3}) { T(row, 0) = 1 / L; T(row, 6) = -1 / L; }
-    T(2, 4) = 1; T(3, 10) = 1;
-    T(4, 2) = -1; T(4, 8) = 1;
-    T(5, 5) = -1; T(5, 11) = 1;
+    for (int row : {0, 1}) {
+        T(row, 1) = -1 / L;
+        T(row, 7) = 1 / L;
+    }
+    T(0, 3) = 1;
+    T(1, 9) = 1;
+    for (int row : {2, 3}) {
+        T(row, 0) = 1 / L;
+        T(row, 6) = -1 / L;
+    }
+    T(2, 4) = 1;
+    T(3, 10) = 1;
+    T(4, 2) = -1;
+    T(4, 8) = 1;
+    T(5, 5) = -1;
+    T(5, 11) = 1;
     return T;
 }
 

@@ -23,7 +23,8 @@ Mat6 yield_matrix(double r, const YieldSurface& w) {
 double one_multiplier(const Vec6& trial, const Stiffness& k, double r, const YieldSurface& w) {
     const double n1 = -(1 - r) / 2, n2 = (1 + r) / 2;
     const double c[4] = {2 * w.x * (n1 * n1 * k.x11 + 2 * n1 * n2 * k.x12 + n2 * n2 * k.x22),
-                         2 * w.y * (n1 * n1 * k.y11 + 2 * n1 * n2 * k.y12 + n2 * n2 * k.y22), 2 * w.n * k.axial, 2 * w.z * k.twist};
+                         2 * w.y * (n1 * n1 * k.y11 + 2 * n1 * n2 * k.y12 + n2 * n2 * k.y22), 2 * w.n * k.axial,
+                         2 * w.z * k.twist};
     const double mx = n1 * trial[0] + n2 * trial[1], my = n1 * trial[2] + n2 * trial[3];
     const double g[4] = {w.x * mx * mx, w.y * my * my, w.n * trial[4] * trial[4], w.z * trial[5] * trial[5]};
     double lambda = 0;
@@ -67,11 +68,15 @@ Mat6 compliance(const Stiffness& k) {
 /// Both ends at once: the multipliers maximise the concave dual
 ///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p) - 1),  l >= 0,  dg/dl_i = f_i - 1,
 /// by Newton's method on those that are free to move, each step shortened until g rises.
-void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, double* lambda) {
+void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
+                     double* lambda) {
     const Mat6 F = compliance(k);
     const Vec6 d_trial = F * trial;
     const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
-    struct At { Vec6 p; double f[2], g; };
+    struct At {
+        Vec6 p;
+        double f[2], g;
+    };
     const auto at = [&](const double* l) {
         At x;
         x.p = relaxed(d_trial, F, A, l, 2);
@@ -89,7 +94,8 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
         Vec6 a[2], Sa[2];
         for (int i = 0; i < 2; ++i) {
             a[i] = 2 * A[i] * now.p;
-            Sa[i] << S.block<2, 2>(0, 0).inverse() * a[i].segment<2>(0), S.block<2, 2>(2, 2).inverse() * a[i].segment<2>(2), a[i][4] / S(4, 4), a[i][5] / S(5, 5);
+            Sa[i] << S.block<2, 2>(0, 0).inverse() * a[i].segment<2>(0),
+                S.block<2, 2>(2, 2).inverse() * a[i].segment<2>(2), a[i][4] / S(4, 4), a[i][5] / S(5, 5);
         }
         const double h00 = a[0].dot(Sa[0]), h11 = a[1].dot(Sa[1]), h01 = a[0].dot(Sa[1]), det = h00 * h11 - h01 * h01;
         double step[2] = {0, 0};
@@ -103,11 +109,15 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
         bool rises = false;
         for (double share = 1; share > 1e-12 && !rises; share /= 2) {
             double next[2], slope = 0;
-            for (int i = 0; i < 2; ++i) next[i] = std::max(0.0, lambda[i] + share * step[i]), slope += now.f[i] * (next[i] - lambda[i]);
+            for (int i = 0; i < 2; ++i)
+                next[i] = std::max(0.0, lambda[i] + share * step[i]), slope += now.f[i] * (next[i] - lambda[i]);
             const At there = at(next);
-            const auto off = [&](const At& x) { return std::max(free[0] ? std::abs(x.f[0]) : 0.0, free[1] ? std::abs(x.f[1]) : 0.0); };
+            const auto off = [&](const At& x) {
+                return std::max(free[0] ? std::abs(x.f[0]) : 0.0, free[1] ? std::abs(x.f[1]) : 0.0);
+            };
             rises = (next[0] != lambda[0] || next[1] != lambda[1]) && slope >= 0 &&
-                    (there.g >= now.g + 1e-4 * slope || (off(now) < 1e-3 && off(there) < 0.5 * off(now)));  // near the top g no longer tells
+                    (there.g >= now.g + 1e-4 * slope ||
+                     (off(now) < 1e-3 && off(there) < 0.5 * off(now)));  // near the top g no longer tells
             if (rises) lambda[0] = next[0], lambda[1] = next[1], now = there;
         }
         if (!rises) return;  // rounding
@@ -148,8 +158,8 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
     return flow;
 }
 
-Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections, const double* lambda,
-                     const bool* active, int n) {
+Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
+                     const double* lambda, const bool* active, int n) {
     Mat6 S = compliance(k);
     Eigen::Matrix<double, 6, 2> a;
     int count = 0;

@@ -22,22 +22,26 @@ inline auto yield_function(const P& p, double r, const YieldSurface& w) {
 Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
 
 struct Flow {
-    Vec6 p;                        ///< forces on the surface
-    Vec6 plastic = Vec6::Zero();   ///< increment of plastic deformation
-    double lambda[2] = {0, 0};     ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
-    double dissipation = 0;        ///< p . plastic, J, >= 0
+    Vec6 p;                       ///< forces on the surface
+    Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
+    double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
+    double dissipation = 0;       ///< p . plastic, J, >= 0
 
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.p, s.plastic, s.lambda, s.dissipation); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.p, s.plastic, s.lambda, s.dissipation);
+    }
 };
 
-/// Associated flow, elastic-perfectly plastic, implicit: the point of the surface(s) nearest to `trial` in the energy norm.
+/// Associated flow, elastic-perfectly plastic, implicit: the point of the surface(s) nearest to `trial` in the energy
+/// norm.
 ///   trial     forces if the step were elastic
 ///   k         the element's elastic stiffness
 ///   sections  positions r that can yield (two ends; the middle alone for the conventional element), n of them
 Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n);
 
 /// dp/dd consistent with return_to_surface: D_p of eq 10 when lambda is infinitesimal. `active`: sections that flow.
-Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections, const double* lambda,
-                     const bool* active, int n);
+Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
+                     const double* lambda, const bool* active, int n);
 
 }  // namespace hinge::beam

@@ -16,11 +16,11 @@ Mat3 symmetric(const Vec3& u, const Vec3& v) {
 
 /// A bond as it stands now.
 struct Pose {
-    Vec3 arm[4];    ///< R arm, m
-    Vec3 r[4];      ///< of each gap, m
-    Vec3 s[4];      ///< Q r0
-    Quat q;         ///< Q
-    Mat3 inverse;   ///< S^-1, 1/(N m)
+    Vec3 arm[4];   ///< R arm, m
+    Vec3 r[4];     ///< of each gap, m
+    Vec3 s[4];     ///< Q r0
+    Quat q;        ///< Q
+    Mat3 inverse;  ///< S^-1, 1/(N m)
 };
 
 // Newton's step with every curvature taken as positive, at most half a radian long: leaves saddles, never climbs.
@@ -36,10 +36,10 @@ Vec3 downhill(const Mat3& grip, const Vec3& c, double size) {
     return angle > 0.5 ? Vec3(0.5 / angle * step) : step;
 }
 
-// Q by Newton's method on the rotation: sum k s x r = 0, with S as the derivative. It starts from the last Q, so that it follows
-// one valley of U as the points move, however the nodes spin; two or three rounds reach rounding. Where all gaps lie on one
-// line S has no grip about that line, nor does Q matter there: a trace of stiffness keeps it invertible. Far from the
-// least U (gaps stretched by their own length) S may point uphill: then downhill() steps.
+// Q by Newton's method on the rotation: sum k s x r = 0, with S as the derivative. It starts from the last Q, so that
+// it follows one valley of U as the points move, however the nodes spin; two or three rounds reach rounding. Where all
+// gaps lie on one line S has no grip about that line, nor does Q matter there: a trace of stiffness keeps it
+// invertible. Far from the least U (gaps stretched by their own length) S may point uphill: then downhill() steps.
 Pose pose(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Pose out;
     Vec3 point[4];
@@ -95,7 +95,8 @@ double gap_stiffness(double ea_a, double ea_b, double length, double shortest) {
     return 2 * ea_a * ea_b / (ea_a + ea_b) / std::max(length, shortest);
 }
 
-void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                     std::vector<Vec6>& force) {
     const Pose now = pose(bond, position, rotation);
     Vec3 at_end[4];
     for (Vec3& f : at_end) f.setZero();
@@ -119,9 +120,10 @@ void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::v
     }
 }
 
-void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) {
+void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                        const AddStiffness& add) {
     const Pose now = pose(bond, position, rotation);
-    Vec3 at_end[4], lever[4];   // force at each end; G is [lever]
+    Vec3 at_end[4], lever[4];  // force at each end; G is [lever]
     for (int i = 0; i < 4; ++i) at_end[i] = lever[i] = Vec3::Zero();
     for (int g = 0; g < 4; ++g) {
         const Vec3 ks = bond.gap[g].stiffness * now.s[g], f = bond.gap[g].stiffness * now.r[g] - ks;
@@ -138,13 +140,13 @@ void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, con
 
     // Six pairs; what belongs to one node alone goes with A1A2 and B1B2.
     constexpr int pairs[6][2] = {{0, 1}, {2, 3}, {0, 2}, {0, 3}, {1, 2}, {1, 3}};
-    Mat12 lone = Mat12::Zero();   // both ends on one node (a stub): kept for that node's next pair
+    Mat12 lone = Mat12::Zero();  // both ends on one node (a stub): kept for that node's next pair
     bool has_lone[2] = {false, false};
     for (int n = 0; n < 6; ++n) {
         const int i = pairs[n][0], j = pairs[n][1];
         const bool same_bar = n < 2;
         Mat3 block[2][2];
-        block[0][1] = g[i] * sg[j];   // -G_i^T S^-1 G_j, as G^T = -G
+        block[0][1] = g[i] * sg[j];  // -G_i^T S^-1 G_j, as G^T = -G
         block[1][0] = block[0][1].transpose();
         block[0][0] = same_bar ? Mat3(g[i] * sg[i]) : Mat3(Mat3::Zero());
         block[1][1] = same_bar ? Mat3(g[j] * sg[j]) : Mat3(Mat3::Zero());
@@ -164,7 +166,7 @@ void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, con
             for (int q = 0; q < 2; ++q) {
                 m.block<3, 3>(6 * p, 6 * q) = block[p][q];
                 if (!armed[p] && !armed[q]) continue;
-                const Mat3 arm_p = skew(now.arm[end[p]]), arm_q = skew(now.arm[end[q]]);   // dp = dx - [arm] dtheta
+                const Mat3 arm_p = skew(now.arm[end[p]]), arm_q = skew(now.arm[end[q]]);  // dp = dx - [arm] dtheta
                 m.block<3, 3>(6 * p, 6 * q + 3) = -block[p][q] * arm_q;
                 m.block<3, 3>(6 * p + 3, 6 * q) = arm_p * block[p][q];
                 m.block<3, 3>(6 * p + 3, 6 * q + 3) = -arm_p * block[p][q] * arm_q;

@@ -50,7 +50,8 @@ std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<
     };
     std::vector<Begin> begin(n);
     for (int i = 0; i < n; ++i) begin[i] = {boxes[i].low[x], i};
-    std::sort(begin.begin(), begin.end(), [](const Begin& p, const Begin& q) { return p.at < q.at || (p.at == q.at && p.box < q.box); });
+    std::sort(begin.begin(), begin.end(),
+              [](const Begin& p, const Begin& q) { return p.at < q.at || (p.at == q.at && p.box < q.box); });
 
     // The other two axes lie side by side in the order of the sweep, so that the inner loop runs through memory.
     struct Face {
@@ -61,7 +62,8 @@ std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<
         const Box& box = boxes[begin[i].box];
         face[i] = {begin[i].at, box.low[y], box.high[y], box.low[z], box.high[z]};
     }
-    // Every test writes, and only a hit moves on: in a frame out of plumb a branch here is a coin toss, at half the speed.
+    // Every test writes, and only a hit moves on: in a frame out of plumb a branch here is a coin toss, at half the
+    // speed.
     std::vector<int> hit(n);
     for (int i = 0; i < n; ++i) {
         const Face here = face[i];
@@ -74,7 +76,8 @@ std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<
                     static_cast<int>(other.low_z <= here.high_z) & static_cast<int>(other.high_z >= here.low_z);
         }
         for (int k = 0; k < hits; ++k)
-            if (wanted(begin[i].box, hit[k])) pairs.push_back({std::min(begin[i].box, hit[k]), std::max(begin[i].box, hit[k])});
+            if (wanted(begin[i].box, hit[k]))
+                pairs.push_back({std::min(begin[i].box, hit[k]), std::max(begin[i].box, hit[k])});
     }
     return pairs;
 }

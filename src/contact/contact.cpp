@@ -59,7 +59,8 @@ int Contact::rule(const ContactSettings& settings) {
     return static_cast<int>(rules_.size()) - 1;
 }
 
-int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time, const PairRule& rule_of) {
+int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
+                    const PairRule& rule_of) {
     const bool sleep = std::all_of(rules_.begin(), rules_.end(), [](const ContactSettings& r) { return r.sleep; });
     const bool first_sight = changed || !seen_;
     if (first_sight) list_ends(bars, motion);
@@ -72,7 +73,8 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
         seen_ = false;
         return 0;
     }
-    if (first_sight || !sleep || travelled_ - listed_at_ + foreseen > margin_) list_pairs(bars, motion, foreseen, first_sight, rule_of);
+    if (first_sight || !sleep || travelled_ - listed_at_ + foreseen > margin_)
+        list_pairs(bars, motion, foreseen, first_sight, rule_of);
 
     end_touches();
     nearest_ = {};
@@ -88,10 +90,8 @@ void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
     arms_.clear();
     for (const Bar& bar : bars)
         for (const End& end : {bar.end(0), bar.end(1)}) {
-            if (has_arm(end))
-                arms_.push_back({end, point(end, motion)});
-            else
-                nodes_.push_back(end.node);
+            if (has_arm(end)) arms_.push_back({end, point(end, motion)});
+            else nodes_.push_back(end.node);
         }
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
@@ -123,9 +123,11 @@ double Contact::advance(const Motion& motion, double dt) {
     return std::sqrt(fast) * dt;
 }
 
-// All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the fastest
-// end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays short.
-void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight, const PairRule& rule_of) {
+// All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the
+// fastest end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays
+// short.
+void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
+                         const PairRule& rule_of) {
     ++counts_.list_builds;
     const int n = static_cast<int>(bars.size());
     std::vector<int> order(n);
@@ -154,9 +156,11 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     kept.swap(candidates_);
     look_at_.clear();
     auto old = kept.begin();
-    for (const IndexPair& pair : overlapping(boxes, [&](int a, int b) { return !share_node(bars[order[a]], bars[order[b]]); })) {
+    for (const IndexPair& pair :
+         overlapping(boxes, [&](int a, int b) { return !share_node(bars[order[a]], bars[order[b]]); })) {
         const Bar &a = bars[order[pair.a]], &b = bars[order[pair.b]];
-        Candidate candidate{{a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, 0, a.radius + b.radius};
+        Candidate candidate{
+            {a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, 0, a.radius + b.radius};
         const auto before = [](const Candidate& p, const Candidate& q) {
             return p.element[0] < q.element[0] || (p.element[0] == q.element[0] && p.element[1] < q.element[1]);
         };
@@ -173,9 +177,10 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         if (known) {
             candidate.state = old->state;
             candidate.side = old->side;
-        } else if (first_sight && far <= 0 && (rule.rule == ContactRuleKind::surface
-                                                   ? closest.distance < (1 - 1e-6) * candidate.touch  // resting on each other is apart
-                                                   : closest.distance <= candidate.touch || flat(two, rule.flatness))) {
+        } else if (first_sight && far <= 0 &&
+                   (rule.rule == ContactRuleKind::surface
+                        ? closest.distance < (1 - 1e-6) * candidate.touch  // resting on each other is apart
+                        : closest.distance <= candidate.touch || flat(two, rule.flatness))) {
             candidate.state = PairState::joined;
         }
         observe(candidate, two, closest);
@@ -194,8 +199,8 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     for (const Touch& touch : touches_) mark(touch.element);
 }
 
-// How much closer the two must come before the rule can apply to them: half of it is the least way one end must go. Negative
-// when it applies already.
+// How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
+// Negative when it applies already.
 double Contact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
     const ContactSettings& rule = rules_[pair.rule];
     if (!rule.letter) return closest.distance - pair.touch;
@@ -206,8 +211,8 @@ double Contact::farness(const Candidate& pair, const Two& two, const Closest& cl
     return far > 0 && closest.distance <= pair.touch ? 0.0 : far;  // in touch is not apart, whatever eq 18 says
 }
 
-// What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they are within
-// touch of each other the side may only turn, not flip: a bar that has passed through is on the wrong side.
+// What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they
+// are within touch of each other the side may only turn, not flip: a bar that has passed through is on the wrong side.
 void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
     const double far = farness(pair, two, closest);
     if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
@@ -233,11 +238,13 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
         return false;
     }
     if (far > 0) look_at_[i] += 0.5 * far;
-    if (const double apart = closest.distance - pair.touch; a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
+    if (const double apart = closest.distance - pair.touch;
+        a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
         nearest_ = {{pair.element[0], pair.element[1]}, apart};
 
-    const Moving moving{two, {{dt * velocity(a.end(0), motion), dt * velocity(a.end(1), motion)},
-                              {dt * velocity(b.end(0), motion), dt * velocity(b.end(1), motion)}}};
+    const Moving moving{two,
+                        {{dt * velocity(a.end(0), motion), dt * velocity(a.end(1), motion)},
+                         {dt * velocity(b.end(0), motion), dt * velocity(b.end(1), motion)}}};
     if (rule.rule == ContactRuleKind::surface) {
         if (closest.distance - moving.closing_bound() > pair.touch) return false;
         if (far > 0 && !first_meeting(moving, closest, pair.side, {never, never, pair.touch}).found) return false;
@@ -247,7 +254,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
     }
     const RuleNumbers numbers{rule.reach, rule.flatness, pair.touch};
     const Meeting meeting = rule.letter ? letter_meeting(moving, closest, pair.side, numbers)
-                                             : first_meeting(moving, closest, pair.side, numbers);
+                                        : first_meeting(moving, closest, pair.side, numbers);
     if (!meeting.found) return false;
     bind(pair, a, b, motion, meeting, time);
     look_at_[i] = never;
@@ -255,7 +262,8 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
     return true;
 }
 
-void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time) {
+void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting,
+                   double time) {
     pair.state = PairState::bound;
     Bond bond;
     bond.element[0] = a.element;
@@ -281,9 +289,10 @@ void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& mo
 
 Contact::Candidate* Contact::find(const int element[2], std::size_t* place) {
     const std::array<int, 2> wanted{element[0], element[1]};
-    const auto it = std::lower_bound(candidates_.begin(), candidates_.end(), wanted, [](const Candidate& c, const std::array<int, 2>& w) {
-        return c.element[0] < w[0] || (c.element[0] == w[0] && c.element[1] < w[1]);
-    });
+    const auto it = std::lower_bound(candidates_.begin(), candidates_.end(), wanted,
+                                     [](const Candidate& c, const std::array<int, 2>& w) {
+                                         return c.element[0] < w[0] || (c.element[0] == w[0] && c.element[1] < w[1]);
+                                     });
     if (it == candidates_.end() || it->element[0] != wanted[0] || it->element[1] != wanted[1]) return nullptr;
     *place = static_cast<std::size_t>(it - candidates_.begin());
     return &*it;
@@ -316,7 +325,11 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
         for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end(e);
     }
     const ContactSettings& rule = rules_[pair.rule];
-    touch.stiffness = rule.stiffness > 0 ? rule.stiffness : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
+    touch.stiffness =
+        rule.stiffness > 0
+            ? rule.stiffness
+            : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])),
+                              pair.touch);
     touch.friction = rule.friction;
     touch.side_before = pair.side;
     contact::look(touch, motion.position, motion.rotation);
@@ -333,8 +346,8 @@ void Contact::end_touches() {
     });
 }
 
-Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                                 std::vector<Vec6>& impulse) {
+Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>& position,
+                                 const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
     now_ = time;
     Settled out;
     for (Touch& touch : touches_) {
@@ -370,7 +383,8 @@ double Contact::drop(int element) {
 }
 
 // Element by element, as a bar's ends change places when it breaks at its first one.
-void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
+                      const std::vector<Quat>& rotation) {
     for (Touch& touch : touches_) {
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
@@ -418,7 +432,8 @@ double Contact::release(double time, std::vector<LetGo>* let_go) {
     return energy;
 }
 
-void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                                  std::vector<Vec6>& force) {
     stored_ = 0;
     for (Bond& bond : bonds_) {
         add_bond_forces(bond, position, rotation, force);
@@ -440,7 +455,8 @@ bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Qua
     });
 }
 
-void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const {
+void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                            const AddStiffness& add) const {
     for (const Bond& bond : bonds_) add_bond_stiffness(bond, position, rotation, add);
     for (const Touch& touch : touches_) add_touch_stiffness(touch, rotation, add);
 }

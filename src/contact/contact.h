@@ -1,8 +1,9 @@
 // Contact at work: bars that move, which pairs of them meet, and what then acts between two.
 //
-// Rule `surface`: bars that are closer than the sum of their half depths press on each other (touch.h). Rule `gap` (eqs 17-19,
-// figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are bound by four gap
-// elements, node to node, for a binding time (gap_rule.h says when, bond.h how). broad_phase.h: which pairs are worth a look.
+// Rule `surface`: bars that are closer than the sum of their half depths press on each other (touch.h). Rule `gap` (eqs
+// 17-19, figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are bound by
+// four gap elements, node to node, for a binding time (gap_rule.h says when, bond.h how). broad_phase.h: which pairs
+// are worth a look.
 #pragma once
 
 #include <cstddef>
@@ -34,9 +35,9 @@ struct Bar {
 
 /// Nodes now, and their motion foreseen over the coming step.
 struct Motion {
-    const std::vector<Vec3>& position;   ///< m
-    const std::vector<Quat>& rotation;   ///< of each node since it was declared, of unit length
-    const std::vector<Vec6>& velocity;   ///< m/s and rad/s, in space: the mean velocity foreseen over the step
+    const std::vector<Vec3>& position;  ///< m
+    const std::vector<Quat>& rotation;  ///< of each node since it was declared, of unit length
+    const std::vector<Vec6>& velocity;  ///< m/s and rad/s, in space: the mean velocity foreseen over the step
 };
 
 enum class ContactRuleKind : int { gap, surface };
@@ -44,35 +45,38 @@ enum class ContactRuleKind : int { gap, surface };
 struct ContactSettings {
     ContactRuleKind rule = ContactRuleKind::gap;
 
-    bool sleep = true;               ///< pairs are looked at when they could have met; false: all of them, at every step
+    bool sleep = true;  ///< pairs are looked at when they could have met; false: all of them, at every step
 
     // surface
-    double stiffness = 0;            ///< N/m; 0: of the two members, see touch_stiffness
-    double friction = 0;             ///< Coulomb's coefficient
+    double stiffness = 0;  ///< N/m; 0: of the two members, see touch_stiffness
+    double friction = 0;   ///< Coulomb's coefficient
 
     // gap
-    double reach = 1.8;              ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other never meets it at mid
-                                     ///< length, than 1/4 near an end, nor do bars end on. Infinite: eq 18 always holds, touch decides
-    double flatness = 3e-4;          ///< alpha of eq 19, m^3 (the paper's value)
-    double binding_time = 0.5e-3;    ///< s (the paper's value)
-    bool letter = false;             ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
-                                     ///< step, and the axes must also come within the sum of the half depths
-    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy is at a low
-                                     ///< minimum, and what is left springs back as an impulse; false: cut at the binding time, what it
-                                     ///< stores is gone
-    double parting_energy = 0.1;     ///< how low: part of the most it has stored. Two elastic beams (fig 13; 26 variants of speed, angle,
-                                     ///< offset and support) had on average 40 % of their energy in bonds cut at 0.5 ms, 28 % at the
-                                     ///< first minimum whatever its height, 13 / 5.5 % at 0.2 / 0.1 of the peak; below that they stick
-    double longest_hold = 20;        ///< binding times after which a bond is let go whatever it carries: 10 ms is longer than such an
-                                     ///< impact lasts; 40 changed nothing, with 10 some bonds were cut while full
-    double shortest_gap = 0.5;       ///< of the mean length of the two elements: gap elements shorter than this are as stiff as
-                                     ///< this, half an element, so that no gap brings in a frequency above the elements' own
+    double reach =
+        1.8;  ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other never meets it at mid
+              ///< length, than 1/4 near an end, nor do bars end on. Infinite: eq 18 always holds, touch decides
+    double flatness = 3e-4;        ///< alpha of eq 19, m^3 (the paper's value)
+    double binding_time = 0.5e-3;  ///< s (the paper's value)
+    bool letter = false;  ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
+                          ///< step, and the axes must also come within the sum of the half depths
+    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy
+                                     ///< is at a low minimum, and what is left springs back as an impulse; false: cut
+                                     ///< at the binding time, what it stores is gone
+    double parting_energy =
+        0.1;  ///< how low: part of the most it has stored. Two elastic beams (fig 13; 26 variants of speed, angle,
+              ///< offset and support) had on average 40 % of their energy in bonds cut at 0.5 ms, 28 % at the
+              ///< first minimum whatever its height, 13 / 5.5 % at 0.2 / 0.1 of the peak; below that they stick
+    double longest_hold = 20;  ///< binding times after which a bond is let go whatever it carries: 10 ms is longer than
+                               ///< such an impact lasts; 40 changed nothing, with 10 some bonds were cut while full
+    double shortest_gap =
+        0.5;  ///< of the mean length of the two elements: gap elements shorter than this are as stiff as
+              ///< this, half an element, so that no gap brings in a frequency above the elements' own
 
     bool operator==(const ContactSettings&) const = default;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.rule, s.sleep, s.stiffness, s.friction, s.reach, s.flatness, s.binding_time, s.letter, s.hold_until_parting, s.parting_energy, s.longest_hold,
-          s.shortest_gap);
+        a(s.rule, s.sleep, s.stiffness, s.friction, s.reach, s.flatness, s.binding_time, s.letter, s.hold_until_parting,
+          s.parting_energy, s.longest_hold, s.shortest_gap);
     }
 };
 
@@ -80,40 +84,49 @@ struct ContactSettings {
 using PairRule = std::function<int(int element_a, int element_b)>;
 
 struct ContactCounts {
-    long bound = 0, released = 0, dropped = 0;   ///< bonds made, or touches begun; let go; lost with a broken element
+    long bound = 0, released = 0, dropped = 0;  ///< bonds made, or touches begun; let go; lost with a broken element
     long pair_tests = 0, list_builds = 0;
-    double energy_let_go = 0;                    ///< J, stored in bonds when they were released or dropped
+    double energy_let_go = 0;  ///< J, stored in bonds when they were released or dropped
 
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.bound, s.released, s.dropped, s.pair_tests, s.list_builds, s.energy_let_go); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.bound, s.released, s.dropped, s.pair_tests, s.list_builds, s.energy_let_go);
+    }
 };
 
 /// Of the pairs of different bodies looked at in a step, the one that came nearest.
-struct Nearest { int element[2] = {-1, -1}; double distance = 0; };   ///< m, of their surfaces
+struct Nearest {
+    int element[2] = {-1, -1};
+    double distance = 0;
+};  ///< m, of their surfaces
 
 /// Something happened between two elements.
 struct ContactEvent {
-    double time;      ///< s; when bound, the moment of contact within the step
+    double time;  ///< s; when bound, the moment of contact within the step
     int element[2];
-    bool bound;       ///< else let go
+    bool bound;  ///< else let go
 
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.time, s.element, s.bound); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.time, s.element, s.bound);
+    }
 };
 
 /// What a bond that was let go still held.
 struct LetGo {
-    double energy = 0;       ///< J
-    bool springs_back = false;   ///< hold_until_parting
+    double energy = 0;          ///< J
+    bool springs_back = false;  ///< hold_until_parting
     End end[4];
-    Vec3 force[4];           ///< N, that it resisted with at each end
-    Vec3 opening[4];         ///< how its two bars' distance grows with a motion of each end
+    Vec3 force[4];    ///< N, that it resisted with at each end
+    Vec3 opening[4];  ///< how its two bars' distance grows with a motion of each end
 };
 
 /// Finds pairs, binds them or lets them press, carries the forces, lets go. Copying it copies all its state.
 ///
-/// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step has
-/// ended, release and settle; drop for what broke.
-/// A step that may be undone begins with remember. A bond starts without force, but ends with one: an integrator that carries
-/// accelerations from step to step must find them anew after a release or a drop, or it goes on pulling for half a step.
+/// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step
+/// has ended, release and settle; drop for what broke. A step that may be undone begins with remember. A bond starts
+/// without force, but ends with one: an integrator that carries accelerations from step to step must find them anew
+/// after a release or a drop, or it goes on pulling for half a step.
 class Contact {
 public:
     explicit Contact(ContactSettings settings) : Contact(std::vector<ContactSettings>{settings}) {}
@@ -122,51 +135,62 @@ public:
     /// The number of a rule with these settings, added if there is none.
     int rule(const ContactSettings& settings);
 
-    /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their element
-    /// numbers. `bars` is the current list of bars; `changed` says that it differs from the last call (something broke).
-    /// Pairs that share a node never bind; nor do pairs that touch when they are first seen, until they have parted.
-    /// Returns the number of pairs newly bound. `rule_of` is asked once for each pair that comes near; without it all meet by the first rule.
-    int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time, const PairRule& rule_of = {});
+    /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their
+    /// element numbers. `bars` is the current list of bars; `changed` says that it differs from the last call
+    /// (something broke). Pairs that share a node never bind; nor do pairs that touch when they are first seen, until
+    /// they have parted. Returns the number of pairs newly bound. `rule_of` is asked once for each pair that comes
+    /// near; without it all meet by the first rule.
+    int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
+               const PairRule& rule_of = {});
 
-    /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go, J.
+    /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go,
+    /// J.
     double drop(int element);
 
     /// Elements broke: touches go on with the stubs, which lie where the elements lay. Nothing is let go.
     void hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it compares the
-    /// energies with those of the call before. Returns the energy let go, J; `let_go` gets what each bond held.
+    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it
+    /// compares the energies with those of the call before. Returns the energy let go, J; `let_go` gets what each bond
+    /// held.
     double release(double time, std::vector<LetGo>* let_go = nullptr);
 
-    /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step missed
-    /// (touch.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
-    struct Settled { bool missed = false; double work = 0, heat = 0; };
-    Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& impulse);
+    /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step
+    /// missed (touch.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
+    struct Settled {
+        bool missed = false;
+        double work = 0, heat = 0;
+    };
+    Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                   std::vector<Vec6>& impulse);
 
     /// Adds the forces of bonds and touches to `force` (what resists: + dU/du), and stores the energies.
-    void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
+    void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                             std::vector<Vec6>& force);
 
-    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a touch that pressed does
-    /// not, or the other way round; or friction has become another by more than 1 % of the pressure.
+    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a touch that
+    /// pressed does not, or the other way round; or friction has become another by more than 1 % of the pressure.
     bool unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const;
 
     /// The stiffness of every bond where the nodes are, and of every touch as it was at the last add_internal_forces.
-    void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation, const AddStiffness& add) const;
+    void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                       const AddStiffness& add) const;
 
-    double stored_energy() const { return stored_; }   ///< J, as of the last add_internal_forces
+    double stored_energy() const { return stored_; }  ///< J, as of the last add_internal_forces
     bool idle() const { return bonds_.empty() && touches_.empty(); }
     const std::vector<ContactSettings>& rules() const { return rules_; }
     const ContactCounts& counts() const { return counts_; }
-    const std::vector<Bond>& bonds() const { return bonds_; }   ///< in the order in which they were made
-    const std::vector<Touch>& touches() const { return touches_; }   ///< pairs that touch, or might in this step
-    const Nearest& nearest() const { return nearest_; }   ///< in the last detect; {-1, -1}: none was looked at
+    const std::vector<Bond>& bonds() const { return bonds_; }       ///< in the order in which they were made
+    const std::vector<Touch>& touches() const { return touches_; }  ///< pairs that touch, or might in this step
+    const Nearest& nearest() const { return nearest_; }  ///< in the last detect; {-1, -1}: none was looked at
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
     /// What happened since the log was last cleared.
     const std::vector<ContactEvent>& events() const { return events_; }
     void clear_events() { events_.clear(); }
 
-    /// Where a step begins that may be undone. take_back: all as it was there; forget: the step stands, nothing more is noted.
+    /// Where a step begins that may be undone. take_back: all as it was there; forget: the step stands, nothing more is
+    /// noted.
     void remember();
     void take_back();
     void forget() { noting_ = false; }
@@ -174,37 +198,45 @@ public:
     /// All that the bits of later steps depend on (core/archive.h).
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.rules_, s.counts_, s.bonds_, s.touches_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_, s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_,
-          s.candidates_, s.look_at_);
+        a(s.rules_, s.counts_, s.bonds_, s.touches_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_, s.listed_at_,
+          s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.look_at_);
     }
-    /// Whether what was read can be the state of a structure with so many nodes, elements and bars: nothing refers beyond them.
+    /// Whether what was read can be the state of a structure with so many nodes, elements and bars: nothing refers
+    /// beyond them.
     bool makes_sense(int nodes, int elements, int bars) const;
 
 private:
     enum class PairState : int {
-        free,     ///< may bind
-        bound,    ///< by a bond, or with a touch to watch
-        joined    ///< touched when first seen: a joint, or members that cross in one; free once they have parted
+        free,   ///< may bind
+        bound,  ///< by a bond, or with a touch to watch
+        joined  ///< touched when first seen: a joint, or members that cross in one; free once they have parted
     };
     struct Candidate {
         int element[2];
-        int bar[2];                  ///< places in the list of bars
+        int bar[2];  ///< places in the list of bars
         PairState state;
         int rule;
-        double touch;                ///< sum of the half depths, m
-        Vec3 side = Vec3::Zero();    ///< unit direction from a to b when they last were clearly apart
+        double touch;              ///< sum of the half depths, m
+        Vec3 side = Vec3::Zero();  ///< unit direction from a to b when they last were clearly apart
 
-        template <class Self, class A> static void fields(Self& s, A& a) { a(s.element, s.bar, s.state, s.rule, s.touch, s.side); }
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.element, s.bar, s.state, s.rule, s.touch, s.side);
+        }
     };
     struct ArmEnd {
         End end;
         Vec3 last;
-        template <class Self, class A> static void fields(Self& s, A& a) { a(s.end, s.last); }
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.end, s.last);
+        }
     };
 
     void list_ends(const std::vector<Bar>& bars, const Motion& motion);
     double advance(const Motion& motion, double dt);
-    void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight, const PairRule& rule_of);
+    void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
+                    const PairRule& rule_of);
     double farness(const Candidate& pair, const Two& two, const Closest& closest) const;
     void observe(Candidate& pair, const Two& two, const Closest& closest) const;
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
@@ -222,28 +254,37 @@ private:
     std::vector<Bond> bonds_;
     std::vector<Touch> touches_;
     Nearest nearest_;
-    double stored_ = 0;                   ///< J, as of the last add_internal_forces
+    double stored_ = 0;  ///< J, as of the last add_internal_forces
     std::vector<ContactEvent> events_;
 
-    // Distances travelled stand for time: between two looks nothing can come closer than twice what the fastest point has
-    // travelled, however fast it has become meanwhile.
+    // Distances travelled stand for time: between two looks nothing can come closer than twice what the fastest point
+    // has travelled, however fast it has become meanwhile.
     bool seen_ = false;
-    double now_ = 0;                  ///< s, the time last heard of
-    double travelled_ = 0;            ///< m, sum over the steps of the longest way of any end
-    double listed_at_ = 0;            ///< travelled_ when the list was made
-    double margin_ = 0;               ///< m, how far any end may travel before the list is made anew
-    std::vector<int> nodes_;          ///< nodes in which bars end, sorted
-    std::vector<Vec3> last_;          ///< where they were
-    std::vector<ArmEnd> arms_;        ///< virtual ends
-    std::vector<Candidate> candidates_;   ///< sorted by element numbers
-    std::vector<double> look_at_;         ///< of each candidate: the value of travelled_ before which it cannot matter
+    double now_ = 0;                     ///< s, the time last heard of
+    double travelled_ = 0;               ///< m, sum over the steps of the longest way of any end
+    double listed_at_ = 0;               ///< travelled_ when the list was made
+    double margin_ = 0;                  ///< m, how far any end may travel before the list is made anew
+    std::vector<int> nodes_;             ///< nodes in which bars end, sorted
+    std::vector<Vec3> last_;             ///< where they were
+    std::vector<ArmEnd> arms_;           ///< virtual ends
+    std::vector<Candidate> candidates_;  ///< sorted by element numbers
+    std::vector<double> look_at_;        ///< of each candidate: the value of travelled_ before which it cannot matter
 
     // For a step that is undone: of the pairs, which are many, those that it changed, unless it made their list anew.
-    auto all_but_pairs() { return std::tie(rules_, counts_, bonds_, touches_, nearest_, stored_, events_, seen_, now_, travelled_, listed_at_, margin_, nodes_, last_, arms_); }
+    auto all_but_pairs() {
+        return std::tie(rules_, counts_, bonds_, touches_, nearest_, stored_, events_, seen_, now_, travelled_,
+                        listed_at_, margin_, nodes_, last_, arms_);
+    }
     struct Before {
-        std::tuple<std::vector<ContactSettings>, ContactCounts, std::vector<Bond>, std::vector<Touch>, Nearest, double, std::vector<ContactEvent>, bool, double, double, double,
-                   double, std::vector<int>, std::vector<Vec3>, std::vector<ArmEnd>> all_but_pairs;
-        struct Changed { std::size_t place; Candidate pair; double look_at; };
+        std::tuple<std::vector<ContactSettings>, ContactCounts, std::vector<Bond>, std::vector<Touch>, Nearest, double,
+                   std::vector<ContactEvent>, bool, double, double, double, double, std::vector<int>, std::vector<Vec3>,
+                   std::vector<ArmEnd>>
+            all_but_pairs;
+        struct Changed {
+            std::size_t place;
+            Candidate pair;
+            double look_at;
+        };
         std::vector<Changed> changed;
         bool listed_anew = false;
         std::vector<Candidate> candidates;

@@ -15,7 +15,8 @@ void Contact::remember() {
 void Contact::take_back() {
     all_but_pairs() = before_.all_but_pairs;
     if (before_.listed_anew) candidates_ = before_.candidates, look_at_ = before_.look_at;
-    for (auto c = before_.changed.rbegin(); c != before_.changed.rend(); ++c) candidates_[c->place] = c->pair, look_at_[c->place] = c->look_at;
+    for (auto c = before_.changed.rbegin(); c != before_.changed.rend(); ++c)
+        candidates_[c->place] = c->pair, look_at_[c->place] = c->look_at;
     before_.changed.clear();
     before_.listed_anew = false;
 }
@@ -33,10 +34,15 @@ void Contact::note_list() {
 bool Contact::makes_sense(int nodes, int elements, int bars) const {
     const auto within = [](int i, int count) { return i >= 0 && i < count; };
     const auto node = [&](int i) { return within(i, nodes); };
-    const auto pair = [&](const auto& of) { return within(of.element[0], elements) && within(of.element[1], elements); };
-    const auto ends = [&](const auto& of) { return std::all_of(of.end, of.end + 4, [&](const End& end) { return node(end.node); }); };
+    const auto pair = [&](const auto& of) {
+        return within(of.element[0], elements) && within(of.element[1], elements);
+    };
+    const auto ends = [&](const auto& of) {
+        return std::all_of(of.end, of.end + 4, [&](const End& end) { return node(end.node); });
+    };
     const auto rule = [&](const auto& of) { return within(of.rule, int(rules_.size())); };
-    return last_.size() == nodes_.size() && look_at_.size() == candidates_.size() && std::all_of(nodes_.begin(), nodes_.end(), node) &&
+    return last_.size() == nodes_.size() && look_at_.size() == candidates_.size() &&
+           std::all_of(nodes_.begin(), nodes_.end(), node) &&
            std::all_of(arms_.begin(), arms_.end(), [&](const ArmEnd& arm) { return node(arm.end.node); }) &&
            std::all_of(events_.begin(), events_.end(), pair) &&
            std::all_of(bonds_.begin(), bonds_.end(), [&](const Bond& b) { return pair(b) && ends(b) && rule(b); }) &&

@@ -121,7 +121,8 @@ int spans_between(const Cubic& p, double lo, double hi, Span out[3]) {
 
 Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& side, double touch) {
     const double s = closest.s, t = closest.t;
-    const Vec3 relative = (1 - t) * moving.move.b[0] + t * moving.move.b[1] - (1 - s) * moving.move.a[0] - s * moving.move.a[1];
+    const Vec3 relative =
+        (1 - t) * moving.move.b[0] + t * moving.move.b[1] - (1 - s) * moving.move.a[0] - s * moving.move.a[1];
     const double cutting = 1e-6 * touch + 1e-9 * lengths(now);
     const bool known = closest.distance > cutting && closest.between.dot(side) >= 0;
     const Vec3 direction = known ? Vec3(closest.between / closest.distance) : side;
@@ -133,9 +134,10 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& si
     const double touch = numbers.touch, bound = moving.closing_bound();
     if (begin.distance - bound > touch) return {};
 
-    // A pair that was within touch already may have passed through a little without a bond (or when a bond was let go). There
-    // f has a side, the sign of the common normal along `side`, and everything beyond the band of eq 19 on the far side counts
-    // as flat too. In one plane (normal and side at a right angle) f tells no side, and the band has two.
+    // A pair that was within touch already may have passed through a little without a bond (or when a bond was let go).
+    // There f has a side, the sign of the common normal along `side`, and everything beyond the band of eq 19 on the
+    // far side counts as flat too. In one plane (normal and side at a right angle) f tells no side, and the band has
+    // two.
     const Cubic f = flatness_over(moving);
     const double alpha = numbers.alpha + flatness_noise(moving.start);
     const Vec3 normal = (moving.start.a[1] - moving.start.a[0]).cross(moving.start.b[1] - moving.start.b[0]);
@@ -148,8 +150,9 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& si
     const int n = spans_between(f, lo, hi, spans);
     if (n == 0) return {};
 
-    // Inside a span nothing but distances counts. They change no faster than `bound` per step, so what is missing says how far
-    // ahead the next look may be (conservative advancement); the least stride bounds the work when bars slide along each other.
+    // Inside a span nothing but distances counts. They change no faster than `bound` per step, so what is missing says
+    // how far ahead the next look may be (conservative advancement); the least stride bounds the work when bars slide
+    // along each other.
     const double least = std::max(1.0 / 256, std::min(1.0, 0.01 * touch / std::max(bound, 1e-300)));
     const double stretch = (moving.move.a[1] - moving.move.a[0]).norm() + (moving.move.b[1] - moving.move.b[0]).norm();
     for (int i = 0; i < n; ++i) {

@@ -1,7 +1,7 @@
 // The rule `gap` as geometry: eqs 17-19 of the paper, at an instant and swept over a step.
 //
-// Letters as in the paper: A1, A2 the ends of one element, B1, B2 those of the other; L_c, L_i their lengths; C_l the reach;
-// alpha the flatness. All lengths in m, f and alpha in m^3.
+// Letters as in the paper: A1, A2 the ends of one element, B1, B2 those of the other; L_c, L_i their lengths; C_l the
+// reach; alpha the flatness. All lengths in m, f and alpha in m^3.
 #pragma once
 
 #include "contact/segments.h"
@@ -26,11 +26,12 @@ double spread(const Two& two);
 /// Eq 18: spread <= C_l (L_c + L_i).
 bool within_reach(const Two& two, double reach);
 
-/// Eq 19, |f| <= alpha. (Printed without the bars; a signed f would let half of all approaches through from any distance.)
+/// Eq 19, |f| <= alpha. (Printed without the bars; a signed f would let half of all approaches through from any
+/// distance.)
 bool flat(const Two& two, double alpha);
 
-/// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines, so that
-/// at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
+/// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines,
+/// so that at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
 struct Moving {
     Two start, move;
 
@@ -56,34 +57,34 @@ struct Span {
 int spans_between(const Cubic& p, double lo, double hi, Span out[3]);
 
 struct RuleNumbers {
-    double reach;     ///< C_l of eq 18; infinite: eq 18 always holds
-    double alpha;     ///< eq 19, m^3
-    double touch;     ///< sum of the half depths, m (not used by the letter)
+    double reach;  ///< C_l of eq 18; infinite: eq 18 always holds
+    double alpha;  ///< eq 19, m^3
+    double touch;  ///< sum of the half depths, m (not used by the letter)
 };
 
 /// A contact found: when, and where on the two axes.
 struct Meeting {
     bool found = false;
-    double tau = 0;             ///< part of the step
-    double s = 0, t = 0;        ///< along a and along b
-    Vec3 direction = Vec3::Zero();   ///< unit vector from a to b along which they approach
+    double tau = 0;                 ///< part of the step
+    double s = 0, t = 0;            ///< along a and along b
+    Vec3 direction = Vec3::Zero();  ///< unit vector from a to b along which they approach
 };
 
 /// Motion of the bars towards each other.
 struct Approach {
-    double rate;      ///< as a distance per step, m; positive: they come closer
-    Vec3 direction;   ///< unit vector from a to b along which it is measured
+    double rate;     ///< as a distance per step, m; positive: they come closer
+    Vec3 direction;  ///< unit vector from a to b along which it is measured
 };
 
-/// The velocity at which the bars approach, as a distance per step: minus the relative motion of the two closest points along
-/// the line from a to b. Where the axes all but cut each other, or have passed through each other, that line says nothing:
-/// then `side`, the direction from a to b before, takes its place.
+/// The velocity at which the bars approach, as a distance per step: minus the relative motion of the two closest points
+/// along the line from a to b. Where the axes all but cut each other, or have passed through each other, that line says
+/// nothing: then `side`, the direction from a to b before, takes its place.
 Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& side, double touch);
 
-/// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within `touch` of each other,
-/// and the bars approach. `side` is the unit direction from a to b when they last were clearly apart (zero: unknown); it tells
-/// bars that come closer from bars that have already passed a little through each other.
-/// `begin` are the closest points when the step begins. A graze shallower than 1 % of `touch` may go unseen.
+/// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within `touch` of
+/// each other, and the bars approach. `side` is the unit direction from a to b when they last were clearly apart (zero:
+/// unknown); it tells bars that come closer from bars that have already passed a little through each other. `begin` are
+/// the closest points when the step begins. A graze shallower than 1 % of `touch` may go unseen.
 Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& side, const RuleNumbers& numbers);
 
 /// Eqs 17-19 to the letter, looked at only when the step begins: flat, within reach, approaching.

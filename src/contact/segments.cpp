@@ -22,8 +22,9 @@ struct Candidate {
 
 }  // namespace
 
-// |p_b - p_a|^2 is convex over the unit square of (s, t). Its least value lies either inside (both axes crossed by their common
-// normal) or on an edge of the square, that is at the end of a segment: four distances from a point to a segment.
+// |p_b - p_a|^2 is convex over the unit square of (s, t). Its least value lies either inside (both axes crossed by
+// their common normal) or on an edge of the square, that is at the end of a segment: four distances from a point to a
+// segment.
 Closest closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
     const Vec3 da = a1 - a0, db = b1 - b0, e = b0 - a0;
     const double aa = da.squaredNorm(), bb = db.squaredNorm(), scale = std::max(aa, bb);
@@ -44,7 +45,8 @@ Closest closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec
         return finish(s, t, Nearness::point);
     }
 
-    // The normal comes from the cross product, not from aa bb - ab^2: its error grows with 1 / angle, not with its square.
+    // The normal comes from the cross product, not from aa bb - ab^2: its error grows with 1 / angle, not with its
+    // square.
     const Vec3 normal = da.cross(db);
     const double nn = normal.squaredNorm();
     const bool has_normal = nn > parallel * aa * bb;
@@ -82,7 +84,9 @@ Closest closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec
 
     const bool end_a = best->s == 0 || best->s == 1, end_b = best->t == 0 || best->t == 1;
     return finish(best->s, best->t,
-                  end_a && end_b ? Nearness::end_to_end : end_a || end_b ? Nearness::end_on_side : Nearness::crossing);
+                  end_a && end_b   ? Nearness::end_to_end
+                  : end_a || end_b ? Nearness::end_on_side
+                                   : Nearness::crossing);
 }
 
 }  // namespace hinge::contact

@@ -15,9 +15,9 @@ enum class Nearness {
 };
 
 struct Closest {
-    double s = 0, t = 0;            ///< where: a0 + s (a1 - a0) and b0 + t (b1 - b0), both in [0, 1]
-    Vec3 between = Vec3::Zero();    ///< from the point on a to the point on b, m
-    double distance = 0;            ///< its length, m
+    double s = 0, t = 0;          ///< where: a0 + s (a1 - a0) and b0 + t (b1 - b0), both in [0, 1]
+    Vec3 between = Vec3::Zero();  ///< from the point on a to the point on b, m
+    double distance = 0;          ///< its length, m
     Nearness kind = Nearness::crossing;
 };
 

@@ -39,12 +39,14 @@ Row slip_row(const Touch& touch, const std::vector<Quat>& rotation, const Vec3& 
     for (int i = 0; i < 4; ++i) {
         const double part = share(i, touch.at_before);
         const Vec3 f = (i < 2 ? -part : part) * direction;
-        row[i] << f, arm_of(touch.end[i], rotation).cross(f) - part * depth_share(touch, i) * touch.between.cross(direction);
+        row[i] << f,
+            arm_of(touch.end[i], rotation).cross(f) - part * depth_share(touch, i) * touch.between.cross(direction);
     }
     return row;
 }
 
-void points_of(const Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation, Vec3 (&point)[4]) {
+void points_of(const Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+               Vec3 (&point)[4]) {
     for (int i = 0; i < 4; ++i) point[i] = position[touch.end[i].node] + arm_of(touch.end[i], rotation);
 }
 
@@ -106,7 +108,8 @@ void look(Touch& touch, const std::vector<Vec3>& position, const std::vector<Qua
     touch.slip = touch.slides ? Vec3(most / length * trial) : trial;
     // the step moved the surfaces against the mean of the forces at its two ends
     const double stored = 0.5 * k * touch.slip.squaredNorm();
-    touch.heat = 0.5 * k * (touch.slip + touch.slip_before).dot(moved) + 0.5 * k * touch.slip_before.squaredNorm() - stored;
+    touch.heat =
+        0.5 * k * (touch.slip + touch.slip_before).dot(moved) + 0.5 * k * touch.slip_before.squaredNorm() - stored;
     touch.energy += stored;
 }
 
@@ -169,7 +172,8 @@ double missed_impulse(const Touch& touch, double dt, const std::vector<Quat>& ro
     const double before = touch.overlap_before, now = touch.overlap;
     if ((before > 0) == (now > 0)) return 0;
     const double most = std::max(before, now), least = std::min(before, now);
-    const double missing = 0.5 * dt * touch.stiffness * most * least / (most - least);   // towards each other: least <= 0
+    const double missing =
+        0.5 * dt * touch.stiffness * most * least / (most - least);  // towards each other: least <= 0
     add_row(touch, normal_row(touch, rotation), missing, impulse);
     return missing * (before - now) / dt;
 }

@@ -2,8 +2,8 @@
 //
 // A type tells its fields once,
 //   template <class Self, class Archive> static void fields(Self& self, Archive& a) { a(self.x, self.list); }
-// where Self is const for who writes. Little endian; a reader believes nothing: what is not whole throws Damaged, and no bytes make
-// it take more memory than a few times their own size.
+// where Self is const for who writes. Little endian; a reader believes nothing: what is not whole throws Damaged, and
+// no bytes make it take more memory than a few times their own size.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,8 @@ namespace archive {
 
 /// Whose bytes are their value, without gaps.
 template <class T>
-constexpr bool is_plain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T> || std::is_same_v<T, Quat> || std::is_base_of_v<Eigen::EigenBase<T>, T>;
+constexpr bool is_plain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T> ||
+                          std::is_same_v<T, Quat> || std::is_base_of_v<Eigen::EigenBase<T>, T>;
 
 template <class A, class T>
 void value(A& a, T& v);
@@ -78,13 +79,34 @@ void map(A& a, Map& m) {
     }
 }
 
-template <class T> struct Is { static constexpr bool list = false, map = false, optional = false, pair = false; };
-template <class T, class A> struct Is<std::vector<T, A>> : Is<void> { static constexpr bool list = true; };
-template <> struct Is<std::string> : Is<void> { static constexpr bool list = true; };
-template <class K, class T> struct Is<std::map<K, T>> : Is<void> { static constexpr bool map = true; };
-template <class K, class T> struct Is<std::unordered_map<K, T>> : Is<void> { static constexpr bool map = true; };
-template <class T> struct Is<std::optional<T>> : Is<void> { static constexpr bool optional = true; };
-template <class T, class U> struct Is<std::pair<T, U>> : Is<void> { static constexpr bool pair = true; };
+template <class T>
+struct Is {
+    static constexpr bool list = false, map = false, optional = false, pair = false;
+};
+template <class T, class A>
+struct Is<std::vector<T, A>> : Is<void> {
+    static constexpr bool list = true;
+};
+template <>
+struct Is<std::string> : Is<void> {
+    static constexpr bool list = true;
+};
+template <class K, class T>
+struct Is<std::map<K, T>> : Is<void> {
+    static constexpr bool map = true;
+};
+template <class K, class T>
+struct Is<std::unordered_map<K, T>> : Is<void> {
+    static constexpr bool map = true;
+};
+template <class T>
+struct Is<std::optional<T>> : Is<void> {
+    static constexpr bool optional = true;
+};
+template <class T, class U>
+struct Is<std::pair<T, U>> : Is<void> {
+    static constexpr bool pair = true;
+};
 
 template <class A, class T>
 void value(A& a, T& v) {
@@ -107,7 +129,8 @@ void value(A& a, T& v) {
         bool there = v.has_value();
         value(a, there);
         if constexpr (A::reading) v.reset();
-        if constexpr (A::reading) if (there) v.emplace();
+        if constexpr (A::reading)
+            if (there) v.emplace();
         if (there) value(a, *v);
     } else {
         Plain::fields(v, a);
@@ -122,7 +145,9 @@ public:
     static constexpr bool reading = false;
     explicit Writer(std::string& out) : out_(out) {}
     template <class... T>
-    void operator()(const T&... values) { (archive::value(*this, values), ...); }
+    void operator()(const T&... values) {
+        (archive::value(*this, values), ...);
+    }
     void bytes(const void* from, std::size_t n) { out_.append(static_cast<const char*>(from), n); }
 
 private:
@@ -135,7 +160,9 @@ public:
     static constexpr bool reading = true;
     explicit Reader(std::string_view in) : in_(in) {}
     template <class... T>
-    void operator()(T&... values) { (archive::value(*this, values), ...); }
+    void operator()(T&... values) {
+        (archive::value(*this, values), ...);
+    }
     void bytes(void* to, std::size_t n) {
         must_hold(n, 1);
         if (n > 0) std::memcpy(to, in_.data(), n);
@@ -146,7 +173,7 @@ public:
     void must(bool good) const {
         if (!good) throw Damaged("its contents make no sense");
     }
-    std::string_view rest() const { return in_; }   ///< not yet read
+    std::string_view rest() const { return in_; }  ///< not yet read
 
 private:
     std::string_view in_;

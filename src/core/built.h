@@ -1,5 +1,5 @@
-// Which effects are compiled in: all of them. The bench compiles an engine without, to show that an effect that a scene does not
-// call for costs no more than one that is not there.
+// Which effects are compiled in: all of them. The bench compiles an engine without, to show that an effect that a scene
+// does not call for costs no more than one that is not there.
 #pragma once
 
 namespace hinge::built {

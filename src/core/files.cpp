@@ -32,7 +32,8 @@ std::string file_trouble(const std::string& doing, const std::string& path, int 
     if (error == EFBIG) return what + "; raise the limit on a file's size (ulimit -f)";
     if (error == ENOSPC || error == EDQUOT) return what + "; free some space, or choose another folder with --out";
     if (doing == "cannot read") return what;
-    if (error == EACCES || error == EROFS || error == EPERM) return what + "; choose a folder you may write to with --out";
+    if (error == EACCES || error == EROFS || error == EPERM)
+        return what + "; choose a folder you may write to with --out";
     return what;
 }
 
@@ -54,9 +55,11 @@ void write_whole(const std::string& path, const std::string& content) {
         ::unlink(aside.c_str());
         throw OutsideError(file_trouble("cannot write", path, error));
     }
-    // the new name too is to be there after a power cut; where a file system has no such thing, it is as good as it gets
+    // the new name too is to be there after a power cut; where a file system has no such thing, it is as good as it
+    // gets
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (const int entry = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entry >= 0) ::fsync(entry), ::close(entry);
+    if (const int entry = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entry >= 0)
+        ::fsync(entry), ::close(entry);
 }
 
 void append(const std::string& path, const std::string& content) {

@@ -20,12 +20,16 @@ struct LargePages {
         const std::size_t bytes = n * sizeof(T), align = bytes < 4 * page ? 64 : page;
         void* p = nullptr;
         if (posix_memalign(&p, align, bytes)) throw std::bad_alloc();
-        if (align == page) madvise(p, bytes / page * page, MADV_HUGEPAGE);  // a wish: small pages do as well, and what is left over has them
+        if (align == page)
+            madvise(p, bytes / page * page,
+                    MADV_HUGEPAGE);  // a wish: small pages do as well, and what is left over has them
         return static_cast<T*>(p);
     }
     void deallocate(T* p, std::size_t) { std::free(p); }
     template <class U>
-    bool operator==(const LargePages<U>&) const { return true; }
+    bool operator==(const LargePages<U>&) const {
+        return true;
+    }
 };
 
 template <class T>

@@ -18,7 +18,8 @@ Team::Team(int threads) {
         for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
     } catch (const std::system_error& e) {
         dismiss();  // those that began would wait for work, and we for them
-        throw OutsideError("cannot start " + std::to_string(threads) + " threads: " + e.code().message() + "; ask for fewer");
+        throw OutsideError("cannot start " + std::to_string(threads) + " threads: " + e.code().message() +
+                           "; ask for fewer");
     }
 }
 

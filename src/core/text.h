@@ -15,7 +15,8 @@ inline std::string number_text(double v, int digits = 6) {
 }
 
 inline std::string vector_text(const Vec3& v, int digits = 6) {
-    return "{" + number_text(v.x(), digits) + ", " + number_text(v.y(), digits) + ", " + number_text(v.z(), digits) + "}";
+    return "{" + number_text(v.x(), digits) + ", " + number_text(v.y(), digits) + ", " + number_text(v.z(), digits) +
+           "}";
 }
 
 }  // namespace hinge

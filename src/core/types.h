@@ -4,9 +4,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-static_assert(EIGEN_MAX_ALIGN_BYTES == HINGE_ALIGNMENT,
-              "hinge was built for another processor than this file is compiled for, and its types would not be laid out alike: "
-              "take the flags of the CMake target hinge::engine, or build hinge with HINGE_NATIVE=OFF");
+static_assert(
+    EIGEN_MAX_ALIGN_BYTES == HINGE_ALIGNMENT,
+    "hinge was built for another processor than this file is compiled for, and its types would not be laid out alike: "
+    "take the flags of the CMake target hinge::engine, or build hinge with HINGE_NATIVE=OFF");
 
 namespace hinge {
 

@@ -20,7 +20,8 @@ struct Finder {
     std::map<std::string, std::size_t> place;
 
     /// The first of a kind is told, the others are counted.
-    void tell(const std::string& kind, const std::string& what, const std::string& advice, const std::string& asked_at) {
+    void tell(const std::string& kind, const std::string& what, const std::string& advice,
+              const std::string& asked_at) {
         const auto [known, fresh] = place.try_emplace(kind, found.size());
         if (fresh) found.push_back({what, advice, asked_at});
         else ++found[known->second].more;
@@ -50,14 +51,26 @@ void Finder::materials() {
         if (!seen.insert(&m).second) continue;
         const std::string whose = " (the material of " + name(i) + ")";
         if (m.E < 1e7)
-            tell("E", "E is " + number(m.E) + " Pa" + whose, m.E < 2000 ? "in GPa? " + number(m.E) + " GPa is " + number(m.E) + "e9" : "in MPa? " + number(m.E) + " MPa is " + number(m.E) + "e6", m.asked_at);
-        else if (m.E > 2e12) tell("E", "E is " + number(m.E) + " Pa, more than diamond's" + whose, "it is in Pa: steel has 206e9", m.asked_at);
+            tell("E", "E is " + number(m.E) + " Pa" + whose,
+                 m.E < 2000 ? "in GPa? " + number(m.E) + " GPa is " + number(m.E) + "e9"
+                            : "in MPa? " + number(m.E) + " MPa is " + number(m.E) + "e6",
+                 m.asked_at);
+        else if (m.E > 2e12)
+            tell("E", "E is " + number(m.E) + " Pa, more than diamond's" + whose, "it is in Pa: steel has 206e9",
+                 m.asked_at);
         else if (m.yield_stress > 0.1 * m.E && std::isfinite(m.yield_stress))
-            tell("yield strain", "the yield stress " + number(m.yield_stress) + " Pa is more than a tenth of E, " + number(m.E) + " Pa" + whose, "both are in Pa", m.asked_at);
+            tell("yield strain",
+                 "the yield stress " + number(m.yield_stress) + " Pa is more than a tenth of E, " + number(m.E) +
+                     " Pa" + whose,
+                 "both are in Pa", m.asked_at);
         if (m.density > 0 && m.density < 25)
             tell("density", "the density is " + number(m.density) + " kg/m^3" + whose,
-                 m.density > 1e-3 ? "in g/cm^3? " + number(m.density) + " g/cm^3 is " + number(1000 * m.density) : "in t/mm^3? " + number(m.density) + " t/mm^3 is " + number(1e12 * m.density), m.asked_at);
-        if (m.yield_stress < 1e5) tell("yield stress", "the yield stress is " + number(m.yield_stress) + " Pa" + whose, "in MPa? " + number(m.yield_stress) + " MPa is " + number(m.yield_stress) + "e6", m.asked_at);
+                 m.density > 1e-3 ? "in g/cm^3? " + number(m.density) + " g/cm^3 is " + number(1000 * m.density)
+                                  : "in t/mm^3? " + number(m.density) + " t/mm^3 is " + number(1e12 * m.density),
+                 m.asked_at);
+        if (m.yield_stress < 1e5)
+            tell("yield stress", "the yield stress is " + number(m.yield_stress) + " Pa" + whose,
+                 "in MPa? " + number(m.yield_stress) + " MPa is " + number(m.yield_stress) + "e6", m.asked_at);
     }
 }
 
@@ -70,9 +83,12 @@ void Finder::sections() {
     std::set<const Section*> seen;
     for (int i = 0; i < int(model.members().size()); ++i) {
         const Section& s = *model.members()[i].section;
-        const double size = std::max({s.width, s.depth, std::sqrt(s.area), 2 * std::sqrt(std::max(s.Ix, s.Iy) / s.area)});
+        const double size =
+            std::max({s.width, s.depth, std::sqrt(s.area), 2 * std::sqrt(std::max(s.Ix, s.Iy) / s.area)});
         if (seen.insert(&s).second && size > 2 && (size > longest[&s] || size > 20))
-            tell("section", "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) + " m across, and the longest member that has it " + number(longest[&s]) + " m",
+            tell("section",
+                 "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) +
+                     " m across, and the longest member that has it " + number(longest[&s]) + " m",
                  "in mm? sizes are in m, areas in m^2, moments of area in m^4", s.asked_at);
     }
 }
@@ -82,14 +98,18 @@ void Finder::gravity() {
     const Vec3& g = *model.gravity();
     const std::string what = "gravity is " + vector_text(g) + " m/s^2";
     if (g.norm() > 100) tell("gravity", what, "in mm/s^2? the earth's is 9.80665 m/s^2", model.asked_at("gravity"));
-    if (g.z() > 0 && g.z() >= g.cwiseAbs().maxCoeff()) tell("upward", what + ", which pulls up", "write { 0, 0, -9.80665 } where z points up", model.asked_at("gravity"));
+    if (g.z() > 0 && g.z() >= g.cwiseAbs().maxCoeff())
+        tell("upward", what + ", which pulls up", "write { 0, 0, -9.80665 } where z points up",
+             model.asked_at("gravity"));
 }
 
 void Finder::lone_nodes() {
     std::vector<char> used(model.nodes().size(), 0);
     for (const MemberData& m : model.members()) used[m.node[0]] = used[m.node[1]] = 1;
     for (int n = 0; n < int(used.size()); ++n)
-        if (!used[n]) tell("lone", "node " + std::to_string(n + 1) + " at " + at(position(n)) + " belongs to no member", "join it with model:member, or leave it out", node_line(n));
+        if (!used[n])
+            tell("lone", "node " + std::to_string(n + 1) + " at " + at(position(n)) + " belongs to no member",
+                 "join it with model:member, or leave it out", node_line(n));
 }
 
 void Finder::tiny_members() {
@@ -99,7 +119,8 @@ void Finder::tiny_members() {
     for (int i = 0; i < int(model.members().size()); ++i) {
         const double neighbour = std::max(longest[model.members()[i].node[0]], longest[model.members()[i].node[1]]);
         if (50 * length(i) < neighbour)
-            tell("tiny", name(i) + " is " + number(length(i)) + " m long, one that it is joined to " + number(neighbour) + " m",
+            tell("tiny",
+                 name(i) + " is " + number(length(i)) + " m long, one that it is joined to " + number(neighbour) + " m",
                  "the shortest element sets the shortest wave time; is it meant to be there?", member_line(i));
     }
 }
@@ -117,7 +138,8 @@ void Finder::unjoined() {
         }
     const double close = 1e-6 * (high - low).norm();
     const Vec3 room = Vec3::Constant(0.5 * close);
-    for (int i = 0; i < members; ++i) boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
+    for (int i = 0; i < members; ++i)
+        boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
     std::vector<int> used;
     for (int n = 0; n < int(model.nodes().size()); ++n)
         if (!members_at[n].empty()) used.push_back(n), boxes.push_back({position(n) - room, position(n) + room});
@@ -131,13 +153,17 @@ void Finder::unjoined() {
     for (const auto& [i, j] : pairs) {
         if (j >= members) continue;
         const Vec3 along = (end(i, 1) - end(i, 0)).normalized();
-        const auto offset = [&, i = i, j = j](int side) { const Vec3 d = end(j, side) - end(i, 0); return (d - d.dot(along) * along).norm(); };
+        const auto offset = [&, i = i, j = j](int side) {
+            const Vec3 d = end(j, side) - end(i, 0);
+            return (d - d.dot(along) * along).norm();
+        };
         if (offset(0) > close || offset(1) > close) continue;
         const double a = (end(j, 0) - end(i, 0)).dot(along), b = (end(j, 1) - end(i, 0)).dot(along);
         const double stretch = std::min(length(i), std::max(a, b)) - std::max(0.0, std::min(a, b));
         if (stretch <= 10 * close) continue;
         on_each_other.insert({i, j}), on_each_other.insert({j, i});
-        tell("overlap", name(j) + " lies on " + name(i) + " over " + number(stretch) + " m", "leave one out, or let both end where they meet", member_line(j));
+        tell("overlap", name(j) + " lies on " + name(i) + " over " + number(stretch) + " m",
+             "leave one out, or let both end where they meet", member_line(j));
     }
     for (const auto& [i, j] : pairs) {
         if (j < members) continue;
@@ -145,15 +171,21 @@ void Finder::unjoined() {
         if (i >= members) {
             const int other = used[i - members];
             if ((position(n) - position(other)).norm() > close) continue;
-            tell("coincide", "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are both at " + at(position(n)) + ", but not joined",
+            tell("coincide",
+                 "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are both at " +
+                     at(position(n)) + ", but not joined",
                  "use one node for both where their members meet", node_line(n));
             continue;
         }
         const Vec3 span = end(i, 1) - end(i, 0), d = position(n) - end(i, 0);
         const double share = d.dot(span) / span.squaredNorm(), margin = 10 * close / span.norm();
         const auto lies_on = [&, i = i](int member) { return on_each_other.count({i, member}) > 0; };
-        if (share < margin || share > 1 - margin || (d - share * span).norm() > close || std::any_of(members_at[n].begin(), members_at[n].end(), lies_on)) continue;
-        tell("through", name(i) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) + ", but is not joined to it",
+        if (share < margin || share > 1 - margin || (d - share * span).norm() > close ||
+            std::any_of(members_at[n].begin(), members_at[n].end(), lies_on))
+            continue;
+        tell("through",
+             name(i) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) +
+                 ", but is not joined to it",
              "let two members meet there, or move the node", member_line(i));
     }
 }

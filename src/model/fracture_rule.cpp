@@ -2,10 +2,33 @@
 
 namespace hinge {
 
-const std::vector<std::string> section_field_names = {
-    "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_curvature_y", "plastic_axial_strain", "plastic_twist",
-    "curvature_rate_x", "curvature_rate_y", "axial_strain_rate", "twist_rate", "Mx", "My", "N", "Mz", "f_y", "plastic_work", "member", "element", "end",
-    "node", "plastic", "broken", "time", "dt", "step"};
+const std::vector<std::string> section_field_names = {"curvature_x",
+                                                      "curvature_y",
+                                                      "axial_strain",
+                                                      "twist",
+                                                      "plastic_curvature_x",
+                                                      "plastic_curvature_y",
+                                                      "plastic_axial_strain",
+                                                      "plastic_twist",
+                                                      "curvature_rate_x",
+                                                      "curvature_rate_y",
+                                                      "axial_strain_rate",
+                                                      "twist_rate",
+                                                      "Mx",
+                                                      "My",
+                                                      "N",
+                                                      "Mz",
+                                                      "f_y",
+                                                      "plastic_work",
+                                                      "member",
+                                                      "element",
+                                                      "end",
+                                                      "node",
+                                                      "plastic",
+                                                      "broken",
+                                                      "time",
+                                                      "dt",
+                                                      "step"};
 
 double value_of(const SectionView& v, SectionField field) {
     switch (field) {
@@ -41,7 +64,8 @@ double value_of(const SectionView& v, SectionField field) {
 }
 
 bool at_ends(SectionField field) {
-    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y || field == SectionField::node || field == SectionField::plastic;
+    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y ||
+           field == SectionField::node || field == SectionField::plastic;
 }
 
 }  // namespace hinge

@@ -9,43 +9,72 @@
 
 namespace hinge {
 
-/// A section of an element as a rule of the script's own sees it, at the end of the step. Strains are the element's: only shear
-/// depends on the section (beam/fracture.h).
+/// A section of an element as a rule of the script's own sees it, at the end of the step. Strains are the element's:
+/// only shear depends on the section (beam/fracture.h).
 struct SectionView {
-    double time, dt;               ///< s, of the step's end; of the step
-    double step;                   ///< from 1
-    int member, element, end;      ///< numbers from 0; end 1 or 2 of the element
-    int node;                      ///< the joint that the section is at, from 0; -1 inside the member
-    double curvature_x, curvature_y, axial_strain, twist;                                   ///< 1/m, -, 1/m: elastic and plastic
-    double plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist;   ///< what of them stays
-    double curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate;               ///< 1/(m s), 1/s, over the step
-    double Mx, My, N, Mz;          ///< N m, N
-    double f_y;                    ///< eq 14
-    double plastic_work;           ///< J, of the element so far
-    bool plastic;                  ///< fully plastic in this step
-    double* kept = nullptr;        ///< the rule's own numbers of this section (FractureRule::keep), 0 at the start
+    double time, dt;           ///< s, of the step's end; of the step
+    double step;               ///< from 1
+    int member, element, end;  ///< numbers from 0; end 1 or 2 of the element
+    int node;                  ///< the joint that the section is at, from 0; -1 inside the member
+    double curvature_x, curvature_y, axial_strain, twist;  ///< 1/m, -, 1/m: elastic and plastic
+    double plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist;  ///< what of them stays
+    double curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate;  ///< 1/(m s), 1/s, over the step
+    double Mx, My, N, Mz;                                                      ///< N m, N
+    double f_y;                                                                ///< eq 14
+    double plastic_work;                                                       ///< J, of the element so far
+    bool plastic;                                                              ///< fully plastic in this step
+    double* kept = nullptr;  ///< the rule's own numbers of this section (FractureRule::keep), 0 at the start
 };
 
 /// Says which sections break. A function of a section, true where it breaks, will do.
 struct FractureHook {
-    /// Goes through the sections from number `at` until one breaks, and leaves `at` there: past the last one if all hold. A step's
-    /// sections come in one list, since it costs less to call a script once.
+    /// Goes through the sections from number `at` until one breaks, and leaves `at` there: past the last one if all
+    /// hold. A step's sections come in one list, since it costs less to call a script once.
     std::function<void(const std::vector<SectionView>& sections, std::size_t& at)> ask;
 
     FractureHook() = default;
     template <std::predicate<const SectionView&> Breaks>
     FractureHook(Breaks breaks)
-        : ask([breaks](const std::vector<SectionView>& sections, std::size_t& at) mutable { while (at < sections.size() && !breaks(sections[at])) ++at; }) {}
+        : ask([breaks](const std::vector<SectionView>& sections, std::size_t& at) mutable {
+              while (at < sections.size() && !breaks(sections[at])) ++at;
+          }) {}
     explicit operator bool() const { return bool(ask); }
 };
 
 /// What can be read of a section, as numbers; in the order of section_field_names.
 enum class SectionField : int {
-    curvature_x, curvature_y, axial_strain, twist, plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist,
-    curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate, Mx, My, N, Mz, f_y, plastic_work, member, element, end, node, plastic, broken, time, dt, step
+    curvature_x,
+    curvature_y,
+    axial_strain,
+    twist,
+    plastic_curvature_x,
+    plastic_curvature_y,
+    plastic_axial_strain,
+    plastic_twist,
+    curvature_rate_x,
+    curvature_rate_y,
+    axial_strain_rate,
+    twist_rate,
+    Mx,
+    My,
+    N,
+    Mz,
+    f_y,
+    plastic_work,
+    member,
+    element,
+    end,
+    node,
+    plastic,
+    broken,
+    time,
+    dt,
+    step
 };
 extern const std::vector<std::string> section_field_names;
-double value_of(const SectionView& view, SectionField field);   ///< member, element and node from 1 (0: no node), plastic 1 or 0, as a script counts
+double value_of(
+    const SectionView& view,
+    SectionField field);  ///< member, element and node from 1 (0: no node), plastic 1 or 0, as a script counts
 
 /// All elements of a rule's members at once, with the sections at both ends: always the same ones in the same order.
 class ElementList {
@@ -55,11 +84,13 @@ public:
     virtual double time() const = 0;
     virtual double dt() const = 0;
     virtual long step() const = 0;
-    /// `count` numbers, 0 where the element is broken; `end` 1 or 2, for what the two sections have different (at_ends).
+    /// `count` numbers, 0 where the element is broken; `end` 1 or 2, for what the two sections have different
+    /// (at_ends).
     virtual void read(SectionField field, int end, double* out) const = 0;
 };
-bool at_ends(SectionField field);   ///< Mx, My, f_y, node, plastic
-/// Fills `breaks` with the places in the list of the elements that break: at the section that flows, else at the one nearer to it.
+bool at_ends(SectionField field);  ///< Mx, My, f_y, node, plastic
+/// Fills `breaks` with the places in the list of the elements that break: at the section that flows, else at the one
+/// nearer to it.
 using FractureBatch = std::function<void(const ElementList&, std::vector<int>& breaks)>;
 
 /// Eq 16. A criterion left at infinity is not tested. The paper's 0.0004 is per millimetre: 0.4 1/m.
@@ -68,13 +99,17 @@ struct FractureRule {
     double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
     double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
     bool tension_only = false;
-    FractureHook hook;                                              ///< asked where no limit is reached
-    enum class Where { plastic, yielded, all } where = Where::plastic;   ///< sections it is asked of. plastic: fully plastic in the step, or once before and the
-                                                                         ///< element strained as never before; yielded: ever fully plastic; all
-    FractureBatch batch;                                            ///< in the place of hook, once a step
-    std::vector<std::string> keep;                                  ///< names of the numbers it keeps of each section
-    int group = -1;                                                 ///< -1: all members
-    std::string asked_at;                                           ///< line of the script
+    FractureHook hook;  ///< asked where no limit is reached
+    enum class Where {
+        plastic,
+        yielded,
+        all
+    } where = Where::plastic;  ///< sections it is asked of. plastic: fully plastic in the step, or once before and the
+                               ///< element strained as never before; yielded: ever fully plastic; all
+    FractureBatch batch;       ///< in the place of hook, once a step
+    std::vector<std::string> keep;  ///< names of the numbers it keeps of each section
+    int group = -1;                 ///< -1: all members
+    std::string asked_at;           ///< line of the script
 };
 
 }  // namespace hinge

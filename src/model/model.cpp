@@ -10,7 +10,8 @@ namespace hinge {
 namespace {
 
 void must_be_finite(const Vec3& v, const char* what, const char* unit) {
-    if (!v.allFinite()) throw InputError(std::string(what) + " is " + vector_text(v) + " " + unit + "; all three must be finite");
+    if (!v.allFinite())
+        throw InputError(std::string(what) + " is " + vector_text(v) + " " + unit + "; all three must be finite");
 }
 
 }  // namespace
@@ -30,17 +31,20 @@ void Model::fix(int node, std::uint8_t mask) { check_open(), nodes_[node].fixed 
 int Model::add_member(MemberData m) {
     check_open();
     if (m.node[0] == m.node[1])
-        throw InputError("member joins node " + std::to_string(m.node[0] + 1) + " to itself; its two nodes must differ");
+        throw InputError("member joins node " + std::to_string(m.node[0] + 1) +
+                         " to itself; its two nodes must differ");
     const Vec3 chord = nodes_[m.node[1]].position - nodes_[m.node[0]].position;
     const double length = chord.norm();
-    const double scale = std::max(nodes_[m.node[0]].position.cwiseAbs().maxCoeff(), nodes_[m.node[1]].position.cwiseAbs().maxCoeff());
+    const double scale =
+        std::max(nodes_[m.node[0]].position.cwiseAbs().maxCoeff(), nodes_[m.node[1]].position.cwiseAbs().maxCoeff());
     if (!(length > 1e-9 * std::max(scale, 1e-3)))
-        throw InputError("member has length " + number_text(length) + " m: nodes " + std::to_string(m.node[0] + 1) + " and " +
-                         std::to_string(m.node[1] + 1) + " are both at " + vector_text(nodes_[m.node[0]].position) +
-                         " m; a member needs a length above 0 m");
+        throw InputError("member has length " + number_text(length) + " m: nodes " + std::to_string(m.node[0] + 1) +
+                         " and " + std::to_string(m.node[1] + 1) + " are both at " +
+                         vector_text(nodes_[m.node[0]].position) + " m; a member needs a length above 0 m");
     if (options_.formulation == Formulation::asi_gauss && m.elements % 2 != 0)
-        throw InputError("elements per member is " + std::to_string(m.elements) +
-                         "; formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...)");
+        throw InputError(
+            "elements per member is " + std::to_string(m.elements) +
+            "; formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...)");
     must_be_finite(m.up, "up", "");
     if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
         throw InputError("up is " + vector_text(m.up) + ", parallel to the member (" + vector_text(chord) +
@@ -49,7 +53,9 @@ int Model::add_member(MemberData m) {
     return int(members_.size()) - 1;
 }
 
-void Model::set_member_groups(int member, std::vector<int> groups) { check_open(), members_[member].groups = std::move(groups); }
+void Model::set_member_groups(int member, std::vector<int> groups) {
+    check_open(), members_[member].groups = std::move(groups);
+}
 
 int Model::add_load(NodalLoad load) {
     check_open();
@@ -61,7 +67,8 @@ int Model::add_load(NodalLoad load) {
 }
 
 const NodalLoad* Model::find_load(int number) const {
-    const auto at = std::lower_bound(loads_.begin(), loads_.end(), number, [](const NodalLoad& l, int n) { return l.number < n; });
+    const auto at =
+        std::lower_bound(loads_.begin(), loads_.end(), number, [](const NodalLoad& l, int n) { return l.number < n; });
     return at != loads_.end() && at->number == number ? &*at : nullptr;
 }
 
@@ -87,11 +94,15 @@ void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
 void Model::add_fracture(FractureRule rule) {
     check_open();
     if (options_.mass == MassShape::cubic)
-        throw InputError("model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its own; declare it with mass = 'linear'");
+        throw InputError(
+            "model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its "
+            "own; declare it with mass = 'linear'");
     fracture_.push_back(std::move(rule));
 }
 void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std::move(rule)); }
-void Model::add_motion(SupportMotion motion) { fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion)); }
+void Model::add_motion(SupportMotion motion) {
+    fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion));
+}
 void Model::set_damping(double d) { check_open(), damping_ = d; }
 
 void Model::leave_out(const std::string& effect) {
@@ -113,13 +124,18 @@ void Model::leave_out(const std::string& effect) {
 }
 
 void Model::check_open() const {
-    if (locked_) throw InputError("the model cannot be changed while a run of it is inside a step; change it between steps, or before the run is made");
+    if (locked_)
+        throw InputError(
+            "the model cannot be changed while a run of it is inside a step; change it between steps, or before the "
+            "run is made");
 }
 
 namespace {
 
 bool in_any(const MemberData& member, const std::vector<int>& groups) {
-    return std::any_of(groups.begin(), groups.end(), [&](int g) { return std::find(member.groups.begin(), member.groups.end(), g) != member.groups.end(); });
+    return std::any_of(groups.begin(), groups.end(), [&](int g) {
+        return std::find(member.groups.begin(), member.groups.end(), g) != member.groups.end();
+    });
 }
 
 }  // namespace
@@ -129,14 +145,19 @@ int Model::contact_rule(int a, int b) const {
     for (int i = int(contact_.size()) - 1; i >= 0; --i) {
         const std::vector<int>& groups = contact_[i].groups;
         if (groups.empty()) return i;
-        const auto across = [&](const MemberData& p, const MemberData& q) { return in_any(p, {groups[0]}) && in_any(q, {groups[1]}); };
-        if (contact_[i].between ? across(first, second) || across(second, first) : in_any(first, groups) && in_any(second, groups)) return i;
+        const auto across = [&](const MemberData& p, const MemberData& q) {
+            return in_any(p, {groups[0]}) && in_any(q, {groups[1]});
+        };
+        if (contact_[i].between ? across(first, second) || across(second, first)
+                                : in_any(first, groups) && in_any(second, groups))
+            return i;
     }
     return -1;
 }
 
 bool Model::can_touch(int member) const {
-    return std::any_of(contact_.begin(), contact_.end(), [&](const ContactRule& r) { return r.groups.empty() || in_any(members_[member], r.groups); });
+    return std::any_of(contact_.begin(), contact_.end(),
+                       [&](const ContactRule& r) { return r.groups.empty() || in_any(members_[member], r.groups); });
 }
 
 int Model::group(const std::string& name) {
@@ -155,7 +176,8 @@ int Model::find_group(const std::string& name) const {
 std::vector<int> Model::nodes_of_group(int group) const {
     std::vector<int> nodes;
     for (const auto& m : members_)
-        if (std::find(m.groups.begin(), m.groups.end(), group) != m.groups.end()) nodes.insert(nodes.end(), {m.node[0], m.node[1]});
+        if (std::find(m.groups.begin(), m.groups.end(), group) != m.groups.end())
+            nodes.insert(nodes.end(), {m.node[0], m.node[1]});
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     return nodes;

@@ -1,4 +1,5 @@
-// What a script declares: nodes, supports, members, loads and rules. Nothing here moves; see structure.h for what is computed from it.
+// What a script declares: nodes, supports, members, loads and rules. Nothing here moves; see structure.h for what is
+// computed from it.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +19,31 @@ namespace hinge {
 
 /// A material; SI units. `yield_stress` infinite: never yields.
 struct Material {
-    double E = 0;             ///< Pa
-    double G = 0;             ///< Pa
-    double density = 0;       ///< kg/m^3
+    double E = 0;                                                   ///< Pa
+    double G = 0;                                                   ///< Pa
+    double density = 0;                                             ///< kg/m^3
     double yield_stress = std::numeric_limits<double>::infinity();  ///< Pa
-    std::string asked_at = {};  ///< the script's line, "" where none
+    std::string asked_at = {};                                      ///< the script's line, "" where none
 };
 
 /// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
 struct Section {
     std::string kind = "general";
-    double area = 0, Ix = 0, Iy = 0, J = 0;            ///< m^2, m^4
-    double shear_area_x = 0, shear_area_y = 0;         ///< m^2
-    double mass_Ix = 0, mass_Iy = 0;                   ///< m^4, of the rotary inertia; 0: Ix and Iy
-    double plastic_area = 0, Zx = 0, Zy = 0, Zz = 0;   ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
-    std::optional<double> N0, Mx0, My0, Mz0;           ///< given directly, N and N m
-    double width = 0, depth = 0;                       ///< m, along x and y: contact and pictures
-    std::string asked_at = {};                         ///< the script's line, "" where none
+    double area = 0, Ix = 0, Iy = 0, J = 0;     ///< m^2, m^4
+    double shear_area_x = 0, shear_area_y = 0;  ///< m^2
+    double mass_Ix = 0, mass_Iy = 0;            ///< m^4, of the rotary inertia; 0: Ix and Iy
+    double plastic_area = 0, Zx = 0, Zy = 0,
+           Zz = 0;  ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
+    std::optional<double> N0, Mx0, My0, Mz0;  ///< given directly, N and N m
+    double width = 0, depth = 0;              ///< m, along x and y: contact and pictures
+    std::string asked_at = {};                ///< the script's line, "" where none
 };
 
 enum class Formulation : std::uint8_t { conventional, asi, asi_gauss };
 enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF and ULF
 
-/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness stays that
-/// of the Gauss points and the pair stays exact. `whole`: the paper's letter, elastic and plastic together.
+/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
+/// stays that of the Gauss points and the pair stays exact. `whole`: the paper's letter, elastic and plastic together.
 /// The elements' mass: the paper's linear one, or that of the cubic shape which two elements of asi-gauss stand for.
 enum class MassShape : std::uint8_t { linear, cubic };
 enum class Shift : std::uint8_t { plastic, whole };
@@ -68,12 +70,14 @@ struct NodalLoad {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
     History history;
     int number = 0;  ///< its own for as long as the model lives
-    /// In the place of force or moment: what acts at the end of a step (time, s), given the state where it begins; dynamics only.
+    /// In the place of force or moment: what acts at the end of a step (time, s), given the state where it begins;
+    /// dynamics only.
     std::function<Vec3(double)> force_rule = {}, moment_rule = {};
     bool follows_state() const { return force_rule || moment_rule; }
 };
 
-/// A freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where the run begins.
+/// A freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where the run
+/// begins.
 struct SupportMotion {
     int node, component;
     History displacement;
@@ -82,9 +86,10 @@ struct SupportMotion {
 /// Of several rules the last one that applies to both members counts.
 struct ContactRule {
     contact::ContactSettings settings;
-    std::vector<int> groups;   ///< both members are in one of these; empty: all members
-    bool between = false;      ///< one member in the first of two groups, one in the second
-    std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)> pairs;   ///< asked once a pair of members: none, or by what numbers
+    std::vector<int> groups;  ///< both members are in one of these; empty: all members
+    bool between = false;     ///< one member in the first of two groups, one in the second
+    std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)>
+        pairs;  ///< asked once a pair of members: none, or by what numbers
     std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_touch, on_release;
 };
 
@@ -98,9 +103,11 @@ struct ModelOptions {
 };
 
 /// Effects that a model asks for and could do without, by the names that effects.h has for them.
-inline const std::vector<std::string> optional_effects = {"gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
+inline const std::vector<std::string> optional_effects = {
+    "gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
 
-/// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it was.
+/// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it
+/// was.
 class Model {
 public:
     explicit Model(ModelOptions options);
@@ -109,8 +116,8 @@ public:
     void fix(int node, std::uint8_t mask);
     int add_member(MemberData member);
     void set_member_groups(int member, std::vector<int> groups);
-    int add_load(NodalLoad load);                    ///< returns its number
-    const NodalLoad* find_load(int number) const;    ///< nullptr once it is removed
+    int add_load(NodalLoad load);                  ///< returns its number
+    const NodalLoad* find_load(int number) const;  ///< nullptr once it is removed
     void remove_load(int number);
     void set_gravity(const Vec3& g);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
@@ -122,8 +129,8 @@ public:
     void set_damping(double mass_proportional);
     /// Takes back what declared one of `optional_effects`, as if the script had not; other names leave all as it is.
     void leave_out(const std::string& effect);
-    int group(const std::string& name);              ///< finds or makes
-    int find_group(const std::string& name) const;   ///< -1 when there is none
+    int group(const std::string& name);             ///< finds or makes
+    int find_group(const std::string& name) const;  ///< -1 when there is none
 
     const ModelOptions& options() const { return options_; }
     const std::vector<NodeData>& nodes() const { return nodes_; }
@@ -132,7 +139,7 @@ public:
     const std::vector<std::string>& groups() const { return groups_; }
     const std::vector<FractureRule>& fracture() const { return fracture_; }
     const std::vector<ContactRule>& contact() const { return contact_; }
-    int contact_rule(int member_a, int member_b) const;   ///< by which the two meet, as their groups have it; -1: none
+    int contact_rule(int member_a, int member_b) const;  ///< by which the two meet, as their groups have it; -1: none
     bool can_touch(int member) const;
     const std::vector<SupportMotion>& motions() const { return motions_; }
     const std::optional<Vec3>& gravity() const { return gravity_; }

@@ -22,7 +22,8 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
             inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
 }
 
-/// Paper, section 2.2 and fig 3: where the point stands while the element is elastic; `inner`: +1 when the pair's middle is at node 2.
+/// Paper, section 2.2 and fig 3: where the point stands while the element is elastic; `inner`: +1 when the pair's
+/// middle is at node 2.
 double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
 
 }  // namespace
@@ -52,7 +53,8 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         int fracture = -1;
         for (std::size_t r = 0; r < m.fracture().size(); ++r) {
             const int group = m.fracture()[r].group;
-            if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end()) fracture = int(r);
+            if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end())
+                fracture = int(r);
         }
         const bool touches = m.can_touch(int(index));
         int left = member.node[0];
@@ -64,19 +66,40 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                 fixed_.push_back(0);
             }
             const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-            const auto [at, fresh] = alike.try_emplace({&sec, &mat, length, s, {turn.w(), turn.x(), turn.y(), turn.z()}}, nullptr);
+            const auto [at, fresh] =
+                alike.try_emplace({&sec, &mat, length, s, {turn.w(), turn.x(), turn.y(), turn.z()}}, nullptr);
             if (fresh) {
-                const beam::Rigidity rigidity = {mat.E * sec.Ix, mat.E * sec.Iy, mat.E * sec.area, mat.G * sec.J, mat.G * sec.shear_area_x, mat.G * sec.shear_area_y,
-                                                 mat.density * sec.area, mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix), mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-                kinds_.push_back({turn, rigidity, beam::stiffness(rigidity, length, s), m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
+                const beam::Rigidity rigidity = {mat.E * sec.Ix,
+                                                 mat.E * sec.Iy,
+                                                 mat.E * sec.area,
+                                                 mat.G * sec.J,
+                                                 mat.G * sec.shear_area_x,
+                                                 mat.G * sec.shear_area_y,
+                                                 mat.density * sec.area,
+                                                 mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix),
+                                                 mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
+                kinds_.push_back({turn, rigidity, beam::stiffness(rigidity, length, s),
+                                  m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
                 at->second = &kinds_.back();
                 can_yield_ |= !kinds_.back().yield.elastic();
             }
             const Kind& kind = *at->second;
             const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
-            const double radius = 0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
-            elements_.push_back({{left, right}, int(index), partner, length, span / member.elements, s,
-                                 kind.axes, kind.rigidity, kind.stiffness, kind.yield, radius, fracture, touches});
+            const double radius =
+                0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
+            elements_.push_back({{left, right},
+                                 int(index),
+                                 partner,
+                                 length,
+                                 span / member.elements,
+                                 s,
+                                 kind.axes,
+                                 kind.rigidity,
+                                 kind.stiffness,
+                                 kind.yield,
+                                 radius,
+                                 fracture,
+                                 touches});
             left = right;
         }
     }
@@ -93,7 +116,8 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
 beam::Inertia Structure::inertia(int index) const {
     const Element& e = elements_[index];
     if (lumped()) return beam::lumped_inertia(e.rigidity, e.length);
-    return cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0) : beam::linear_inertia(e.rigidity, e.length);
+    return cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0)
+                   : beam::linear_inertia(e.rigidity, e.length);
 }
 
 std::vector<Vec6> Structure::initial_velocity() const {
@@ -126,7 +150,8 @@ std::string Structure::node_name(int node) const {
     if (node < declared)
         std::snprintf(text, sizeof text, "node %d at {%.4g, %.4g, %.4g} m", node + 1, x.x(), x.y(), x.z());
     else
-        std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m", elements_[elements_at(node)[0]].member + 1, x.x(), x.y(), x.z());
+        std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m",
+                      elements_[elements_at(node)[0]].member + 1, x.x(), x.y(), x.z());
     return text;
 }
 

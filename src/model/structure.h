@@ -17,18 +17,18 @@ namespace hinge {
 struct Element {
     int node[2];
     int member;
-    int partner;                 ///< the other element of its pair, -1 if it has none
-    double length;               ///< m
-    Vec3 chord;                  ///< from node 1 to node 2 at the start, m
-    double s;                    ///< normal position of the integration point
+    int partner;    ///< the other element of its pair, -1 if it has none
+    double length;  ///< m
+    Vec3 chord;     ///< from node 1 to node 2 at the start, m
+    double s;       ///< normal position of the integration point
     // the same for all elements that are alike; they stand in the structure
-    const Quat& axes;                   ///< local axes at the start (columns x y z)
+    const Quat& axes;  ///< local axes at the start (columns x y z)
     const beam::Rigidity& rigidity;
-    const beam::Stiffness& stiffness;   ///< k(s)
+    const beam::Stiffness& stiffness;  ///< k(s)
     const beam::YieldSurface& yield;
-    double radius;               ///< half the smaller side of the section, m
-    int fracture;                ///< index of its rule, -1 for none
-    bool touches;                ///< takes part in contact
+    double radius;  ///< half the smaller side of the section, m
+    int fracture;   ///< index of its rule, -1 for none
+    bool touches;   ///< takes part in contact
 };
 
 enum class MassKind : std::uint8_t { consistent, lumped };
@@ -36,15 +36,17 @@ enum class MassKind : std::uint8_t { consistent, lumped };
 /// Nodes 0..declared-1 are the script's; the rest lie inside members.
 class Structure {
 public:
-    Structure(const Structure&) = delete;   // elements refer to it
+    Structure(const Structure&) = delete;  // elements refer to it
     explicit Structure(std::shared_ptr<const Model> model, MassKind mass = MassKind::consistent);
 
     const Model& model() const { return *model_; }
-    const std::vector<Vec3>& position() const { return position_; }      ///< m, at the start
-    const std::vector<std::uint8_t>& fixed() const { return fixed_; }    ///< six bits a node
+    const std::vector<Vec3>& position() const { return position_; }    ///< m, at the start
+    const std::vector<std::uint8_t>& fixed() const { return fixed_; }  ///< six bits a node
     const std::vector<Element>& elements() const { return elements_; }
-    std::vector<Vec6> initial_velocity() const;   ///< of each node as declared, inside members in proportion; m/s, rad/s
-    std::span<const int> elements_at(int node) const { return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])}; }  ///< rising
+    std::vector<Vec6> initial_velocity() const;  ///< of each node as declared, inside members in proportion; m/s, rad/s
+    std::span<const int> elements_at(int node) const {
+        return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])};
+    }  ///< rising
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
     beam::Inertia inertia(int element) const;
@@ -62,9 +64,14 @@ private:
     std::vector<Vec3> position_;
     std::vector<std::uint8_t> fixed_;
     std::vector<Element> elements_;
-    struct Kind { Quat axes; beam::Rigidity rigidity; beam::Stiffness stiffness; beam::YieldSurface yield; };
+    struct Kind {
+        Quat axes;
+        beam::Rigidity rigidity;
+        beam::Stiffness stiffness;
+        beam::YieldSurface yield;
+    };
     std::deque<Kind> kinds_;
-    std::vector<int> first_at_, at_;   // elements of each node
+    std::vector<int> first_at_, at_;  // elements of each node
     bool can_yield_ = false;
 };
 

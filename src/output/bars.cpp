@@ -8,17 +8,12 @@
 
 namespace hinge::output {
 
-const std::array<Colour, n_classes> class_colours = {{{54, 96, 176},
-                                                      {82, 176, 214},
-                                                      {92, 184, 112},
-                                                      {240, 212, 72},
-                                                      {243, 146, 44},
-                                                      {212, 24, 32},
-                                                      {22, 22, 26}}};
+const std::array<Colour, n_classes> class_colours = {
+    {{54, 96, 176}, {82, 176, 214}, {92, 184, 112}, {240, 212, 72}, {243, 146, 44}, {212, 24, 32}, {22, 22, 26}}};
 
 namespace {
 
-constexpr double hinge_from = 0.999;            // f_y reaches 1 only up to the tolerance of the return
+constexpr double hinge_from = 0.999;  // f_y reaches 1 only up to the tolerance of the return
 
 int colour_class(const Bar& bar) {
     if (bar.state == BarState::broken) return broken_class;

@@ -54,8 +54,19 @@ void draw_heading(Pen& pen, const View& view, double time, double em) {
 }
 
 void draw_legend(Pen& pen, const View& view, double em) {
-    static const char* const labels[n_classes] = {"0.0\xE2\x80\x93" "0.2", "0.2\xE2\x80\x93" "0.4", "0.4\xE2\x80\x93" "0.6",
-                                                  "0.6\xE2\x80\x93" "0.8", "0.8\xE2\x80\x93" "1.0", "1.0 hinge", "fractured"};
+    static const char* const labels[n_classes] = {
+        "0.0\xE2\x80\x93"
+        "0.2",
+        "0.2\xE2\x80\x93"
+        "0.4",
+        "0.4\xE2\x80\x93"
+        "0.6",
+        "0.6\xE2\x80\x93"
+        "0.8",
+        "0.8\xE2\x80\x93"
+        "1.0",
+        "1.0 hinge",
+        "fractured"};
     const int shown = view.leave_out_broken ? broken_class : n_classes;
     const double swatch = 5.2 * em, high = 0.85 * em, gap = 0.7 * em;
     // The five bands touch, as one scale; a hinge and a fracture stand apart.
@@ -83,7 +94,8 @@ void draw_axes(Pen& pen, const View& view, const Camera& camera, double em) {
         const double ex = dx / seen, ey = dy / seen, barb = 0.4 * em;
         pen.line(x0, y0, x0 + dx, y0 + dy, em / 13, faint_ink);
         for (const double turn : {0.5, -0.5})
-            pen.line(x0 + dx, y0 + dy, x0 + dx - barb * (ex - turn * ey), y0 + dy - barb * (ey + turn * ex), em / 13, faint_ink);
+            pen.line(x0 + dx, y0 + dy, x0 + dx - barb * (ex - turn * ey), y0 + dy - barb * (ey + turn * ex), em / 13,
+                     faint_ink);
         pen.text(x0 + dx + 0.6 * em * ex, y0 + dy + 0.6 * em * ey, names[i],
                  {.size = 0.85 * em, .colour = faint_ink, .italic = true, .across = 0.5});
     }
@@ -103,7 +115,8 @@ void draw_caption(Pen& pen, const View& view, double time, const Camera& camera,
     draw_legend(pen, view, em);
     draw_axes(pen, view, camera, em);
     if (nothing)
-        pen.text(view.width / 2.0, view.height / 2.0, "no bars to show", {.size = 1.2 * em, .colour = faint_ink, .across = 0.5});
+        pen.text(view.width / 2.0, view.height / 2.0, "no bars to show",
+                 {.size = 1.2 * em, .colour = faint_ink, .across = 0.5});
 }
 
 }  // namespace hinge::output

@@ -50,8 +50,21 @@ bool answers(const char* name) {
 /// What VTK is about to ask for.
 bool has_opengl(Display* display) {
     if (!::glXQueryExtension(display, nullptr, nullptr)) return false;
-    const int wanted[] = {GLX_DRAWABLE_TYPE, GLX_WINDOW_BIT, GLX_RENDER_TYPE, GLX_RGBA_BIT, GLX_RED_SIZE, 1, GLX_GREEN_SIZE, 1,
-                          GLX_BLUE_SIZE, 1, GLX_DEPTH_SIZE, 1, GLX_ALPHA_SIZE, 1, None};
+    const int wanted[] = {GLX_DRAWABLE_TYPE,
+                          GLX_WINDOW_BIT,
+                          GLX_RENDER_TYPE,
+                          GLX_RGBA_BIT,
+                          GLX_RED_SIZE,
+                          1,
+                          GLX_GREEN_SIZE,
+                          1,
+                          GLX_BLUE_SIZE,
+                          1,
+                          GLX_DEPTH_SIZE,
+                          1,
+                          GLX_ALPHA_SIZE,
+                          1,
+                          None};
     int n = 0;
     GLXFBConfig* configs = ::glXChooseFBConfig(display, DefaultScreen(display), wanted, &n);
     if (!configs) return false;

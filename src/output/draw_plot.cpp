@@ -17,7 +17,7 @@
 namespace hinge::output {
 namespace {
 
-constexpr Colour curve_colours[] = {{31, 95, 168}, {209, 53, 43}, {47, 152, 91}, {226, 138, 30},
+constexpr Colour curve_colours[] = {{31, 95, 168},  {209, 53, 43},  {47, 152, 91},  {226, 138, 30},
                                     {123, 82, 168}, {23, 158, 178}, {140, 109, 70}, {90, 96, 104}};
 constexpr Colour grid = {226, 229, 233};
 
@@ -37,7 +37,8 @@ struct Range {
 
 class Drawing {
 public:
-    Drawing(Pen& pen, const Plot& plot, int width, int height) : pen_(pen), plot_(plot), width_(width), height_(height) {
+    Drawing(Pen& pen, const Plot& plot, int width, int height)
+        : pen_(pen), plot_(plot), width_(width), height_(height) {
         em_ = std::clamp(std::min(height / 32.0, width / 40.0), 7.0, 60.0);
         label_ = {.size = 0.92 * em_};
         legend_.row = 1.45 * em_;
@@ -77,7 +78,8 @@ private:
                 }
         }
         // Curves may run edge to edge; dots must not be cut by the frame.
-        x_ = make_axis(x.low, x.high, plot_.log_x, any_points ? 0.04 : 0, std::clamp(static_cast<int>(width_ / (8 * em_)), 2, 9));
+        x_ = make_axis(x.low, x.high, plot_.log_x, any_points ? 0.04 : 0,
+                       std::clamp(static_cast<int>(width_ / (8 * em_)), 2, 9));
         y_ = make_axis(y.low, y.high, plot_.log_y, 0.06, std::clamp(static_cast<int>(height_ / (4 * em_)), 2, 8));
     }
 
@@ -88,12 +90,14 @@ private:
         right_ = std::round(width_ - 2.0 * em_);
         bottom_ = std::round(2.4 * em_ + (plot_.x_label.empty() ? 0 : 1.7 * em_));
         const bool above = !plot_.title.empty() || !y_.scale.empty();
-        top_ = std::round(height_ - (plot_.title.empty() ? 1.2 : 3.0) * em_ - (above && !y_.scale.empty() ? 1.2 * em_ : 0));
+        top_ = std::round(height_ - (plot_.title.empty() ? 1.2 : 3.0) * em_ -
+                          (above && !y_.scale.empty() ? 1.2 * em_ : 0));
     }
 
     TextStyle power_style() const { return {.size = 0.7 * label_.size}; }
     double tick_width(const Tick& tick) {
-        return pen_.size_of(tick.label, label_)[0] + (tick.power.empty() ? 0 : pen_.size_of(tick.power, power_style())[0]);
+        return pen_.size_of(tick.label, label_)[0] +
+               (tick.power.empty() ? 0 : pen_.size_of(tick.power, power_style())[0]);
     }
     /// Label and raised power, `across` as in TextStyle.
     void tick_text(double x, double y, const Tick& tick, double across, double upright) {
@@ -132,7 +136,9 @@ private:
             pen_.line(left_, y, left_ - reach, y, line, ink);
             tick_text(left_ - 0.6 * em_, y, tick, 1, 0.5);
         }
-        const std::string times = "\xC3\x97" "10";
+        const std::string times =
+            "\xC3\x97"
+            "10";
         if (!y_.scale.empty()) tick_text(left_, top_ + 0.9 * em_, {0, times, y_.scale}, 0, 0.5);
         if (!x_.scale.empty()) tick_text(right_, bottom_ - 2.1 * em_, {0, times, x_.scale}, 1, 1);
     }
@@ -210,7 +216,8 @@ private:
                 if (s.style == SeriesStyle::points || i + 1 == s.x.size() || !drawable(s, i + 1)) continue;
                 const Pixel q = pixel(s.x[i + 1], s.y[i + 1]);
                 const int pieces = static_cast<int>(std::hypot(q[0] - p[0], q[1] - p[1]) / em_);
-                for (int k = 1; k <= pieces; ++k) count(p[0] + (q[0] - p[0]) * k / (pieces + 1.0), p[1] + (q[1] - p[1]) * k / (pieces + 1.0));
+                for (int k = 1; k <= pieces; ++k)
+                    count(p[0] + (q[0] - p[0]) * k / (pieces + 1.0), p[1] + (q[1] - p[1]) * k / (pieces + 1.0));
             }
         return hidden;
     }
@@ -226,7 +233,8 @@ private:
             }
         if (listed.empty()) return;
         const double away = 0.8 * em_;
-        const double w = legend_.sample + 0.6 * em_ + widest + 2 * legend_.pad, h = legend_.row * static_cast<double>(listed.size()) + legend_.pad;
+        const double w = legend_.sample + 0.6 * em_ + widest + 2 * legend_.pad,
+                     h = legend_.row * static_cast<double>(listed.size()) + legend_.pad;
         const double xs[] = {right_ - w - away, left_ + away}, ys[] = {top_ - h - 0.4 * em_, bottom_ + away};
         double &x = legend_.x, &y = legend_.y;
         int least = std::numeric_limits<int>::max();
@@ -268,8 +276,10 @@ private:
     double em_;
     TextStyle label_;
     Axis x_, y_;
-    std::vector<std::size_t> listed_;   // series in the legend
-    struct { double x, y, w, h, row, sample, pad; } legend_{};
+    std::vector<std::size_t> listed_;  // series in the legend
+    struct {
+        double x, y, w, h, row, sample, pad;
+    } legend_{};
     double left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
 };
 
@@ -279,8 +289,7 @@ void check_plot(const Plot& plot) {
         if (s.x.size() != s.y.size())
             throw InputError("plot: series \"" + s.name + "\" has " + std::to_string(s.x.size()) + " x and " +
                              std::to_string(s.y.size()) + " y values; they must be as many");
-        for (std::size_t i = 0; i < s.x.size(); ++i)
-            any = any || drawable(plot, s, i);
+        for (std::size_t i = 0; i < s.x.size(); ++i) any = any || drawable(plot, s, i);
     }
     if (!any)
         throw InputError(std::string("plot: nothing to draw; give at least one finite point") +

@@ -23,7 +23,8 @@ std::vector<Vec> corners(const std::array<double, 6>& box) {
     std::vector<Vec> points;
     for (int i = 0; i < 8; ++i) points.push_back({box[i & 1], box[2 + (i >> 1 & 1)], box[4 + (i >> 2 & 1)]});
     for (const Vec& p : points)
-        if (!finite(p)) throw InputError("view.box must be six finite numbers: xmin, xmax, ymin, ymax, zmin, zmax in m");
+        if (!finite(p))
+            throw InputError("view.box must be six finite numbers: xmin, xmax, ymin, ymax, zmin, zmax in m");
     return points;
 }
 
@@ -100,7 +101,8 @@ std::string draw_strip(int count, const Still* const* stills, const View* views,
         const Pixels one = draw_pixels(*stills[i], view);
         const int left = i % columns * width, low = (rows - 1 - i / columns) * height;
         for (int y = 0; y < height; ++y)
-            std::copy_n(&one.rgb[3 * std::size_t(y) * width], 3 * width, &strip.rgb[3 * (std::size_t(low + y) * strip.width + left)]);
+            std::copy_n(&one.rgb[3 * std::size_t(y) * width], 3 * width,
+                        &strip.rgb[3 * (std::size_t(low + y) * strip.width + left)]);
     }
     return encode_png(strip);
 }

@@ -12,9 +12,9 @@ namespace hinge::output {
 namespace {
 
 constexpr double typical_share = 0.98;
-constexpr double stray_factor = 1.5;       // a corner of an intact building stays well below this
-constexpr double view_angle = 20;          // degrees: depth can be felt, verticals stay nearly parallel
-constexpr double used_share = 0.95;        // of the picture's width and height; the rest is margin
+constexpr double stray_factor = 1.5;  // a corner of an intact building stays well below this
+constexpr double view_angle = 20;     // degrees: depth can be felt, verticals stay nearly parallel
+constexpr double used_share = 0.95;   // of the picture's width and height; the rest is margin
 
 Vec unit(Vec a) { return (1 / length(a)) * a; }
 
@@ -74,7 +74,8 @@ Camera fit_camera(std::span<const Vec> points, double reach, Vec from, Vec up, i
     double right = none, left = none, top = none, bottom = none, front = none, rear = none;
     const Vec origin = points.empty() ? Vec{} : points.front();
     for (const Vec& p : points) {
-        const double x = dot(p - origin, camera.right), y = dot(p - origin, camera.up), z = dot(p - origin, camera.back);
+        const double x = dot(p - origin, camera.right), y = dot(p - origin, camera.up),
+                     z = dot(p - origin, camera.back);
         right = std::max(right, reach + x + z * tx);
         left = std::max(left, reach - x + z * tx);
         top = std::max(top, reach + y + z * ty);

@@ -13,7 +13,9 @@ inline Vec operator+(Vec a, Vec b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[
 inline Vec operator-(Vec a, Vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Vec operator*(double s, Vec a) { return {s * a[0], s * a[1], s * a[2]}; }
 inline double dot(Vec a, Vec b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Vec cross(Vec a, Vec b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
+inline Vec cross(Vec a, Vec b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 double length(Vec a);
 bool finite(Vec a);
 
@@ -21,11 +23,11 @@ bool finite(Vec a);
 std::vector<Vec> without_strays(std::span<const Vec> points);
 
 struct Camera {
-    Vec right, up, back;            ///< unit vectors; back points from the scene to the eye
+    Vec right, up, back;  ///< unit vectors; back points from the scene to the eye
     Vec eye, target;
-    double view_angle;              ///< degrees, from the lower to the upper edge
-    double nearest, farthest;       ///< drawn depths, m from the eye
-    double metres_per_pixel;        ///< at the target
+    double view_angle;         ///< degrees, from the lower to the upper edge
+    double nearest, farthest;  ///< drawn depths, m from the eye
+    double metres_per_pixel;   ///< at the target
 };
 
 /// The camera that looks along -`from` and just holds all `points`, and what lies within `reach` of them, in a picture

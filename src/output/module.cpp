@@ -50,9 +50,7 @@ int guarded(char* error, int room, Work work) noexcept {
         return 0;
     } catch (const std::bad_alloc&) {
         tell("out of memory while writing a picture or frame; make it smaller", error, room);
-    } catch (const std::exception& e) {
-        tell(e.what(), error, room);
-    } catch (...) {
+    } catch (const std::exception& e) { tell(e.what(), error, room); } catch (...) {
         tell("unknown failure while writing a picture or frame", error, room);
     }
     return 1;
@@ -72,8 +70,8 @@ HINGE_EXPORT int hinge_write_still(const char* path, const Still& still, char* e
     return guarded(error, room, [&] { write_whole_file(given(path), encode_still(still)); });
 }
 
-HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* times, const char* const* files, char* error,
-                                        int room) {
+HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* times, const char* const* files,
+                                        char* error, int room) {
     return guarded(error, room, [&] { write_whole_file(given(path), encode_collection(n, times, files)); });
 }
 
@@ -85,7 +83,8 @@ HINGE_EXPORT int hinge_render(const char* path, const Still& still, const View& 
     return guarded(error, room, [&] { write_whole_file(given(path), draw_still(still, view)); });
 }
 
-HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Still* const* stills, const View* views, int columns, char* error, int room) {
+HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Still* const* stills, const View* views, int columns,
+                                    char* error, int room) {
     return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, stills, views, columns)); });
 }
 

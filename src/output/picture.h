@@ -17,32 +17,32 @@ enum class BarState : std::uint8_t { elastic = 0, yielded = 1, broken = 2 };
 
 /// One element as drawn: a straight bar. A broken element runs from its node to a virtual node (paper, section 2.3).
 struct Bar {
-    int point[2];       ///< indices into Still::points
-    double yield;       ///< f_y of eq 14, 0 to 1 (larger of the two ends)
+    int point[2];  ///< indices into Still::points
+    double yield;  ///< f_y of eq 14, 0 to 1 (larger of the two ends)
     BarState state;
-    int group;          ///< index into Still::groups: the member's first group; -1 if it has none
-    int member;         ///< declared member, counted from 1
-    int element;        ///< element, counted from 1
-    double width;       ///< drawn and contact width of the member, m
+    int group;     ///< index into Still::groups: the member's first group; -1 if it has none
+    int member;    ///< declared member, counted from 1
+    int element;   ///< element, counted from 1
+    double width;  ///< drawn and contact width of the member, m
 };
 
 /// A structure at one instant.
 struct Still {
-    double time = 0;                             ///< s
-    std::vector<std::array<double, 3>> points;   ///< m
-    std::vector<std::uint8_t> is_virtual;        ///< per point: 1 for the virtual node of a broken element; empty: none is
+    double time = 0;                            ///< s
+    std::vector<std::array<double, 3>> points;  ///< m
+    std::vector<std::uint8_t> is_virtual;  ///< per point: 1 for the virtual node of a broken element; empty: none is
     std::vector<Bar> bars;
     std::vector<std::string> groups;
 };
 
 /// What render() draws; every field has a default that shows the whole structure in six colours of f_y.
 struct View {
-    int width = 1600, height = 1200;             ///< pixels
+    int width = 1600, height = 1200;                  ///< pixels
     std::array<double, 3> from = {-1.0, -1.4, 0.55};  ///< direction from the middle of the scene to the eye
     std::array<double, 3> up = {0, 0, 1};
-    bool leave_out_broken = false;               ///< as in fig 18 of the paper
-    double above = -1e300;                       ///< draw only bars with both ends above this height, m
-    std::vector<std::string> only_groups;        ///< empty: all groups
+    bool leave_out_broken = false;         ///< as in fig 18 of the paper
+    double above = -1e300;                 ///< draw only bars with both ends above this height, m
+    std::vector<std::string> only_groups;  ///< empty: all groups
     std::string title;
     /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this still without its stray
     /// fragments. A film needs one box for all its frames, or the camera moves: join those of hinge_frame_box.
@@ -51,20 +51,24 @@ struct View {
 
 }  // namespace hinge::output
 
-// The module's functions, found by name with dlsym. Each returns 0, or 1 with a message in `error` (at most `room` bytes).
-// They may be called from any thread; they take turns.
+// The module's functions, found by name with dlsym. Each returns 0, or 1 with a message in `error` (at most `room`
+// bytes). They may be called from any thread; they take turns.
 extern "C" {
-/// Writes `still` as binary VTP: points, lines, cell arrays f_y, group, state, member, element, width; aside, then renamed.
+/// Writes `still` as binary VTP: points, lines, cell arrays f_y, group, state, member, element, width; aside, then
+/// renamed.
 using hinge_write_still = int (*)(const char* path, const hinge::output::Still& still, char* error, int room);
 /// Writes the ParaView collection of n frames (times in s, file names relative to the collection).
-using hinge_write_collection = int (*)(const char* path, int n, const double* times, const char* const* files, char* error, int room);
+using hinge_write_collection = int (*)(const char* path, int n, const double* times, const char* const* files,
+                                       char* error, int room);
 /// Reads a VTP written by hinge_write_still.
 using hinge_read_still = int (*)(const char* path, hinge::output::Still& still, char* error, int room);
 /// Draws `still` into a PNG; works without a display when Xvfb is installed, else says in one line how to get it.
-using hinge_render = int (*)(const char* path, const hinge::output::Still& still, const hinge::output::View& view, char* error, int room);
+using hinge_render = int (*)(const char* path, const hinge::output::Still& still, const hinge::output::View& view,
+                             char* error, int room);
 /// Draws n stills side by side into one PNG, `columns` in a row, each of the first view's size.
-using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Still* const* stills, const hinge::output::View* views, int columns,
-                                   char* error, int room);
+using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Still* const* stills,
+                                   const hinge::output::View* views, int columns, char* error, int room);
 /// The box hinge_render would fit to this still: for View::box. An empty picture gives xmin > xmax.
-using hinge_frame_box = int (*)(const hinge::output::Still& still, const hinge::output::View& view, double box[6], char* error, int room);
+using hinge_frame_box = int (*)(const hinge::output::Still& still, const hinge::output::View& view, double box[6],
+                                char* error, int room);
 }

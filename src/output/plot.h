@@ -10,7 +10,7 @@ enum class SeriesStyle { line, points };
 
 /// One curve. A value that is not finite, or not positive on a logarithmic axis, leaves a gap.
 struct Series {
-    std::string name;               ///< in the legend; empty: not listed
+    std::string name;  ///< in the legend; empty: not listed
     std::vector<double> x, y;
     SeriesStyle style = SeriesStyle::line;
     bool dashed = false;
@@ -26,5 +26,6 @@ struct Plot {
 
 extern "C" {
 /// Draws `plot` into a PNG of width x height pixels; 0, or 1 with a message in `error` (at most `room` bytes).
-using hinge_plot = int (*)(const char* path, const hinge::output::Plot& plot, int width, int height, char* error, int room);
+using hinge_plot = int (*)(const char* path, const hinge::output::Plot& plot, int width, int height, char* error,
+                           int room);
 }

@@ -19,7 +19,9 @@ public:
     static QuietWindow* New();
     vtkTypeMacro(QuietWindow, vtkOutputWindow)
 
-    void DisplayText(const char* text) override { keep(text); }
+        void DisplayText(const char* text) override {
+        keep(text);
+    }
     void DisplayErrorText(const char* text) override { keep(text); }
     void DisplayWarningText(const char* text) override { keep(text); }
     void DisplayGenericWarningText(const char* text) override { keep(text); }
@@ -33,7 +35,8 @@ private:
 };
 vtkStandardNewMacro(QuietWindow);
 
-/// VTK writes "ERROR: In file, line n\nvtkClass (0x...): what happened\n\n"; only the last part means anything to a reader.
+/// VTK writes "ERROR: In file, line n\nvtkClass (0x...): what happened\n\n"; only the last part means anything to a
+/// reader.
 std::string last_part(const std::string& text) {
     const auto end = text.find_last_not_of(" \n\r");
     if (end == std::string::npos) return {};

@@ -27,7 +27,7 @@ public:
     static SketchItem* New();
     vtkTypeMacro(SketchItem, vtkContextItem)
 
-    std::function<void(Pen&)> draw;
+        std::function<void(Pen&)> draw;
 
     bool Paint(vtkContext2D* context) override {
         // VTK maps 0.5 and width - 0.5 to the picture's edges; undone here, whole numbers fall on edges of pixels.
@@ -137,7 +137,8 @@ void Pen::box(double x, double y, double width, double height, Colour colour, do
 
 void Pen::dot(double x, double y, double radius, Colour colour) {
     use_brush(context_, colour, 1);
-    context_.DrawEllipse(static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius), static_cast<float>(radius));
+    context_.DrawEllipse(static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius),
+                         static_cast<float>(radius));
 }
 
 vtkSmartPointer<vtkRenderer> sketch(std::function<void(Pen&)> draw) {

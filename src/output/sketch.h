@@ -19,12 +19,12 @@ using Colour = std::array<std::uint8_t, 3>;
 constexpr Colour ink = {34, 38, 44}, faint_ink = {110, 116, 124}, white = {255, 255, 255};
 
 struct TextStyle {
-    double size = 16;        ///< pixels
+    double size = 16;  ///< pixels
     Colour colour = ink;
     bool bold = false, italic = false;
-    double across = 0;       ///< where the given point lies in the text: 0 left, 0.5 middle, 1 right
-    double upright = 0.5;    ///< 0 foot, 0.5 middle, 1 top
-    bool upwards = false;    ///< turned to be read from the right
+    double across = 0;     ///< where the given point lies in the text: 0 left, 0.5 middle, 1 right
+    double upright = 0.5;  ///< 0 foot, 0.5 middle, 1 top
+    bool upwards = false;  ///< turned to be read from the right
 };
 
 /// What a drawing function draws with.

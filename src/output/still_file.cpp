@@ -60,7 +60,8 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     vtkCellData* cells = data->GetCellData();
     add_column<vtkDoubleArray>(cells, "f_y", bars, [](const Bar& b) { return b.yield; });
     add_column<vtkIntArray>(cells, "group", bars, [](const Bar& b) { return b.group; });
-    add_column<vtkUnsignedCharArray>(cells, "state", bars, [](const Bar& b) { return static_cast<std::uint8_t>(b.state); });
+    add_column<vtkUnsignedCharArray>(cells, "state", bars,
+                                     [](const Bar& b) { return static_cast<std::uint8_t>(b.state); });
     add_column<vtkIntArray>(cells, "member", bars, [](const Bar& b) { return b.member; });
     add_column<vtkIntArray>(cells, "element", bars, [](const Bar& b) { return b.element; });
     add_column<vtkDoubleArray>(cells, "width", bars, [](const Bar& b) { return b.width; });
@@ -79,7 +80,8 @@ void add_field(vtkPolyData* data, const Still& still) {
 }
 
 [[noreturn]] void not_ours(const std::string& name, const std::string& what) {
-    throw InputError("cannot read " + name + ": " + what + "; give a .vtp frame that hinge wrote, or run the script again");
+    throw InputError("cannot read " + name + ": " + what +
+                     "; give a .vtp frame that hinge wrote, or run the script again");
 }
 
 template <class Array>
@@ -187,9 +189,7 @@ Still decode_still(const std::string& bytes, const std::string& name) {
         for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) still.groups.push_back(groups->GetValue(i));
     try {
         check_still(still);
-    } catch (const InputError& e) {
-        not_ours(name, e.what());
-    }
+    } catch (const InputError& e) { not_ours(name, e.what()); }
     return still;
 }
 
@@ -199,8 +199,8 @@ std::string encode_collection(int n, const double* times, const char* const* fil
         "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
     for (int i = 0; i < n; ++i)
-        text += "    <DataSet timestep=\"" + shortest(times[i]) + "\" group=\"\" part=\"0\" file=\"" + xml_text(files[i]) +
-                "\"/>\n";
+        text += "    <DataSet timestep=\"" + shortest(times[i]) + "\" group=\"\" part=\"0\" file=\"" +
+                xml_text(files[i]) + "\"/>\n";
     return text + "  </Collection>\n</VTKFile>\n";
 }
 

@@ -56,7 +56,10 @@ void log_ticks(Axis& axis, int wanted) {
             if (labelled && plain) {
                 tick.label = fixed(tick.at, std::max(0, -power));
             } else if (labelled) {
-                tick.label = digit == 1 ? "10" : std::to_string(digit) + "\xC2\xB7" "10";
+                tick.label = digit == 1 ? "10"
+                                        : std::to_string(digit) +
+                                              "\xC2\xB7"
+                                              "10";
                 tick.power = signed_power(power);
             }
             axis.ticks.push_back(tick);

@@ -7,9 +7,9 @@
 namespace hinge::output {
 
 struct Tick {
-    double at;            ///< data value
-    std::string label;    ///< empty: a minor tick
-    std::string power;    ///< set higher after the label: 10 to this
+    double at;          ///< data value
+    std::string label;  ///< empty: a minor tick
+    std::string power;  ///< set higher after the label: 10 to this
 };
 
 /// One axis of a plot: its range in data values and its marks.
@@ -17,7 +17,7 @@ struct Axis {
     bool log = false;
     double low = 0, high = 1;
     std::vector<Tick> ticks;
-    std::string scale;    ///< exponent n of a common factor 10^n of all labels; empty: none
+    std::string scale;  ///< exponent n of a common factor 10^n of all labels; empty: none
 
     /// 0 at low, 1 at high.
     double share(double value) const;

@@ -20,11 +20,11 @@
 namespace hinge::output {
 namespace {
 
-constexpr std::size_t few = 200, many = 5000;   // bars; the fewer, the rounder each is drawn
-constexpr std::size_t most_tubes = 20000;       // above that lines
-constexpr double thinnest = 0.9;                // pixels, radius: thinner bars would break up into dots
-constexpr double halo = 1.2;                    // pixels of white around a bar, to tell crossing bars apart
-constexpr double haze = 0.18;                   // share of white at the far end of the scene
+constexpr std::size_t few = 200, many = 5000;  // bars; the fewer, the rounder each is drawn
+constexpr std::size_t most_tubes = 20000;      // above that lines
+constexpr double thinnest = 0.9;               // pixels, radius: thinner bars would break up into dots
+constexpr double halo = 1.2;                   // pixels of white around a bar, to tell crossing bars apart
+constexpr double haze = 0.18;                  // share of white at the far end of the scene
 
 /// Colour with distance: far bars fade a little towards the paper.
 class Haze {

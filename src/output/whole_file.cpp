@@ -39,7 +39,8 @@ std::string advice(int code, const std::string& path) {
 }
 
 [[noreturn]] void fail_to_write(int code, const std::string& path) {
-    throw OutsideError("cannot write " + path + ": " + std::generic_category().message(code) + "; " + advice(code, path));
+    throw OutsideError("cannot write " + path + ": " + std::generic_category().message(code) + "; " +
+                       advice(code, path));
 }
 
 std::string reading_advice(int code) {
@@ -52,7 +53,8 @@ std::string reading_advice(int code) {
 }
 
 [[noreturn]] void fail_to_read(int code, const std::string& path) {
-    throw OutsideError("cannot read " + path + ": " + std::generic_category().message(code) + "; " + reading_advice(code));
+    throw OutsideError("cannot read " + path + ": " + std::generic_category().message(code) + "; " +
+                       reading_advice(code));
 }
 
 class Descriptor {

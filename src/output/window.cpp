@@ -62,7 +62,8 @@ private:
 std::string encode_png(const Pixels& pixels) {
     const vtkNew<vtkUnsignedCharArray> bytes;
     bytes->SetNumberOfComponents(3);
-    bytes->SetArray(const_cast<unsigned char*>(pixels.rgb.data()), static_cast<vtkIdType>(pixels.rgb.size()), 1);  // lent, not given
+    bytes->SetArray(const_cast<unsigned char*>(pixels.rgb.data()), static_cast<vtkIdType>(pixels.rgb.size()),
+                    1);  // lent, not given
     const vtkNew<vtkImageData> image;
     image->SetDimensions(pixels.width, pixels.height, 1);
     image->GetPointData()->SetScalars(bytes);
@@ -73,13 +74,15 @@ std::string encode_png(const Pixels& pixels) {
     writer->Write();
     vtkUnsignedCharArray* result = writer->GetResult();
     if (writer->GetErrorCode() != 0 || !result) throw OutsideError("cannot encode the picture as PNG: out of memory?");
-    return {reinterpret_cast<const char*>(result->GetPointer(0)), static_cast<std::size_t>(result->GetNumberOfValues())};
+    return {reinterpret_cast<const char*>(result->GetPointer(0)),
+            static_cast<std::size_t>(result->GetNumberOfValues())};
 }
 
 void check_size(int width, int height) {
     if (width < smallest || width > largest || height < smallest || height > largest)
         throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                         " pixels: each side must be from " + std::to_string(smallest) + " to " + std::to_string(largest));
+                         " pixels: each side must be from " + std::to_string(smallest) + " to " +
+                         std::to_string(largest));
 }
 
 Pixels take_pixels(int width, int height, std::span<vtkRenderer* const> layers) {

@@ -32,8 +32,8 @@ constexpr int first_inherited = displayfd + 1;
 struct Server {
     std::mutex guard;
     std::condition_variable launched;
-    pid_t owner = 0;      ///< the process that started it: a fork must neither use nor kill it
-    pid_t pid = 0;        ///< 0: has ended
+    pid_t owner = 0;  ///< the process that started it: a fork must neither use nor kill it
+    pid_t pid = 0;    ///< 0: has ended
     bool tried = false;
     std::string display;
 };
@@ -49,8 +49,9 @@ std::string find_program(const std::string& name) {
         if (end > at && ::access(candidate.c_str(), X_OK) == 0) return candidate;
         at = end + 1;
     }
-    throw OutsideError("pictures need a display, and neither DISPLAY nor Xvfb is at hand; "
-                       "get one with: apt-get install xvfb");
+    throw OutsideError(
+        "pictures need a display, and neither DISPLAY nor Xvfb is at hand; "
+        "get one with: apt-get install xvfb");
 }
 
 struct Pipes {
@@ -94,8 +95,9 @@ struct Pipes {
 /// Starts Xvfb and waits for its end. A thread of its own because the kernel ends the child when the *thread* that
 /// started it ends, which for a caller's worker thread may be long before the process does.
 void keep(const std::shared_ptr<Server>& server, const Pipes& pipes, const std::string& program) {
-    std::vector<std::string> text = {"Xvfb", "-displayfd", std::to_string(displayfd), "-screen", "0", "1600x1200x24",
-                                     "-nolisten", "tcp", "-noreset"};
+    std::vector<std::string> text = {"Xvfb",      "-displayfd", std::to_string(displayfd),
+                                     "-screen",   "0",          "1600x1200x24",
+                                     "-nolisten", "tcp",        "-noreset"};
     std::vector<char*> words;
     for (std::string& word : text) words.push_back(word.data());
     words.push_back(nullptr);
@@ -200,8 +202,8 @@ std::string virtual_display() {
     if (number.empty()) {
         stop(*server);
         const std::string words = last_words(pipes.log);
-        throw OutsideError("cannot start Xvfb for pictures" + (words.empty() ? "" : " (" + words + ")") +
-                           "; run '" + program + " :99' to see why, or set DISPLAY to a display that works");
+        throw OutsideError("cannot start Xvfb for pictures" + (words.empty() ? "" : " (" + words + ")") + "; run '" +
+                           program + " :99' to see why, or set DISPLAY to a display that works");
     }
     {
         const std::lock_guard lock(server->guard);

@@ -85,7 +85,8 @@ LuaValue::LuaValue(lua_State* L, int index, const Model& model) {
     lua_pop(L, 2);
 }
 
-LuaFunction::LuaFunction(lua_State* L, int index, const Model& model) : LuaValue(L, index, model), context_(context(L)) {
+LuaFunction::LuaFunction(lua_State* L, int index, const Model& model)
+    : LuaValue(L, index, model), context_(context(L)) {
     lua_Debug about;
     lua_pushvalue(L, index);
     lua_getinfo(L, ">S", &about);

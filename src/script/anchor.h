@@ -1,4 +1,5 @@
-// What keeps a model's Lua functions: one table a model, its anchor, held by every object of the script that keeps the model.
+// What keeps a model's Lua functions: one table a model, its anchor, held by every object of the script that keeps the
+// model.
 #pragma once
 
 #include <memory>
@@ -23,8 +24,8 @@ void hold_anchor(lua_State* L, const Model& model);
 /// Pushes the anchor, and its table of the handles of one kind that are in use, by number. It does not keep them.
 void push_handles(lua_State* L, const Model& model, const char* kind);
 
-/// A Lua value that C++ holds. The model's anchor keeps it, not the registry: a rule that refers to its own model is then a
-/// cycle that Lua sees and collects. It may be used as long as an object of the script holds that anchor.
+/// A Lua value that C++ holds. The model's anchor keeps it, not the registry: a rule that refers to its own model is
+/// then a cycle that Lua sees and collects. It may be used as long as an object of the script holds that anchor.
 class LuaValue {
 public:
     LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index

@@ -13,14 +13,17 @@ void read_numbers(Options& o, bool gap, contact::ContactSettings& c) {
     c.flatness = o.number("flatness", "m^3", Range::positive, c.flatness);
     c.binding_time = o.number("binding_time", "s", Range::positive, c.binding_time);
     c.letter = o.flag("letter", c.letter);
-    c.hold_until_parting = o.word("release", {"parting", "time"}, c.letter || !c.hold_until_parting ? "time" : "parting") == "parting";
+    c.hold_until_parting =
+        o.word("release", {"parting", "time"}, c.letter || !c.hold_until_parting ? "time" : "parting") == "parting";
     for (const char* field : {"stiffness", "friction"})
         if (gap && o.has(field)) o.complain(field, "given", "belongs to rule 'surface'; rule is 'gap'");
     for (const char* field : {"reach", "flatness", "binding_time", "letter", "release"})
         if (!gap && o.has(field)) o.complain(field, "given", "belongs to rule 'gap'; rule is 'surface', the default");
 }
 
-bool reads_gap(Options& o, bool otherwise) { return o.word("rule", {"surface", "gap"}, otherwise ? "gap" : "surface") == "gap"; }
+bool reads_gap(Options& o, bool otherwise) {
+    return o.word("rule", {"surface", "gap"}, otherwise ? "gap" : "surface") == "gap";
+}
 
 /// The function in a field, if there is one.
 std::optional<LuaFunction> function_in(Options& o, const char* field, const char* allowed, const Model& m) {
@@ -35,7 +38,8 @@ std::optional<LuaFunction> function_in(Options& o, const char* field, const char
 
 /// Of two members, whether they meet at all, and by what numbers.
 void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, ContactRule& rule) {
-    rule.pairs = [f, model = std::weak_ptr<ScriptModel>(m), usual = rule.settings](int a, int b) -> std::optional<contact::ContactSettings> {
+    rule.pairs = [f, model = std::weak_ptr<ScriptModel>(m), usual = rule.settings](
+                     int a, int b) -> std::optional<contact::ContactSettings> {
         lua_State* L = f.running();
         const auto own = model.lock();
         if (!own) return usual;
@@ -54,7 +58,9 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, Con
             } else if (lua_isboolean(L, -1) && !lua_toboolean(L, -1)) {
                 found.reset();
             } else if (!lua_isnil(L, -1) && !lua_isboolean(L, -1)) {
-                throw InputError(who + " returned " + show(L, -1) + "; it must return nil or true for the rule's own numbers, false where the two never touch, or a table of other numbers");
+                throw InputError(who + " returned " + show(L, -1) +
+                                 "; it must return nil or true for the rule's own numbers, false where the two never "
+                                 "touch, or a table of other numbers");
             }
         } catch (const InputError& e) {
             lua_pop(L, 1);
@@ -65,7 +71,8 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, Con
     };
 }
 
-std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFunction& f, const char* name, const std::shared_ptr<ScriptModel>& m) {
+std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFunction& f, const char* name,
+                                                                    const std::shared_ptr<ScriptModel>& m) {
     return [f, name, model = std::weak_ptr<ScriptModel>(m)](const contact::ContactEvent& event, int a, int b) {
         const auto own = model.lock();
         if (!own) return;
@@ -77,7 +84,8 @@ std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFun
         push_handle<MemberBox>(L, own, b), lua_setfield(L, -2, "b");
         lua_pushinteger(L, event.element[0] + 1), lua_setfield(L, -2, "element_a");
         lua_pushinteger(L, event.element[1] + 1), lua_setfield(L, -2, "element_b");
-        call_hook(L, f, 1, 0, std::string(name) + ", members " + std::to_string(a + 1) + " and " + std::to_string(b + 1));
+        call_hook(L, f, 1, 0,
+                  std::string(name) + ", members " + std::to_string(a + 1) + " and " + std::to_string(b + 1));
     };
 }
 
@@ -86,26 +94,36 @@ std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFun
 int contact_rule(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:contact").value;
     Options o(L, 2, "model:contact", true);
-    o.expect({"rule", "groups", "between", "stiffness", "friction", "binding_time", "release", "reach", "flatness", "sleep", "letter", "pairs", "on_touch", "on_release"});
+    o.expect({"rule", "groups", "between", "stiffness", "friction", "binding_time", "release", "reach", "flatness",
+              "sleep", "letter", "pairs", "on_touch", "on_release"});
     ContactRule rule;
     read_numbers(o, reads_gap(o, false), rule.settings);
     rule.settings.sleep = o.flag("sleep", rule.settings.sleep);
     for (const char* field : {"groups", "between"}) {
         const int type = o.push_field(field);
-        if (type != LUA_TNIL && type != LUA_TTABLE) o.complain(field, show(L, -1), "must be a table of groups or their names");
+        if (type != LUA_TNIL && type != LUA_TTABLE)
+            o.complain(field, show(L, -1), "must be a table of groups or their names");
         for (lua_Integer i = 1, n = type == LUA_TTABLE ? lua_rawlen(L, -1) : 0; i <= n; ++i) {
             lua_rawgeti(L, -1, i);
-            rule.groups.push_back(group_argument(L, -1, "model:contact: field '" + std::string(field) + "', item " + std::to_string(i), *m));
+            rule.groups.push_back(group_argument(
+                L, -1, "model:contact: field '" + std::string(field) + "', item " + std::to_string(i), *m));
             lua_pop(L, 1);
         }
         lua_pop(L, 1);
     }
     rule.between = o.has("between");
-    if (rule.between && o.has("groups")) o.complain("between", "given beside groups", "groups: both members are in one of them; between = { one, other }: one in each; give one of the two");
-    if (rule.between && rule.groups.size() != 2) o.complain("between", std::to_string(rule.groups.size()) + " groups", "must be two, such as { 'aircraft', 'building' }");
+    if (rule.between && o.has("groups"))
+        o.complain(
+            "between", "given beside groups",
+            "groups: both members are in one of them; between = { one, other }: one in each; give one of the two");
+    if (rule.between && rule.groups.size() != 2)
+        o.complain("between", std::to_string(rule.groups.size()) + " groups",
+                   "must be two, such as { 'aircraft', 'building' }");
     if (const auto f = function_in(o, "pairs", "must be a function of two members", *m)) read_pairs(*f, m, rule);
-    if (const auto f = function_in(o, "on_touch", "must be a function of an event", *m)) rule.on_touch = telling(*f, "on_touch", m);
-    if (const auto f = function_in(o, "on_release", "must be a function of an event", *m)) rule.on_release = telling(*f, "on_release", m);
+    if (const auto f = function_in(o, "on_touch", "must be a function of an event", *m))
+        rule.on_touch = telling(*f, "on_touch", m);
+    if (const auto f = function_in(o, "on_release", "must be a function of an event", *m))
+        rule.on_release = telling(*f, "on_release", m);
     m->add_contact(std::move(rule));
     m->ask("contact", where(L));
     return 0;

@@ -12,19 +12,20 @@ constexpr int field_count = int(SectionField::step) + 1;
 
 /// What a rule is handed: the same object at every call, full while the rule runs.
 ///
-/// To Lua a section is an empty table. Its metatable's __index is a table of those fields that the rule was seen to read: they are
-/// put there before it is called, three times as fast as a call for each. That table's own __index has all the others.
+/// To Lua a section is an empty table. Its metatable's __index is a table of those fields that the rule was seen to
+/// read: they are put there before it is called, three times as fast as a call for each. That table's own __index has
+/// all the others.
 struct SectionViewBox {
     static constexpr const char* lua_name = "hinge.section_view";
     std::weak_ptr<Model> model;
     std::vector<std::string> keep;
     const SectionView* now = nullptr;
-    std::vector<SectionField> read = {};   ///< what the rule reads, none twice
+    std::vector<SectionField> read = {};  ///< what the rule reads, none twice
 };
 struct ElementListBox {
     static constexpr const char* lua_name = "hinge.element_list";
     const ElementList* now;
-    std::bitset<3 * field_count> filled;   ///< arrays that hold what is now
+    std::bitset<3 * field_count> filled;  ///< arrays that hold what is now
     std::vector<double> room;
 };
 
@@ -50,7 +51,8 @@ SectionViewBox& box_of_view(lua_State* L) {
 
 SectionViewBox& view_in_use(lua_State* L) {
     auto& box = box_of_view(L);
-    if (!box.now) throw InputError("section: read after its rule has returned; take the numbers you need while the rule runs");
+    if (!box.now)
+        throw InputError("section: read after its rule has returned; take the numbers you need while the rule runs");
     return box;
 }
 
@@ -64,7 +66,10 @@ void push_field(lua_State* L, const SectionView& v, SectionField field) {
     switch (field) {
         case SectionField::plastic: return lua_pushboolean(L, v.plastic);
         case SectionField::node: return v.node < 0 ? lua_pushnil(L) : lua_pushinteger(L, v.node + 1);
-        case SectionField::member: case SectionField::element: case SectionField::end: case SectionField::step: return lua_pushinteger(L, lua_Integer(value_of(v, field)));
+        case SectionField::member:
+        case SectionField::element:
+        case SectionField::end:
+        case SectionField::step: return lua_pushinteger(L, lua_Integer(value_of(v, field)));
         default: return lua_pushnumber(L, value_of(v, field));
     }
 }
@@ -73,7 +78,8 @@ int view_get(lua_State* L) {
     auto& box = view_in_use(L);
     const SectionView& v = *box.now;
     if (const int field = field_at(L); field >= 0) {
-        if (std::find(box.read.begin(), box.read.end(), SectionField(field)) == box.read.end()) box.read.push_back(SectionField(field));
+        if (std::find(box.read.begin(), box.read.end(), SectionField(field)) == box.read.end())
+            box.read.push_back(SectionField(field));
         return push_field(L, v, SectionField(field)), 1;
     }
     if (const double* kept = kept_at(L, box)) return lua_pushnumber(L, *kept), 1;
@@ -91,8 +97,14 @@ int view_set(lua_State* L) {
     const auto& box = view_in_use(L);
     double* kept = kept_at(L, box);
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : show(L, 2);
-    if (!kept) throw InputError("section: field '" + key + "' cannot be set; name what the rule keeps of each section: model:fracture{ rule =, keep = { '" + key + "' } }");
-    if (lua_type(L, 3) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, 3))) throw InputError("section: field '" + key + "' is set to " + show(L, 3) + "; what a rule keeps must be finite numbers");
+    if (!kept)
+        throw InputError(
+            "section: field '" + key +
+            "' cannot be set; name what the rule keeps of each section: model:fracture{ rule =, keep = { '" + key +
+            "' } }");
+    if (lua_type(L, 3) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, 3)))
+        throw InputError("section: field '" + key + "' is set to " + show(L, 3) +
+                         "; what a rule keeps must be finite numbers");
     *kept = lua_tonumber(L, 3);
     return 0;
 }
@@ -106,7 +118,8 @@ int view_text(lua_State* L) {
 
 ElementListBox& list_in_use(lua_State* L) {
     auto& box = self<ElementListBox>(L, "elements");
-    if (!box.now) throw InputError("elements: read after their rule has returned; take the numbers you need while the rule runs");
+    if (!box.now)
+        throw InputError("elements: read after their rule has returned; take the numbers you need while the rule runs");
     return box;
 }
 
@@ -118,7 +131,9 @@ int list_get(lua_State* L) {
     if (key == "time") return lua_pushnumber(L, box.now->time()), 1;
     if (key == "dt") return lua_pushnumber(L, box.now->dt()), 1;
     if (key == "step") return lua_pushinteger(L, box.now->step()), 1;
-    if (place < 0) no_field(L, "elements", {"count", "Mx1", "Mx2", "My1", "My2", "f_y1", "f_y2", "node1", "node2", "plastic1", "plastic2"});
+    if (place < 0)
+        no_field(L, "elements",
+                 {"count", "Mx1", "Mx2", "My1", "My2", "f_y1", "f_y2", "node1", "node2", "plastic1", "plastic2"});
     lua_getiuservalue(L, 1, 1);  // the arrays, by place
     const bool there = lua_rawgeti(L, -1, place + 1) == LUA_TTABLE;
     if (there && box.filled[place]) return 1;
@@ -145,19 +160,22 @@ void push_field_numbers(lua_State* L, bool by_end) {
     lua_createtable(L, 0, field_count);
     for (int i = 0; i < field_count; ++i)
         if (by_end && at_ends(SectionField(i)))
-            for (int end : {1, 2}) lua_pushinteger(L, end * field_count + i), lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
+            for (int end : {1, 2})
+                lua_pushinteger(L, end * field_count + i),
+                    lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
         else lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
 }
 
-/// Pushes a section and the table of its fields that are put there (SectionViewBox). Upvalues of all its functions: numbers of
-/// the fields by name, the box.
+/// Pushes a section and the table of its fields that are put there (SectionViewBox). Upvalues of all its functions:
+/// numbers of the fields by name, the box.
 SectionViewBox* push_section(lua_State* L, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
     luaL_newmetatable(L, SectionViewBox::lua_name);
     lua_pushcclosure(L, collect<SectionViewBox>, 0);
     lua_setfield(L, -2, "__gc");
     lua_pop(L, 1);
     push_field_numbers(L, false);
-    const int numbers = lua_gettop(L), userdata = numbers + 1, section = numbers + 2, meta = numbers + 3, fields = numbers + 4, others = numbers + 5;
+    const int numbers = lua_gettop(L), userdata = numbers + 1, section = numbers + 2, meta = numbers + 3,
+              fields = numbers + 4, others = numbers + 5;
     auto* box = push<SectionViewBox>(L, model, keep);
     for (int i = section; i <= others; ++i) lua_createtable(L, 0, i == fields ? field_count : 0);
     const auto set = [&](int table, const char* event, lua_CFunction f) {
@@ -179,10 +197,15 @@ SectionViewBox* push_section(lua_State* L, const std::shared_ptr<Model>& model, 
 }
 
 /// Sections on their way through a rule.
-struct Asking { const std::vector<SectionView>& sections; std::size_t& at; SectionViewBox& box; };
+struct Asking {
+    const std::vector<SectionView>& sections;
+    std::size_t& at;
+    SectionViewBox& box;
+};
 
-/// Calls the rule with one section after the other until it returns something other than false or nil, which is left on top. Stack: the
-/// rule, the section, its fields, the Asking; then the names of the fields it reads. It is Lua's: nothing here may have a destructor.
+/// Calls the rule with one section after the other until it returns something other than false or nil, which is left on
+/// top. Stack: the rule, the section, its fields, the Asking; then the names of the fields it reads. It is Lua's:
+/// nothing here may have a destructor.
 int ask_each(lua_State* L) {
     const Asking& a = *static_cast<const Asking*>(lua_touserdata(L, 4));
     luaL_checkstack(L, field_count + 4, nullptr);
@@ -215,7 +238,8 @@ void empty(lua_State* L, const LuaValue& table) {
     lua_pop(L, 1);
 }
 
-FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& model, const std::vector<std::string>& keep) {
+FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& model,
+                       const std::vector<std::string>& keep) {
     const LuaFunction f(L, index, *model);
     SectionViewBox* box = push_section(L, model, keep);
     const LuaValue section(L, -2, *model), fields(L, -1, *model);
@@ -237,7 +261,9 @@ FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& mo
         call_hook(L, f, 4, 1);
         const std::string wrong = lua_isnil(L, -1) || lua_isboolean(L, -1) ? "" : show(L, -1);
         lua_pop(L, 1);
-        if (!wrong.empty()) throw HookError(f.place() + ": model:fracture: the rule returned " + wrong + "; it must return true where the section breaks, false or nil where it holds");
+        if (!wrong.empty())
+            throw HookError(f.place() + ": model:fracture: the rule returned " + wrong +
+                            "; it must return true where the section breaks, false or nil where it holds");
     };
     return hook;
 }
@@ -248,7 +274,8 @@ void ready_list_metatable(lua_State* L) {
     const bool made = lua_getfield(L, -1, "__gc") != LUA_TNIL;  // the last of it: memory may have run out half way
     lua_pop(L, 1);
     if (!made) {
-        static const luaL_Reg others[] = {{"__len", guarded<list_length>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
+        static const luaL_Reg others[] = {
+            {"__len", guarded<list_length>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
         push_field_numbers(L, true);
         lua_pushcclosure(L, guarded<list_get>, 1);
         lua_setfield(L, -2, "__index");
@@ -282,13 +309,16 @@ FractureBatch read_batch(lua_State* L, int index, const std::shared_ptr<Model>& 
                 lua_rawgeti(L, -1, i);
                 int whole = 0;
                 const lua_Integer place = lua_tointegerx(L, -1, &whole);
-                if (!whole || place < 1 || place > elements.count()) wrong = show(L, -1) + " as item " + std::to_string(i);
+                if (!whole || place < 1 || place > elements.count())
+                    wrong = show(L, -1) + " as item " + std::to_string(i);
                 else breaks.push_back(int(place) - 1);
                 lua_pop(L, 1);
             }
         lua_pop(L, 1);
         if (!wrong.empty())
-            throw HookError(f.place() + ": model:fracture: the batch rule returned " + wrong + "; it must return nil, or a list of the elements that break, whole numbers from 1 to " + std::to_string(elements.count()));
+            throw HookError(f.place() + ": model:fracture: the batch rule returned " + wrong +
+                            "; it must return nil, or a list of the elements that break, whole numbers from 1 to " +
+                            std::to_string(elements.count()));
     };
 }
 
@@ -296,12 +326,16 @@ std::vector<std::string> read_keep(Options& o) {
     std::vector<std::string> keep;
     lua_State* L = o.L();
     const int type = o.push_field("keep");
-    if (type != LUA_TNIL && type != LUA_TTABLE) o.complain("keep", show(L, -1), "must be a list of names, such as { 'damage' }");
+    if (type != LUA_TNIL && type != LUA_TTABLE)
+        o.complain("keep", show(L, -1), "must be a list of names, such as { 'damage' }");
     for (lua_Integer i = 1, n = type == LUA_TTABLE ? lua_rawlen(L, -1) : 0; i <= n; ++i) {
         lua_rawgeti(L, -1, i);
         const std::string name = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-        if (name.empty()) o.complain("keep", show(L, -1) + " as item " + std::to_string(i), "must be a list of names, such as { 'damage' }");
-        if (name == "group" || std::find(section_field_names.begin(), section_field_names.end(), name) != section_field_names.end())
+        if (name.empty())
+            o.complain("keep", show(L, -1) + " as item " + std::to_string(i),
+                       "must be a list of names, such as { 'damage' }");
+        if (name == "group" ||
+            std::find(section_field_names.begin(), section_field_names.end(), name) != section_field_names.end())
             o.complain("keep", "'" + name + "'", "is a field that every section has; choose another name");
         keep.push_back(name);
         lua_pop(L, 1);
@@ -319,9 +353,11 @@ int fracture_rule(lua_State* L) {
     if (lua_isfunction(L, 2)) {
         rule.hook = read_rule(L, 2, m, {});
     } else {
-        if (!lua_istable(L, 2)) throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
+        if (!lua_istable(L, 2))
+            throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
         Options o(L, 2, "model:fracture");
-        o.expect({"curvature_x", "curvature_y", "axial_strain", "tension_only", "rule", "batch", "where", "keep", "group"});
+        o.expect(
+            {"curvature_x", "curvature_y", "axial_strain", "tension_only", "rule", "batch", "where", "keep", "group"});
         const auto take = [&](const char* field, const char* unit, double& limit) {
             if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
         };
@@ -332,21 +368,32 @@ int fracture_rule(lua_State* L) {
         rule.keep = read_keep(o);
         const int type = o.push_field("rule");
         if (type == LUA_TFUNCTION) rule.hook = read_rule(L, -1, m, rule.keep);
-        else if (type != LUA_TNIL) o.complain("rule", show(L, -1), "must be a function of a section that returns true where it breaks");
+        else if (type != LUA_TNIL)
+            o.complain("rule", show(L, -1), "must be a function of a section that returns true where it breaks");
         lua_pop(L, 1);
         const int batch = o.push_field("batch");
         if (batch == LUA_TFUNCTION) rule.batch = read_batch(L, -1, m);
-        else if (batch != LUA_TNIL) o.complain("batch", show(L, -1), "must be a function of all elements that returns a list of those that break");
+        else if (batch != LUA_TNIL)
+            o.complain("batch", show(L, -1),
+                       "must be a function of all elements that returns a list of those that break");
         lua_pop(L, 1);
-        if (rule.hook && rule.batch) o.complain("batch", "given beside rule", "a rule is asked section by section or of all at once; give one of the two");
+        if (rule.hook && rule.batch)
+            o.complain("batch", "given beside rule",
+                       "a rule is asked section by section or of all at once; give one of the two");
         const std::string where = o.word("where", {"plastic", "yielded", "all"}, "plastic");
-        rule.where = where == "all" ? FractureRule::Where::all : where == "yielded" ? FractureRule::Where::yielded : FractureRule::Where::plastic;
+        rule.where = where == "all"       ? FractureRule::Where::all
+                     : where == "yielded" ? FractureRule::Where::yielded
+                                          : FractureRule::Where::plastic;
         for (const char* field : {"where", "keep"})
-            if (!rule.hook && o.has(field)) o.complain(field, "given", "belongs to a rule that is asked section by section; give rule = a function");
+            if (!rule.hook && o.has(field))
+                o.complain(field, "given",
+                           "belongs to a rule that is asked section by section; give rule = a function");
         if (o.push_field("group") != LUA_TNIL) rule.group = group_argument(L, -1, "model:fracture: field 'group'", *m);
         lua_pop(L, 1);
-        if (!rule.hook && !rule.batch && !std::isfinite(rule.curvature_x) && !std::isfinite(rule.curvature_y) && !std::isfinite(rule.axial_strain))
-            throw InputError("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function");
+        if (!rule.hook && !rule.batch && !std::isfinite(rule.curvature_x) && !std::isfinite(rule.curvature_y) &&
+            !std::isfinite(rule.axial_strain))
+            throw InputError(
+                "model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function");
     }
     m->add_fracture(std::move(rule));
     m->ask("fracture", where(L));

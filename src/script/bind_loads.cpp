@@ -6,8 +6,8 @@
 namespace hinge::script {
 namespace {
 
-/// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a point has beside
-/// its time. Empty where the field is absent.
+/// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
+/// point has beside its time. Empty where the field is absent.
 History read_history(Options& o, const char* field, const std::string& each, const Model& model) {
     const int type = o.push_field(field);
     lua_State* L = o.L();
@@ -24,7 +24,9 @@ History read_history(Options& o, const char* field, const std::string& each, con
             const double v = lua_tonumber(L, -1);
             const std::string shown = show(L, -1);
             lua_pop(L, 1);
-            if (!good) throw HookError(f.place() + ": " + who + ": the function in field '" + field + "' returned " + shown + " at t = " + show(t) + " s; it must return a finite number");
+            if (!good)
+                throw HookError(f.place() + ": " + who + ": the function in field '" + field + "' returned " + shown +
+                                " at t = " + show(t) + " s; it must return a finite number");
             return v;
         };
     }
@@ -45,9 +47,13 @@ History read_history(Options& o, const char* field, const std::string& each, con
             lua_pop(L, 1);
         }
         lua_pop(L, 1);
-        if (!good) o.complain(field, "wrong at point " + std::to_string(i), "each point must be {time in s, " + each + "}");
-        if (!std::isfinite(pair[0]) || !std::isfinite(pair[1])) o.complain(field, "not finite at point " + std::to_string(i), "times and values must be finite");
-        if (!points.empty() && pair[0] <= points.back().first) o.complain(field, "out of order at point " + std::to_string(i) + " (time " + show(pair[0]) + " s)", "times must rise");
+        if (!good)
+            o.complain(field, "wrong at point " + std::to_string(i), "each point must be {time in s, " + each + "}");
+        if (!std::isfinite(pair[0]) || !std::isfinite(pair[1]))
+            o.complain(field, "not finite at point " + std::to_string(i), "times and values must be finite");
+        if (!points.empty() && pair[0] <= points.back().first)
+            o.complain(field, "out of order at point " + std::to_string(i) + " (time " + show(pair[0]) + " s)",
+                       "times must rise");
         points.push_back({pair[0], pair[1]});
     }
     lua_pop(L, 1);
@@ -71,13 +77,15 @@ std::shared_ptr<RunRecord> stepping_run(const ScriptModel& model) {
 }
 
 /// A force or moment that is a function of time and of the run: three numbers, or a table of three.
-std::function<Vec3(double)> read_acting(Options& o, const char* field, const char* unit, const std::shared_ptr<ScriptModel>& m) {
+std::function<Vec3(double)> read_acting(Options& o, const char* field, const char* unit,
+                                        const std::shared_ptr<ScriptModel>& m) {
     lua_State* L = o.L();
     const bool given = o.push_field(field) == LUA_TFUNCTION;
     if (!given) return lua_pop(L, 1), nullptr;
     const LuaFunction f(L, -1, *m);
     lua_pop(L, 1);
-    return [f, who = o.function() + ": the function in field '" + field + "'", unit, model = std::weak_ptr<ScriptModel>(m)](double t) {
+    return [f, who = o.function() + ": the function in field '" + field + "'", unit,
+            model = std::weak_ptr<ScriptModel>(m)](double t) {
         lua_State* L = f.running();
         const int top = lua_gettop(L);
         f.push(L);
@@ -97,7 +105,10 @@ std::function<Vec3(double)> read_acting(Options& o, const char* field, const cha
             } else {
                 for (int i = 0; i < 3; ++i) {
                     if (lua_type(L, top + 1 + i) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, top + 1 + i)))
-                        throw InputError(who + " returned " + show(L, top + 1 + i) + " as value " + std::to_string(i + 1) + " at t = " + show(t) + " s; it must return three finite numbers in " + unit + ", or a table of three");
+                        throw InputError(who + " returned " + show(L, top + 1 + i) + " as value " +
+                                         std::to_string(i + 1) + " at t = " + show(t) +
+                                         " s; it must return three finite numbers in " + unit +
+                                         ", or a table of three");
                     v[i] = lua_tonumber(L, top + 1 + i);
                 }
             }
@@ -122,12 +133,17 @@ int add_load(lua_State* L) {
     lua_pop(L, 1);
     load.force_rule = read_acting(o, "force", "N", m);
     load.moment_rule = read_acting(o, "moment", "N m", m);
-    const auto force = load.force_rule ? std::nullopt : o.triple("force", "N"), moment = load.moment_rule ? std::nullopt : o.triple("moment", "N m");
-    if (!force && !moment && !load.follows_state()) throw InputError("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}, or a function of time and the run");
+    const auto force = load.force_rule ? std::nullopt : o.triple("force", "N"),
+               moment = load.moment_rule ? std::nullopt : o.triple("moment", "N m");
+    if (!force && !moment && !load.follows_state())
+        throw InputError(
+            "model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}, or a function of time and "
+            "the run");
     load.force = force.value_or(Vec3::Zero());
     load.moment = moment.value_or(Vec3::Zero());
     load.history = read_history(o, "history", "factor", *m);
-    if (load.history && !force && !moment) o.complain("history", "given", "is a factor of numbers; a force that is a function has its own");
+    if (load.history && !force && !moment)
+        o.complain("history", "given", "is a factor of numbers; a force that is a function has its own");
     const int number = m->add_load(std::move(load));
     if (!m->asked("loads")) m->ask("loads", where(L));
     push_load(L, m, number);
@@ -150,11 +166,16 @@ int move_support(lua_State* L) {
     History path[3];
     const char* axes[] = {"x", "y", "z"};
     for (int c = 0; c < 3; ++c) path[c] = read_history(o, axes[c], "displacement in m", *m);
-    if (!path[0] && !path[1] && !path[2]) throw InputError("model:move: none of 'x', 'y', 'z' is given; give a displacement in m over time, a function or {{time, displacement}, ...}");
+    if (!path[0] && !path[1] && !path[2])
+        throw InputError(
+            "model:move: none of 'x', 'y', 'z' is given; give a displacement in m over time, a function or {{time, "
+            "displacement}, ...}");
     for (const int n : nodes)
         for (int c = 0; c < 3; ++c)
             for (const SupportMotion& other : m->motions())
-                if (path[c] && other.node == n && other.component == c) throw InputError("model:move: node " + std::to_string(n + 1) + " is moved along " + axes[c] + " already");
+                if (path[c] && other.node == n && other.component == c)
+                    throw InputError("model:move: node " + std::to_string(n + 1) + " is moved along " + axes[c] +
+                                     " already");
     for (const int n : nodes)
         for (int c = 0; c < 3; ++c)
             if (path[c]) m->add_motion({n, c, path[c]});

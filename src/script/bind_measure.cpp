@@ -1,5 +1,5 @@
-// What measuring runs takes and Lua lacks: a clock, the most memory held at once, word of every run that is made, and runs without
-// one of their effects.
+// What measuring runs takes and Lua lacks: a clock, the most memory held at once, word of every run that is made, and
+// runs without one of their effects.
 #include <malloc.h>
 
 #include <cstdio>
@@ -27,7 +27,8 @@ int clock(lua_State* L) {
     return 1;
 }
 
-/// core.forget_peak(): gives free memory back and forgets how much there was. Returns what is held, in bytes, or nil where the system does not tell.
+/// core.forget_peak(): gives free memory back and forgets how much there was. Returns what is held, in bytes, or nil
+/// where the system does not tell.
 int forget_peak(lua_State* L) {
     malloc_trim(0);
     const bool forgotten = bool(std::ofstream("/proc/self/clear_refs") << "5" << std::flush);
@@ -53,7 +54,8 @@ int on_run(lua_State* L) {
 /// core.optional_effects(): names of those that can be left out.
 int list_optional_effects(lua_State* L) {
     lua_createtable(L, int(optional_effects.size()), 0);
-    for (std::size_t i = 0; i < optional_effects.size(); ++i) lua_pushstring(L, optional_effects[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    for (std::size_t i = 0; i < optional_effects.size(); ++i)
+        lua_pushstring(L, optional_effects[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
     return 1;
 }
 
@@ -81,7 +83,13 @@ void tell_of_run(lua_State* L) {
 }
 
 void open_measure(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"clock", guarded<clock>}, {"forget_peak", guarded<forget_peak>}, {"peak", guarded<peak>}, {"on_run", guarded<on_run>}, {"optional_effects", guarded<list_optional_effects>}, {"leave_out", guarded<leave_out>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"clock", guarded<clock>},
+                                         {"forget_peak", guarded<forget_peak>},
+                                         {"peak", guarded<peak>},
+                                         {"on_run", guarded<on_run>},
+                                         {"optional_effects", guarded<list_optional_effects>},
+                                         {"leave_out", guarded<leave_out>},
+                                         {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -17,7 +17,9 @@ std::uint8_t parse_freedoms(const std::string& what, const std::string& text) {
         if ((c == 'r' || c == 'u') && i + 1 < text.size()) ++i;
         const char axis = text[i];
         if (axis < 'x' || axis > 'z')
-            throw InputError(what + " is '" + text + "'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations");
+            throw InputError(
+                what + " is '" + text +
+                "'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations");
         mask |= 1 << (shift + axis - 'x');
     }
     if (!mask) throw InputError(what + " is empty; give \"all\", \"xyz\" or the like");
@@ -28,17 +30,23 @@ int model(lua_State* L) {
     Options o(L, 1, "hinge.model", true);
     ModelOptions m;
     const std::string formulation = o.word("formulation", {"conventional", "asi", "asi-gauss"}, "asi-gauss");
-    m.formulation = formulation == "conventional" ? Formulation::conventional : formulation == "asi" ? Formulation::asi : Formulation::asi_gauss;
-    m.displacement = o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
+    m.formulation = formulation == "conventional" ? Formulation::conventional
+                    : formulation == "asi"        ? Formulation::asi
+                                                  : Formulation::asi_gauss;
+    m.displacement =
+        o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
     m.shift = o.word("shift", {"plastic", "whole"}, "plastic") == "whole" ? Shift::whole : Shift::plastic;
     m.mass = o.word("mass", {"linear", "cubic"}, "linear") == "cubic" ? MassShape::cubic : MassShape::linear;
     if (m.mass == MassShape::cubic && m.formulation != Formulation::asi_gauss)
-        o.complain("mass", "'cubic'", "belongs to formulation 'asi-gauss', whose pairs of elements have the stiffness of a cubic; '" + formulation + "' takes 'linear'");
+        o.complain("mass", "'cubic'",
+                   "belongs to formulation 'asi-gauss', whose pairs of elements have the stiffness of a cubic; '" +
+                       formulation + "' takes 'linear'");
     m.plasticity = o.flag("plasticity", true);
     m.elements_per_member = o.integer("elements_per_member", 1, 2);
     if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)
         o.complain("elements_per_member", std::to_string(m.elements_per_member),
-                   "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...); 'asi' and 'conventional' take any");
+                   "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, "
+                   "...); 'asi' and 'conventional' take any");
     o.finish();
     auto model = std::make_shared<ScriptModel>(m);
     model->ask("model", where(L));
@@ -62,8 +70,10 @@ int add_node(lua_State* L) {
 
 int fix(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:fix").value;
-    if (lua_type(L, 3) != LUA_TSTRING && !lua_isnoneornil(L, 3)) throw InputError("model:fix: what to fix is " + show(L, 3) + "; give a string such as \"all\" or \"xyz\"");
-    const std::uint8_t mask = parse_freedoms("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
+    if (lua_type(L, 3) != LUA_TSTRING && !lua_isnoneornil(L, 3))
+        throw InputError("model:fix: what to fix is " + show(L, 3) + "; give a string such as \"all\" or \"xyz\"");
+    const std::uint8_t mask =
+        parse_freedoms("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
     if (lua_istable(L, 2)) {
         std::vector<int> nodes;
         for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {
@@ -84,8 +94,10 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
     lua_State* L = o.L();
     const int type = o.push_field("group");
     const auto take = [&](int index) {
-        if (find<GroupBox>(L, index)) return groups.push_back(group_argument(L, index, o.function() + ": field 'group'", m));
-        if (lua_type(L, index) != LUA_TSTRING || lua_rawlen(L, index) == 0) o.complain("group", show(L, index), "must be a name, or a table of names");
+        if (find<GroupBox>(L, index))
+            return groups.push_back(group_argument(L, index, o.function() + ": field 'group'", m));
+        if (lua_type(L, index) != LUA_TSTRING || lua_rawlen(L, index) == 0)
+            o.complain("group", show(L, index), "must be a name, or a table of names");
         fresh.push_back(lua_tostring(L, index));
     };
     if (type == LUA_TTABLE)
@@ -105,9 +117,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
         note_line(L, m, "member", index);
         if (yields && !m.asked("plasticity")) m.ask("plasticity", where(L));
         return index;
-    } catch (const InputError& e) {
-        throw InputError(std::string("model:member: ") + e.what());
-    }
+    } catch (const InputError& e) { throw InputError(std::string("model:member: ") + e.what()); }
 }
 
 int add_member(lua_State* L) {
@@ -122,10 +132,14 @@ int add_member(lua_State* L) {
     }
     o.push_field("section");
     if (auto* s = find<SectionBox>(L, -1)) data.section = s->value;
-    else o.complain("section", lua_isnil(L, -1) ? "missing" : show(L, -1), "give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}");
+    else
+        o.complain("section", lua_isnil(L, -1) ? "missing" : show(L, -1),
+                   "give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}");
     o.push_field("material");
     if (auto* s = find<MaterialBox>(L, -1)) data.material = s->value;
-    else o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1), "give one made by hinge.material{ E =, density =, ... }");
+    else
+        o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1),
+                   "give one made by hinge.material{ E =, density =, ... }");
     lua_pop(L, 2);
     const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
     // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
@@ -167,10 +181,12 @@ int velocity(lua_State* L) {
     } else if (find<GroupBox>(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
         nodes = m->nodes_of_group(group_argument(L, 2, "model:velocity: target", *m));
     } else {
-        throw InputError("model:velocity: target is " + show(L, 2) + "; must be a node, a member, a group or the name of one");
+        throw InputError("model:velocity: target is " + show(L, 2) +
+                         "; must be a node, a member, a group or the name of one");
     }
     const Vec3 v = read_triple(L, 3, "model:velocity: velocity", "m/s");
-    const Vec3 w = lua_isnoneornil(L, 4) ? Vec3(Vec3::Zero()) : read_triple(L, 4, "model:velocity: angular velocity", "rad/s");
+    const Vec3 w =
+        lua_isnoneornil(L, 4) ? Vec3(Vec3::Zero()) : read_triple(L, 4, "model:velocity: angular velocity", "rad/s");
     Vec3 centre = Vec3::Zero();
     for (int n : nodes) centre += m->nodes()[n].position / double(nodes.size());
     for (int n : nodes) m->set_velocity(n, v + w.cross(m->nodes()[n].position - centre), w);
@@ -198,11 +214,13 @@ int counts(lua_State* L) {
 }  // namespace
 
 void open_model(lua_State* L, int module) {
-    static const luaL_Reg methods[] = {{"node", guarded<add_node>},       {"fix", guarded<fix>},           {"member", guarded<add_member>},
-                                       {"load", guarded<add_load>},       {"move", guarded<move_support>},       {"gravity", guarded<gravity>},   {"velocity", guarded<velocity>},
-                                       {"fracture", guarded<fracture_rule>},   {"contact", guarded<contact_rule>}, {"group", guarded<group>},
-                                       {"counts", guarded<counts>},       {"static", guarded<static_run>}, {"dynamic", guarded<dynamic_run>},
-                                       {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"node", guarded<add_node>},        {"fix", guarded<fix>},
+                                       {"member", guarded<add_member>},    {"load", guarded<add_load>},
+                                       {"move", guarded<move_support>},    {"gravity", guarded<gravity>},
+                                       {"velocity", guarded<velocity>},    {"fracture", guarded<fracture_rule>},
+                                       {"contact", guarded<contact_rule>}, {"group", guarded<group>},
+                                       {"counts", guarded<counts>},        {"static", guarded<static_run>},
+                                       {"dynamic", guarded<dynamic_run>},  {nullptr, nullptr}};
     add_methods(L, ModelBox::lua_name, methods);
     lua_pushcfunction(L, guarded<model>);
     lua_setfield(L, module, "model");

@@ -1,4 +1,5 @@
-// Nodes, members, groups and loads in a script's hands: what they tell of themselves, and what is said of those that are gone.
+// Nodes, members, groups and loads in a script's hands: what they tell of themselves, and what is said of those that
+// are gone.
 #include <algorithm>
 
 #include "script/objects.h"
@@ -12,13 +13,23 @@ std::string name_of(const LoadBox& l) { return "the load on node " + std::to_str
 std::string name_of(const ModelBox&) { return "a model"; }
 std::string name_of(const RunBox& r) { return "the run made at " + r.value->asked_at; }
 
-std::string gone(const ScriptModel& model) { return model.closed_at.empty() ? "" : " of a model that was closed at " + model.closed_at; }
-std::string gone(const LoadBox& l) { return l.removed_at.empty() ? gone(*l.model) : ", which was removed at " + l.removed_at; }
-std::string gone(const ModelBox& m) { return m.value->closed_at.empty() ? "" : " that was closed at " + m.value->closed_at; }
+std::string gone(const ScriptModel& model) {
+    return model.closed_at.empty() ? "" : " of a model that was closed at " + model.closed_at;
+}
+std::string gone(const LoadBox& l) {
+    return l.removed_at.empty() ? gone(*l.model) : ", which was removed at " + l.removed_at;
+}
+std::string gone(const ModelBox& m) {
+    return m.value->closed_at.empty() ? "" : " that was closed at " + m.value->closed_at;
+}
 std::string gone(const RunBox& r) { return gone(*r.value->model); }
 
-void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index) { push_handle<GroupBox>(L, model, index, model->groups()[index]); }
-void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number) { push_handle<LoadBox>(L, model, number, model->find_load(number)->node); }
+void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index) {
+    push_handle<GroupBox>(L, model, index, model->groups()[index]);
+}
+void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number) {
+    push_handle<LoadBox>(L, model, number, model->find_load(number)->node);
+}
 
 namespace {
 
@@ -27,8 +38,10 @@ template <class T>
 T& handle_argument(lua_State* L, int index, const std::string& what, const Model* model, const char* made_by) {
     auto* handle = find<T>(L, index);
     if (!handle) throw InputError(what + " is " + show(L, index) + "; must be " + made_by);
-    if (const std::string since = gone(*handle); !since.empty()) throw InputError(what + " is " + name_of(*handle) + since);
-    if (model && handle->model.get() != model) throw InputError(what + " is " + name_of(*handle) + " of another model; use one of this model");
+    if (const std::string since = gone(*handle); !since.empty())
+        throw InputError(what + " is " + name_of(*handle) + since);
+    if (model && handle->model.get() != model)
+        throw InputError(what + " is " + name_of(*handle) + " of another model; use one of this model");
     return *handle;
 }
 
@@ -45,12 +58,14 @@ MemberBox& member_argument(lua_State* L, int index, const std::string& what, con
 std::string group_names(const Model& model, const std::string& typed) {
     std::string list;
     for (const auto& g : model.groups()) list += (list.empty() ? "" : ", ") + ("'" + g + "'");
-    return did_you_mean(typed, model.groups()) + (list.empty() ? "; the model has no groups" : "; the model has " + list);
+    return did_you_mean(typed, model.groups()) +
+           (list.empty() ? "; the model has no groups" : "; the model has " + list);
 }
 
 int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy) {
     if (find<GroupBox>(L, index)) return handle_argument<GroupBox>(L, index, what, &model, "").index;
-    if (lua_type(L, index) != LUA_TSTRING) throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
+    if (lua_type(L, index) != LUA_TSTRING)
+        throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
     const std::string name = lua_tostring(L, index);
     const Model& asked = copy ? *copy : model;
     const int found = asked.find_group(name);
@@ -78,7 +93,9 @@ void push_triple(lua_State* L, const Vec3& v) { push_array(L, v.data(), 3); }
 
 int push_text(lua_State* L, const std::string& text) { return lua_pushlstring(L, text.data(), text.size()), 1; }
 
-std::string show(const Vec3& v) { return "{" + script::show(v.x()) + ", " + script::show(v.y()) + ", " + script::show(v.z()) + "}"; }
+std::string show(const Vec3& v) {
+    return "{" + script::show(v.x()) + ", " + script::show(v.y()) + ", " + script::show(v.z()) + "}";
+}
 
 /// What model:fix takes to fix these freedoms.
 std::string freedoms(std::uint8_t fixed) {
@@ -89,8 +106,12 @@ std::string freedoms(std::uint8_t fixed) {
     return text;
 }
 
-bool in_group(const MemberData& d, int group) { return std::find(d.groups.begin(), d.groups.end(), group) != d.groups.end(); }
-double length_of(const Model& m, const MemberData& d) { return (m.nodes()[d.node[1]].position - m.nodes()[d.node[0]].position).norm(); }
+bool in_group(const MemberData& d, int group) {
+    return std::find(d.groups.begin(), d.groups.end(), group) != d.groups.end();
+}
+double length_of(const Model& m, const MemberData& d) {
+    return (m.nodes()[d.node[1]].position - m.nodes()[d.node[0]].position).norm();
+}
 
 // ---- lists --------------------------------------------------------------------------------------------------------
 
@@ -159,8 +180,11 @@ int node_text(lua_State* L) {
     const NodeData& data = n.model->nodes()[n.index];
     std::string text = name_of(n) + " at " + show(data.position) + " m";
     if (data.fixed) text += ", fixed: " + freedoms(data.fixed);
-    if (const auto r = latest_run(L, *n.model); r && n.index < int(r->left_at.size()) && !std::isnan(r->left_at[n.index]))
-        text += ", left by its last member " + (std::isinf(r->left_at[n.index]) ? "before the latest run" : "at t = " + script::show(r->left_at[n.index]) + " s");
+    if (const auto r = latest_run(L, *n.model);
+        r && n.index < int(r->left_at.size()) && !std::isnan(r->left_at[n.index]))
+        text += ", left by its last member " + (std::isinf(r->left_at[n.index])
+                                                    ? "before the latest run"
+                                                    : "at t = " + script::show(r->left_at[n.index]) + " s");
     return push_text(L, text);
 }
 
@@ -173,7 +197,8 @@ int member_fields(lua_State* L) {
     else if (key == "length") lua_pushnumber(L, length_of(*m.model, data));
     else if (key == "mass") lua_pushnumber(L, length_of(*m.model, data) * data.section->area * data.material->density);
     else if (key == "a" || key == "b") push_handle<NodeBox>(L, m.model, data.node[key == "b"]);
-    else if (key == "group") data.groups.empty() ? lua_pushnil(L) : (void)push_text(L, m.model->groups()[data.groups[0]]);
+    else if (key == "group")
+        data.groups.empty() ? lua_pushnil(L) : (void)push_text(L, m.model->groups()[data.groups[0]]);
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "up") push_triple(L, data.up);
@@ -186,14 +211,18 @@ int member_text(lua_State* L) {
     auto& m = self_or_gone<MemberBox>(L, "tostring");
     if (!gone(m).empty()) return push_text(L, name_of(m) + gone(m));
     const MemberData& d = m.model->members()[m.index];
-    std::string text = name_of(m) + (d.groups.empty() ? "" : " (" + m.model->groups()[d.groups[0]] + ")") + ", nodes " + std::to_string(d.node[0] + 1) + "-" + std::to_string(d.node[1] + 1);
+    std::string text = name_of(m) + (d.groups.empty() ? "" : " (" + m.model->groups()[d.groups[0]] + ")") + ", nodes " +
+                       std::to_string(d.node[0] + 1) + "-" + std::to_string(d.node[1] + 1);
     if (const auto r = latest_run(L, *m.model))
-        if (const auto broke = break_of(*r, m.index)) text += ", broken " + (std::isinf(broke->second) ? "before the latest run" : "at t = " + script::show(broke->second) + " s");
+        if (const auto broke = break_of(*r, m.index))
+            text += ", broken " + (std::isinf(broke->second) ? "before the latest run"
+                                                             : "at t = " + script::show(broke->second) + " s");
     return push_text(L, text);
 }
 
 lua_Integer size_of(const GroupBox& g) {
-    return std::count_if(g.model->members().begin(), g.model->members().end(), [&](const MemberData& d) { return in_group(d, g.index); });
+    return std::count_if(g.model->members().begin(), g.model->members().end(),
+                         [&](const MemberData& d) { return in_group(d, g.index); });
 }
 
 int group_size(lua_State* L) { return lua_pushinteger(L, size_of(self<GroupBox>(L, "#group"))), 1; }
@@ -242,7 +271,8 @@ int load_text(lua_State* L) {
     const NodalLoad& data = *l.model->find_load(l.index);
     std::string text = "load on node " + std::to_string(l.node + 1) + ":";
     if (!data.force.isZero()) text += " force " + show(data.force) + " N";
-    if (!data.moment.isZero()) text += std::string(data.force.isZero() ? "" : ",") + " moment " + show(data.moment) + " N m";
+    if (!data.moment.isZero())
+        text += std::string(data.force.isZero() ? "" : ",") + " moment " + show(data.moment) + " N m";
     return push_text(L, text + (data.history ? ", times its history" : ""));
 }
 
@@ -256,7 +286,8 @@ int remove_load(lua_State* L) {
 int model_text(lua_State* L) {
     auto& m = self_or_gone<ModelBox>(L, "tostring");
     if (!gone(m).empty()) return push_text(L, name_of(m) + gone(m));
-    return push_text(L, "model: " + std::to_string(m.value->nodes().size()) + " nodes, " + std::to_string(m.value->members().size()) + " members");
+    return push_text(L, "model: " + std::to_string(m.value->nodes().size()) + " nodes, " +
+                            std::to_string(m.value->members().size()) + " members");
 }
 
 int model_fields(lua_State* L) {
@@ -266,12 +297,14 @@ int model_fields(lua_State* L) {
     refuse_field(L, "model", key);
 }
 
-/// Frees the model and its runs at once, however many handles are about. The run that summary.json speaks of keeps its last state.
+/// Frees the model and its runs at once, however many handles are about. The run that summary.json speaks of keeps its
+/// last state.
 int close_model(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:close").value;
     const auto c = context(L);
     for (const auto& run : m->runs)
-        if (const auto r = run.lock(); r && r->stepping) throw InputError("model:close: a run of this model is in a step; close it when the step is done");
+        if (const auto r = run.lock(); r && r->stepping)
+            throw InputError("model:close: a run of this model is in a step; close it when the step is done");
     for (const auto& run : m->runs)
         if (const auto r = run.lock(); r && r != c->record) r->run.reset();
     m->runs.clear();
@@ -287,19 +320,26 @@ int close_model(lua_State* L) {
 }  // namespace
 
 void open_objects(lua_State* L) {
-    static const luaL_Reg model[] = {{"nodes", guarded<model_nodes>}, {"members", guarded<model_members>}, {"groups", guarded<model_groups>},
-                                     {"loads", guarded<model_loads>}, {"close", guarded<close_model>}, {nullptr, nullptr}};
+    static const luaL_Reg model[] = {{"nodes", guarded<model_nodes>},   {"members", guarded<model_members>},
+                                     {"groups", guarded<model_groups>}, {"loads", guarded<model_loads>},
+                                     {"close", guarded<close_model>},   {nullptr, nullptr}};
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    static const luaL_Reg member[] = {{"nodes", guarded<member_nodes>}, {"groups", guarded<member_groups>}, {nullptr, nullptr}};
-    static const luaL_Reg group[] = {{"members", guarded<group_members>}, {"nodes", guarded<group_nodes>}, {nullptr, nullptr}};
+    static const luaL_Reg member[] = {
+        {"nodes", guarded<member_nodes>}, {"groups", guarded<member_groups>}, {nullptr, nullptr}};
+    static const luaL_Reg group[] = {
+        {"members", guarded<group_members>}, {"nodes", guarded<group_nodes>}, {nullptr, nullptr}};
     static const luaL_Reg load[] = {{"remove", guarded<remove_load>}, {nullptr, nullptr}};
-    make_metatable(L, ModelBox::lua_name, model, guarded<model_fields>, collect<ModelBox>, guarded<model_text>, nullptr);
+    make_metatable(L, ModelBox::lua_name, model, guarded<model_fields>, collect<ModelBox>, guarded<model_text>,
+                   nullptr);
     make_metatable(L, NodeBox::lua_name, none, guarded<node_fields>, collect<NodeBox>, guarded<node_text>, nullptr);
-    make_metatable(L, MemberBox::lua_name, member, guarded<member_fields>, collect<MemberBox>, guarded<member_text>, nullptr);
+    make_metatable(L, MemberBox::lua_name, member, guarded<member_fields>, collect<MemberBox>, guarded<member_text>,
+                   nullptr);
     make_metatable(L, LoadBox::lua_name, load, guarded<load_fields>, collect<LoadBox>, guarded<load_text>, nullptr);
-    make_metatable(L, GroupBox::lua_name, group, guarded<group_fields>, collect<GroupBox>, guarded<group_text>, nullptr);
+    make_metatable(L, GroupBox::lua_name, group, guarded<group_fields>, collect<GroupBox>, guarded<group_text>,
+                   nullptr);
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
-    name_fields(L, MemberBox::lua_name, {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
+    name_fields(L, MemberBox::lua_name,
+                {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);

@@ -31,14 +31,17 @@ output::Still make_still(const Run& run) {
         bar.point[0] = e.node[0];
         bar.point[1] = e.node[1];
         bar.yield = run.yield_value(int(i));
-        bar.state = state.broken[i] ? output::BarState::broken : state.yielded[i] ? output::BarState::yielded : output::BarState::elastic;
+        bar.state = state.broken[i]    ? output::BarState::broken
+                    : state.yielded[i] ? output::BarState::yielded
+                                       : output::BarState::elastic;
         bar.group = groups.empty() ? -1 : groups[0];
         bar.member = e.member + 1;
         bar.element = int(i) + 1;
         bar.width = 2 * e.radius;
         if (state.broken[i]) {
             const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
-            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] + state.rotation[carrier] * state.stub[i];
+            const Vec3 end =
+                structure.position()[carrier] + state.displacement[carrier] + state.rotation[carrier] * state.stub[i];
             bar.point[side] = int(still.points.size());
             still.points.push_back({end.x(), end.y(), end.z()});
             still.is_virtual.push_back(1);
@@ -55,7 +58,9 @@ template <class F>
 F picture_function(const Context& c, const char* name) {
     static void* module = nullptr;
     if (!module) module = dlopen(c.picture_module.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module) throw OutsideError(std::string("pictures need the module libhinge_output.so, which did not load (") + dlerror() + "); build it with VTK installed: apt-get install libvtk9-dev");
+    if (!module)
+        throw OutsideError(std::string("pictures need the module libhinge_output.so, which did not load (") +
+                           dlerror() + "); build it with VTK installed: apt-get install libvtk9-dev");
     auto* f = reinterpret_cast<F>(dlsym(module, name));
     if (!f) throw OutsideError(std::string("the picture module has no function ") + name + "; rebuild it");
     return f;
@@ -67,14 +72,18 @@ void must_work(int status, const char* error) {
 
 }  // namespace
 
-/// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder, whatever links are there.
+/// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder,
+/// whatever links are there.
 void prepare_folder(const Context& c, const std::string& file) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::path(file).parent_path();
     if (c.sandbox) {
-        const fs::path own = fs::weakly_canonical(fs::absolute(c.out_dir)), there = fs::weakly_canonical(fs::absolute(folder));
-        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() || fs::is_symlink(file))
-            throw InputError("'" + file + "' is outside the output folder " + c.out_dir + "; a script in the sandbox writes nowhere else");
+        const fs::path own = fs::weakly_canonical(fs::absolute(c.out_dir)),
+                       there = fs::weakly_canonical(fs::absolute(folder));
+        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
+            fs::is_symlink(file))
+            throw InputError("'" + file + "' is outside the output folder " + c.out_dir +
+                             "; a script in the sandbox writes nowhere else");
     }
     if (!folder.empty()) make_folder(folder.string());
 }
@@ -86,7 +95,8 @@ const StillBox& still_argument(lua_State* L, int index, const char* function) {
     throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
 }
 
-/// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is looked over.
+/// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is
+/// looked over.
 int plan(lua_State* L) {
     context(L)->planning = true;
     context(L)->checking = lua_toboolean(L, 1);
@@ -122,12 +132,16 @@ int write_frame(lua_State* L) {
     auto& frames = c->frames;
     char file[48], error[512] = "";
     std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
-    must_work(picture_function<hinge_write_still>(*c, "hinge_write_still")((folder + "/" + file).c_str(), still, error, sizeof error), error);
+    must_work(picture_function<hinge_write_still>(*c, "hinge_write_still")((folder + "/" + file).c_str(), still, error,
+                                                                           sizeof error),
+              error);
     frames.push_back({still.time, file});
     std::vector<double> times;
     std::vector<const char*> files;
     for (const auto& [t, f] : frames) times.push_back(t), files.push_back(f.c_str());
-    must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")((folder + "/frames.pvd").c_str(), int(times.size()), times.data(), files.data(), error, sizeof error), error);
+    must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")(
+                  (folder + "/frames.pvd").c_str(), int(times.size()), times.data(), files.data(), error, sizeof error),
+              error);
     return 0;
 }
 
@@ -155,11 +169,13 @@ output::View read_view(lua_State* L, int index, output::Still& still, const Stil
         std::vector<int> wanted;
         for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
             lua_rawgeti(L, -1, i);
-            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box.model, &structure.model()));
+            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box.model,
+                                            &structure.model()));
             lua_pop(L, 1);
         }
         std::erase_if(still.bars, [&](const output::Bar& b) {
-            return std::none_of(wanted.begin(), wanted.end(), [&](int g) { return structure.in_group(b.element - 1, g); });
+            return std::none_of(wanted.begin(), wanted.end(),
+                                [&](int g) { return structure.in_group(b.element - 1, g); });
         });
     }
     lua_pop(L, 1);
@@ -176,7 +192,9 @@ int write_picture(lua_State* L) {
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
     char error[512] = "";
-    must_work(picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), still, view, error, sizeof error), error);
+    must_work(
+        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), still, view, error, sizeof error),
+        error);
     return 0;
 }
 
@@ -199,8 +217,9 @@ int write_strip(lua_State* L) {
     for (const output::Still& s : stills) list.push_back(&s);
     prepare_folder(*context(L), path);
     char error[512] = "";
-    must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(path.c_str(), int(list.size()), list.data(), views.data(),
-                                                                                 columns, error, sizeof error), error);
+    must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
+                  path.c_str(), int(list.size()), list.data(), views.data(), columns, error, sizeof error),
+              error);
     return 0;
 }
 
@@ -223,8 +242,11 @@ output::Series read_series(lua_State* L, int index, const std::string& what) {
     s.name = o.text("name").value_or("");
     s.x = read_values(o, "x");
     s.y = read_values(o, "y");
-    if (s.x.size() != s.y.size()) o.complain("y", std::to_string(s.y.size()) + " numbers", "must hold as many as x, " + std::to_string(s.x.size()));
-    s.style = o.word("style", {"line", "points"}, "line") == "points" ? output::SeriesStyle::points : output::SeriesStyle::line;
+    if (s.x.size() != s.y.size())
+        o.complain("y", std::to_string(s.y.size()) + " numbers",
+                   "must hold as many as x, " + std::to_string(s.x.size()));
+    s.style = o.word("style", {"line", "points"}, "line") == "points" ? output::SeriesStyle::points
+                                                                      : output::SeriesStyle::line;
     s.dashed = o.flag("dashed", false);
     o.finish();
     return s;
@@ -241,7 +263,8 @@ int write_plot(lua_State* L) {
     plot.log_x = o.flag("log_x", false);
     plot.log_y = o.flag("log_y", false);
     const int width = o.integer("width", 1, 1200), height = o.integer("height", 1, 900);
-    if (o.push_field("series") != LUA_TTABLE) o.complain("series", show(L, -1), "must be a list of { name =, x =, y = }");
+    if (o.push_field("series") != LUA_TTABLE)
+        o.complain("series", show(L, -1), "must be a list of { name =, x =, y = }");
     for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
         lua_rawgeti(L, -1, i);
         plot.series.push_back(read_series(L, lua_gettop(L), "plot: series " + std::to_string(i)));
@@ -252,12 +275,14 @@ int write_plot(lua_State* L) {
     const std::string path = lua_tostring(L, 2);
     prepare_folder(*context(L), path);
     char error[512] = "";
-    must_work(picture_function<hinge_plot>(*context(L), "hinge_plot")(path.c_str(), plot, width, height, error, sizeof error), error);
+    must_work(
+        picture_function<hinge_plot>(*context(L), "hinge_plot")(path.c_str(), plot, width, height, error, sizeof error),
+        error);
     return 0;
 }
 
-/// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass lies
-/// half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
+/// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass
+/// lies half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
 int pieces(lua_State* L) {
     const Run& run = *run_argument(L, 1, "pieces: the run")->run;
     const Structure& structure = run.structure();
@@ -286,7 +311,8 @@ int pieces(lua_State* L) {
     for (std::size_t i = 0; i < still.bars.size(); ++i) {
         const output::Bar& bar = still.bars[i];
         lua_createtable(L, 0, 6);
-        whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member), whole("element", bar.element);
+        whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member),
+            whole("element", bar.element);
         flag("rigid", bar.state == output::BarState::broken), number("f_y", bar.yield);
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
@@ -313,7 +339,8 @@ Json to_json(lua_State* L, int index, int depth) {
         case LUA_TBOOLEAN: return bool(lua_toboolean(L, index));
         case LUA_TNUMBER:
             if (lua_isinteger(L, index)) return lua_tointeger(L, index);
-            return std::isfinite(lua_tonumber(L, index)) ? Json(lua_tonumber(L, index)) : Json(show(lua_tonumber(L, index)));
+            return std::isfinite(lua_tonumber(L, index)) ? Json(lua_tonumber(L, index))
+                                                         : Json(show(lua_tonumber(L, index)));
         case LUA_TSTRING: return lua_tostring(L, index);
         case LUA_TTABLE: break;
         default: return nullptr;
@@ -340,12 +367,24 @@ Json to_json(lua_State* L, int index, int depth) {
 }
 
 Json energy_json(const Energy& e) {
-    return {{"initial", e.initial}, {"kinetic", e.kinetic}, {"gravity", e.gravity}, {"elastic", e.elastic}, {"plastic", e.plastic}, {"fracture", e.fracture},
-            {"fracture_elastic", e.fracture_elastic}, {"fracture_kinetic", e.fracture_kinetic}, {"contact", e.contact}, {"contact_stored", e.contact_stored},
-            {"contact_released", e.contact_released}, {"numerical", e.numerical}, {"work", e.work}, {"remainder", e.remainder}};
+    return {{"initial", e.initial},
+            {"kinetic", e.kinetic},
+            {"gravity", e.gravity},
+            {"elastic", e.elastic},
+            {"plastic", e.plastic},
+            {"fracture", e.fracture},
+            {"fracture_elastic", e.fracture_elastic},
+            {"fracture_kinetic", e.fracture_kinetic},
+            {"contact", e.contact},
+            {"contact_stored", e.contact_stored},
+            {"contact_released", e.contact_released},
+            {"numerical", e.numerical},
+            {"work", e.work},
+            {"remainder", e.remainder}};
 }
 
-/// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns verdict, reason.
+/// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns
+/// verdict, reason.
 int write_summary(lua_State* L) {
     const auto c = context(L);
     Json j;
@@ -369,7 +408,10 @@ int write_summary(lua_State* L) {
         const Run& run = *r->run;
         const Structure& s = run.structure();
         j["kind"] = run.kind();
-        j["model"] = {{"members", s.model().members().size()}, {"elements", s.elements().size()}, {"nodes", s.position().size()}, {"free_dofs", s.free_dofs()}};
+        j["model"] = {{"members", s.model().members().size()},
+                      {"elements", s.elements().size()},
+                      {"nodes", s.position().size()},
+                      {"free_dofs", s.free_dofs()}};
         j["steps"] = run.steps_done();
         j["time"] = run.state().time;
         j["factor"] = run.state().factor;
@@ -377,11 +419,13 @@ int write_summary(lua_State* L) {
         if (r->resumed_at > 0) j["resumed_at"] = r->resumed_at;
         j["effects"] = Json::array();
         for (const Effect& e : effects_of(*r)) {
-            j["effects"].push_back({{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+            j["effects"].push_back(
+                {{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
             if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
         }
         j["wakings"] = Json::array();
-        for (const Run::Waking& w : run.wakings()) j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
+        for (const Run::Waking& w : run.wakings())
+            j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run.energy());
@@ -389,8 +433,13 @@ int write_summary(lua_State* L) {
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
             j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
-            j["fastest_node"] = {{"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
-        j["state_hash"] = [&] { char t[20]; std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state())); return std::string(t); }();
+            j["fastest_node"] = {
+                {"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
+        j["state_hash"] = [&] {
+            char t[20];
+            std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state()));
+            return std::string(t);
+        }();
     }
     Json results = field("results");
     j["results"] = results.is_null() ? Json::object() : results;
@@ -406,7 +455,8 @@ int write_summary(lua_State* L) {
 
 /// core.write_text(path, text), core.write_json(path, value): whole files; core.append(path, text).
 int write_text(lua_State* L) {
-    const char *file = luaL_checkstring(L, 1), *text = luaL_checkstring(L, 2);  // these raise: nothing may be pending yet
+    const char *file = luaL_checkstring(L, 1),
+               *text = luaL_checkstring(L, 2);  // these raise: nothing may be pending yet
     prepare_folder(*context(L), file);
     write_whole(file, text);
     return 0;
@@ -435,9 +485,22 @@ int out_dir(lua_State* L) {
 }  // namespace
 
 void open_output(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"plan", guarded<plan>}, {"planning", guarded<planning>}, {"runs_made", guarded<runs_made>}, {"time_product", guarded<time_product>}, {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>}, {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
-                                         {"write_plot", guarded<write_plot>}, {"pieces", guarded<pieces>},
-                                         {"write_text", guarded<write_text>}, {"write_json", guarded<write_json>}, {"append", guarded<append_text>}, {"write_summary", guarded<write_summary>}, {"out_dir", guarded<out_dir>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"plan", guarded<plan>},
+                                         {"planning", guarded<planning>},
+                                         {"runs_made", guarded<runs_made>},
+                                         {"time_product", guarded<time_product>},
+                                         {"write_frame", guarded<write_frame>},
+                                         {"write_picture", guarded<write_picture>},
+                                         {"write_strip", guarded<write_strip>},
+                                         {"render_file", guarded<render_file>},
+                                         {"write_plot", guarded<write_plot>},
+                                         {"pieces", guarded<pieces>},
+                                         {"write_text", guarded<write_text>},
+                                         {"write_json", guarded<write_json>},
+                                         {"append", guarded<append_text>},
+                                         {"write_summary", guarded<write_summary>},
+                                         {"out_dir", guarded<out_dir>},
+                                         {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -9,9 +9,12 @@ namespace hinge::script {
 
 const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what, const Model* model) {
     auto* box = find<RunBox>(L, index);
-    if (!box) throw InputError(what + " is " + show(L, index) + "; must be one that model:static{} or model:dynamic{} returned");
+    if (!box)
+        throw InputError(what + " is " + show(L, index) +
+                         "; must be one that model:static{} or model:dynamic{} returned");
     if (const std::string since = gone(*box); !since.empty()) throw InputError(what + " is " + name_of(*box) + since);
-    if (model && box->value->model.get() != model) throw InputError(what + " is " + name_of(*box) + ", of another model; use one of this model");
+    if (model && box->value->model.get() != model)
+        throw InputError(what + " is " + name_of(*box) + ", of another model; use one of this model");
     return box->value;
 }
 
@@ -25,7 +28,8 @@ std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model) {
 
 std::pair<int, int> elements_of(const Structure& structure, int member) {
     const auto& all = structure.elements();
-    const auto first = std::ranges::lower_bound(all, member, {}, &Element::member), end = std::ranges::upper_bound(first, all.end(), member, {}, &Element::member);
+    const auto first = std::ranges::lower_bound(all, member, {}, &Element::member),
+               end = std::ranges::upper_bound(first, all.end(), member, {}, &Element::member);
     return {int(first - all.begin()), int(end - all.begin())};
 }
 
@@ -42,14 +46,16 @@ std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member) {
 }
 
 const std::vector<std::string>& node_quantities() {
-    static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz", "vx", "vy", "vz", "vrx", "vry", "vrz",
-                                                   "ax", "ay", "az", "arx", "ary", "arz", "fx", "fy", "fz", "mx", "my", "mz"};
+    static const std::vector<std::string> names = {"ux",  "uy",  "uz",  "rx",  "ry", "rz", "vx", "vy",
+                                                   "vz",  "vrx", "vry", "vrz", "ax", "ay", "az", "arx",
+                                                   "ary", "arz", "fx",  "fy",  "fz", "mx", "my", "mz"};
     return names;
 }
 
 int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what) {
     const int n = node_argument(L, index, what, r.model.get()).index;
-    if (n >= int(r.run->structure().model().nodes().size())) throw InputError(what + " is node " + std::to_string(n + 1) + ", declared after this run was made");
+    if (n >= int(r.run->structure().model().nodes().size()))
+        throw InputError(what + " is node " + std::to_string(n + 1) + ", declared after this run was made");
     return n;
 }
 
@@ -59,10 +65,14 @@ namespace {
 std::shared_ptr<RunRecord> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model) {
     if (!lua_isnoneornil(L, 2)) return run_argument(L, 2, function + ": run", &model);
     if (auto latest = latest_run(L, model)) return latest;
-    throw InputError(function + ": no run has been made of this model yet; make one with model:static{} or model:dynamic{}");
+    throw InputError(function +
+                     ": no run has been made of this model yet; make one with model:static{} or model:dynamic{}");
 }
 
-struct Asked { std::shared_ptr<RunRecord> record; int index; };
+struct Asked {
+    std::shared_ptr<RunRecord> record;
+    int index;
+};
 
 /// run:name(node), or node:name(run).
 template <class Self>
@@ -83,7 +93,8 @@ Asked asked_node(lua_State* L, const char* name) {
 template <class Self>
 Asked asked_member(lua_State* L, const char* name) {
     const bool of_run = std::is_same_v<Self, RunBox>;
-    const std::string function = (of_run ? "run:" : "member:") + std::string(name), what = function + (of_run ? ": member" : ": this");
+    const std::string function = (of_run ? "run:" : "member:") + std::string(name),
+                      what = function + (of_run ? ": member" : ": this");
     std::shared_ptr<RunRecord> record;
     if constexpr (of_run) record = self<RunBox>(L, function).value;
     else record = run_to_read(L, function, *self<MemberBox>(L, function).model);
@@ -103,10 +114,22 @@ int six(lua_State* L, const char* name, Vec6 (*read)(const Run&, int)) {
     return 6;
 }
 
-template <class Self> int displacement(lua_State* L) { return six<Self>(L, "displacement", [](const Run& r, int n) { return r.displacement(n); }); }
-template <class Self> int velocity(lua_State* L) { return six<Self>(L, "velocity", [](const Run& r, int n) { return r.state().velocity[n]; }); }
-template <class Self> int acceleration(lua_State* L) { return six<Self>(L, "acceleration", [](const Run& r, int n) { return r.state().acceleration[n]; }); }
-template <class Self> int reaction(lua_State* L) { return six<Self>(L, "reaction", [](const Run& r, int n) { return r.reaction(n); }); }
+template <class Self>
+int displacement(lua_State* L) {
+    return six<Self>(L, "displacement", [](const Run& r, int n) { return r.displacement(n); });
+}
+template <class Self>
+int velocity(lua_State* L) {
+    return six<Self>(L, "velocity", [](const Run& r, int n) { return r.state().velocity[n]; });
+}
+template <class Self>
+int acceleration(lua_State* L) {
+    return six<Self>(L, "acceleration", [](const Run& r, int n) { return r.state().acceleration[n]; });
+}
+template <class Self>
+int reaction(lua_State* L) {
+    return six<Self>(L, "reaction", [](const Run& r, int n) { return r.reaction(n); });
+}
 
 Vec3 position_of(const Run& run, int node) { return run.structure().position()[node] + run.state().displacement[node]; }
 
@@ -127,7 +150,12 @@ std::array<double, 7> resultants_at(const Run& run, int element, double side) {
     const Element& e = run.structure().elements()[element];
     if (run.state().broken[element]) return {};
     const Vec6& p = run.state().force[element];
-    return {p[4], beam::moment_at(p[0], p[1], side), beam::moment_at(p[2], p[3], side), p[5], -(p[2] + p[3]) / e.length, (p[0] + p[1]) / e.length,
+    return {p[4],
+            beam::moment_at(p[0], p[1], side),
+            beam::moment_at(p[2], p[3], side),
+            p[5],
+            -(p[2] + p[3]) / e.length,
+            (p[0] + p[1]) / e.length,
             beam::yield_function(p, side, e.yield)};
 }
 
@@ -138,13 +166,16 @@ int forces(lua_State* L) {
     for (const auto& [index, side] : {std::pair{first, -1.0}, std::pair{end - 1, 1.0}}) {
         const auto values = resultants_at(*a.record->run, index, side);
         lua_createtable(L, 0, 7);
-        for (std::size_t i = 0; i < values.size(); ++i) lua_pushnumber(L, values[i]), lua_setfield(L, -2, resultants[i].c_str());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            lua_pushnumber(L, values[i]), lua_setfield(L, -2, resultants[i].c_str());
     }
     return 2;
 }
 
 /// What becomes of the member's elements, the largest or the sum.
-struct Whole { double f_y = 0, N = 0, broken = 0, yielded = 0, touched = 0, plastic_work = 0; };
+struct Whole {
+    double f_y = 0, N = 0, broken = 0, yielded = 0, touched = 0, plastic_work = 0;
+};
 Whole whole(const Run& run, int first, int end) {
     const State& s = run.state();
     Whole w;
@@ -190,12 +221,15 @@ std::vector<double> read_nodes(const RunRecord& r, const std::string& what, int 
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = int(i);
     if (group >= 0) nodes = model.nodes_of_group(group);
     const std::string quantity = what.starts_with("reaction_") ? what.substr(9) : what;
-    const int q = int(std::find(node_quantities().begin(), node_quantities().end(), quantity) - node_quantities().begin());
+    const int q =
+        int(std::find(node_quantities().begin(), node_quantities().end(), quantity) - node_quantities().begin());
     std::vector<double> values;
     values.reserve(nodes.size());
     for (const int n : nodes)
-        values.push_back(what == "node" ? n + 1.0 : what.starts_with("node_") ? position_of(*r.run, n)[what.back() - 'x']
-                                                                              : value_of(*r.run, {n, Probe::Quantity(q / 6), q % 6, {}, {}, {}}));
+        values.push_back(what == "node" ? n + 1.0
+                         : what.starts_with("node_")
+                             ? position_of(*r.run, n)[what.back() - 'x']
+                             : value_of(*r.run, {n, Probe::Quantity(q / 6), q % 6, {}, {}, {}}));
     return values;
 }
 
@@ -204,21 +238,29 @@ std::vector<double> read_members(const RunRecord& r, const std::string& what, in
     const Run& run = *r.run;
     const auto& elements = run.structure().elements();
     const bool at_end = what.ends_with("_a") || what.ends_with("_b");
-    const std::size_t resultant = std::find(resultants.begin(), resultants.end(), what.substr(0, what.size() - 2)) - resultants.begin();
+    const std::size_t resultant =
+        std::find(resultants.begin(), resultants.end(), what.substr(0, what.size() - 2)) - resultants.begin();
     std::vector<double> values;
     for (int first = 0, end; first < int(elements.size()); first = end) {
         const int member = elements[first].member;
         for (end = first; end < int(elements.size()) && elements[end].member == member;) ++end;
         if (group >= 0 && !run.structure().in_group(first, group)) continue;
         if (at_end) {
-            values.push_back(what.back() == 'a' ? resultants_at(run, first, -1)[resultant] : resultants_at(run, end - 1, 1)[resultant]);
+            values.push_back(what.back() == 'a' ? resultants_at(run, first, -1)[resultant]
+                                                : resultants_at(run, end - 1, 1)[resultant]);
         } else if (what == "member") {
             values.push_back(member + 1);
         } else if (what.size() == 1 && what != "N") {
-            values.push_back(0.5 * (position_of(run, elements[first].node[0]) + position_of(run, elements[end - 1].node[1]))[what[0] - 'x']);
+            values.push_back(0.5 * (position_of(run, elements[first].node[0]) +
+                                    position_of(run, elements[end - 1].node[1]))[what[0] - 'x']);
         } else {
             const Whole w = whole(run, first, end);
-            values.push_back(what == "f_y" ? w.f_y : what == "N" ? w.N : what == "broken" ? w.broken : what == "yielded" ? w.yielded : what == "touched" ? w.touched : w.plastic_work);
+            values.push_back(what == "f_y"       ? w.f_y
+                             : what == "N"       ? w.N
+                             : what == "broken"  ? w.broken
+                             : what == "yielded" ? w.yielded
+                             : what == "touched" ? w.touched
+                                                 : w.plastic_work);
         }
     }
     return values;
@@ -227,7 +269,8 @@ std::vector<double> read_members(const RunRecord& r, const std::string& what, in
 int read(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:read").value;
     static const std::vector<std::string> of_members = [] {
-        std::vector<std::string> names = {"f_y", "N", "broken", "yielded", "touched", "plastic_work", "member", "x", "y", "z"};
+        std::vector<std::string> names = {"f_y",          "N",      "broken", "yielded", "touched",
+                                          "plastic_work", "member", "x",      "y",       "z"};
         for (const char* end : {"_a", "_b"})
             for (const auto& q : resultants) names.push_back(q + end);
         return names;
@@ -235,7 +278,8 @@ int read(lua_State* L) {
     static const std::vector<std::string> of_nodes = [] {
         std::vector<std::string> names = {"node", "node_x", "node_y", "node_z"};
         // a bare "fy" would stand for a reaction where "f_y" was meant
-        for (const auto& n : node_quantities()) names.push_back((&n - node_quantities().data() < 18 ? "" : "reaction_") + n);
+        for (const auto& n : node_quantities())
+            names.push_back((&n - node_quantities().data() < 18 ? "" : "reaction_") + n);
         return names;
     }();
     const std::string what = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
@@ -243,9 +287,11 @@ int read(lua_State* L) {
     if (!members && std::find(of_nodes.begin(), of_nodes.end(), what) == of_nodes.end()) {
         std::vector<std::string> all = of_members;
         all.insert(all.end(), of_nodes.begin(), of_nodes.end());
-        throw InputError("run:read: quantity is " + show(L, 2) + "; must be one of members' " + quoted(of_members) + ", or of nodes' " + quoted(of_nodes) + did_you_mean(what, all));
+        throw InputError("run:read: quantity is " + show(L, 2) + "; must be one of members' " + quoted(of_members) +
+                         ", or of nodes' " + quoted(of_nodes) + did_you_mean(what, all));
     }
-    const int group = lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, "run:read: group", *r.model, &r.run->structure().model());
+    const int group =
+        lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, "run:read: group", *r.model, &r.run->structure().model());
     const std::vector<double> values = members ? read_members(r, what, group) : read_nodes(r, what, group);
     push_array(L, values.data(), int(values.size()));
     return 1;
@@ -254,12 +300,21 @@ int read(lua_State* L) {
 }  // namespace
 
 void open_reading(lua_State* L) {
-    static const luaL_Reg run[] = {{"displacement", guarded<displacement<RunBox>>}, {"velocity", guarded<velocity<RunBox>>}, {"acceleration", guarded<acceleration<RunBox>>},
-                                   {"reaction", guarded<reaction<RunBox>>}, {"position", guarded<position<RunBox>>}, {"forces", guarded<forces<RunBox>>},
-                                   {"state", guarded<member_state<RunBox>>}, {"read", guarded<read>}, {nullptr, nullptr}};
-    static const luaL_Reg node[] = {{"displacement", guarded<displacement<NodeBox>>}, {"velocity", guarded<velocity<NodeBox>>}, {"acceleration", guarded<acceleration<NodeBox>>},
-                                    {"reaction", guarded<reaction<NodeBox>>}, {"position", guarded<position<NodeBox>>}, {nullptr, nullptr}};
-    static const luaL_Reg member[] = {{"forces", guarded<forces<MemberBox>>}, {"state", guarded<member_state<MemberBox>>}, {nullptr, nullptr}};
+    static const luaL_Reg run[] = {{"displacement", guarded<displacement<RunBox>>},
+                                   {"velocity", guarded<velocity<RunBox>>},
+                                   {"acceleration", guarded<acceleration<RunBox>>},
+                                   {"reaction", guarded<reaction<RunBox>>},
+                                   {"position", guarded<position<RunBox>>},
+                                   {"forces", guarded<forces<RunBox>>},
+                                   {"state", guarded<member_state<RunBox>>},
+                                   {"read", guarded<read>},
+                                   {nullptr, nullptr}};
+    static const luaL_Reg node[] = {
+        {"displacement", guarded<displacement<NodeBox>>}, {"velocity", guarded<velocity<NodeBox>>},
+        {"acceleration", guarded<acceleration<NodeBox>>}, {"reaction", guarded<reaction<NodeBox>>},
+        {"position", guarded<position<NodeBox>>},         {nullptr, nullptr}};
+    static const luaL_Reg member[] = {
+        {"forces", guarded<forces<MemberBox>>}, {"state", guarded<member_state<MemberBox>>}, {nullptr, nullptr}};
     add_methods(L, RunBox::lua_name, run);
     add_methods(L, NodeBox::lua_name, node);
     add_methods(L, MemberBox::lua_name, member);

@@ -10,7 +10,8 @@
 namespace hinge::script {
 
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every) {
-    if (!model->closed_at.empty()) throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
+    if (!model->closed_at.empty())
+        throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
     auto record = std::make_shared<RunRecord>();
     record->run = std::move(run);
     record->model = std::move(model);
@@ -21,13 +22,14 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     ++c->runs;
     record->asked_at = where(L);
     if (c->planning)
-        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record); c->described.find(plan) == std::string::npos) {
+        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record);
+            c->described.find(plan) == std::string::npos) {
             c->described += plan;
             std::printf("%s", plan.c_str());
-            if (const std::string model = c->checking ? checked_model(*record) : ""; c->described.find(model) != std::string::npos)
+            if (const std::string model = c->checking ? checked_model(*record) : "";
+                c->described.find(model) != std::string::npos)
                 std::printf("  the model as above\n\n");
-            else
-                c->described += model, std::printf("%s\n", model.c_str());
+            else c->described += model, std::printf("%s\n", model.c_str());
         }
     push<RunBox>(L, record);
     hold_anchor(L, *record->model);
@@ -83,7 +85,8 @@ int finish(lua_State* L) {
 
 int on_step(lua_State* L) {
     const auto r = self<RunBox>(L, "run:on_step").value;
-    if (!lua_isfunction(L, 2)) throw InputError("run:on_step: takes a function of the run, called after each step; got " + show(L, 2));
+    if (!lua_isfunction(L, 2))
+        throw InputError("run:on_step: takes a function of the run, called after each step; got " + show(L, 2));
     r->on_step.emplace_back(L, 2, *r->model);
     lua_settop(L, 1);
     return 1;
@@ -105,15 +108,22 @@ int probe(lua_State* L) {
     const std::vector<std::string>& names = node_quantities();
     const auto at = std::find(names.begin(), names.end(), what);
     if (at == names.end())
-        throw InputError("run:probe: quantity is " + show(L, -1) + "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)" + did_you_mean(what, names));
+        throw InputError("run:probe: quantity is " + show(L, -1) +
+                         "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz "
+                         "(acceleration), fx fy fz mx my mz (reaction)" +
+                         did_you_mean(what, names));
     lua_pop(L, 2);
     const int index = int(at - names.begin());
     p->quantity = Probe::Quantity(index / 6);
     p->component = index % 6;
     p->name = o.text("name").value_or("node" + std::to_string(p->node + 1) + "_" + what);
     o.finish(1);
-    if (p->name.find_first_of(",\n\"") != std::string::npos) o.complain("name", "'" + p->name + "'", "it heads a column of history.csv and may not hold a comma, quote or line break");
-    if (r->started) throw InputError("run:probe: the run has begun (step " + std::to_string(r->run->steps_done()) + "); ask for probes before its first step");
+    if (p->name.find_first_of(",\n\"") != std::string::npos)
+        o.complain("name", "'" + p->name + "'",
+                   "it heads a column of history.csv and may not hold a comma, quote or line break");
+    if (r->started)
+        throw InputError("run:probe: the run has begun (step " + std::to_string(r->run->steps_done()) +
+                         "); ask for probes before its first step");
     p->time.push_back(abscissa(*r->run));
     p->value.push_back(value_of(*r->run, *p));
     r->probes.push_back(p);
@@ -125,13 +135,19 @@ int count(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:count").value;
     Options o(L, 2, "run:count");
     int group = -1;
-    if (o.push_field("group") != LUA_TNIL) group = group_argument(L, -1, "run:count: field 'group'", *r.model, &r.run->structure().model());
+    if (o.push_field("group") != LUA_TNIL)
+        group = group_argument(L, -1, "run:count: field 'group'", *r.model, &r.run->structure().model());
     lua_pop(L, 1);
     const std::string state = o.word("state", {"broken", "yielded", "elastic", "touched"}, "");
-    if (state.empty()) throw InputError("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'");
+    if (state.empty())
+        throw InputError(
+            "run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'");
     o.finish();
     const Run::Counts c = r.run->count_members(group);
-    lua_pushinteger(L, state == "broken" ? c.broken : state == "yielded" ? c.yielded : state == "elastic" ? c.elastic : c.touched);
+    lua_pushinteger(L, state == "broken"    ? c.broken
+                       : state == "yielded" ? c.yielded
+                       : state == "elastic" ? c.elastic
+                                            : c.touched);
     return 1;
 }
 
@@ -154,10 +170,20 @@ int run_still(lua_State* L) {
 }
 
 void push_energy(lua_State* L, const Energy& e) {
-    const std::pair<const char*, double> values[] = {
-        {"initial", e.initial}, {"kinetic", e.kinetic}, {"gravity", e.gravity}, {"elastic", e.elastic}, {"plastic", e.plastic}, {"fracture", e.fracture},
-        {"fracture_elastic", e.fracture_elastic}, {"fracture_kinetic", e.fracture_kinetic}, {"contact", e.contact}, {"contact_stored", e.contact_stored},
-        {"contact_released", e.contact_released}, {"numerical", e.numerical}, {"work", e.work}, {"remainder", e.remainder}};
+    const std::pair<const char*, double> values[] = {{"initial", e.initial},
+                                                     {"kinetic", e.kinetic},
+                                                     {"gravity", e.gravity},
+                                                     {"elastic", e.elastic},
+                                                     {"plastic", e.plastic},
+                                                     {"fracture", e.fracture},
+                                                     {"fracture_elastic", e.fracture_elastic},
+                                                     {"fracture_kinetic", e.fracture_kinetic},
+                                                     {"contact", e.contact},
+                                                     {"contact_stored", e.contact_stored},
+                                                     {"contact_released", e.contact_released},
+                                                     {"numerical", e.numerical},
+                                                     {"work", e.work},
+                                                     {"remainder", e.remainder}};
     lua_createtable(L, 0, 14);
     for (const auto& [name, v] : values) lua_pushnumber(L, v), lua_setfield(L, -2, name);
 }
@@ -171,18 +197,27 @@ int fields(lua_State* L) {
     else if (key == "factor") lua_pushnumber(L, run.state().factor);
     else if (key == "index") lua_pushinteger(L, run.steps_done());
     else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
-    else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt") d ? lua_pushnumber(L, d->settings().dt) : lua_pushnil(L);
+    else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt")
+        d ? lua_pushnumber(L, d->settings().dt) : lua_pushnil(L);
     else if (key == "verdict") lua_pushstring(L, name(run.verdict()));
     else if (key == "reason") lua_pushstring(L, run.reason().c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
     else if (key == "energy") push_energy(L, run.energy());
     else if (key == "worst_remainder") lua_pushnumber(L, r.worst_remainder);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
-    else if (key == "hash") lua_pushstring(L, [&] { char t[20]; std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state())); return std::string(t); }().c_str());
+    else if (key == "hash")
+        lua_pushstring(L,
+                       [&] {
+                           char t[20];
+                           std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state()));
+                           return std::string(t);
+                       }()
+                           .c_str());
     else if (key == "contacts") {
         lua_createtable(L, 0, 2);
         lua_pushinteger(L, run.state().contact ? run.state().contact->counts().bound : 0), lua_setfield(L, -2, "bound");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().released : 0), lua_setfield(L, -2, "released");
+        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().released : 0),
+            lua_setfield(L, -2, "released");
     } else if (key == "counts") {
         const auto* d = dynamic_cast<const Dynamics*>(&run);
         const auto* s = dynamic_cast<const Statics*>(&run);
@@ -192,10 +227,15 @@ int fields(lua_State* L) {
         lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
         lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
         lua_pushinteger(L, c.factorisations), lua_setfield(L, -2, "factorisations");
-        lua_pushinteger(L, d ? d->element_updates() : s ? s->element_updates() : 0), lua_setfield(L, -2, "element_updates");
+        lua_pushinteger(L, d   ? d->element_updates()
+                           : s ? s->element_updates()
+                               : 0),
+            lua_setfield(L, -2, "element_updates");
         lua_pushinteger(L, d ? d->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().pair_tests : 0), lua_setfield(L, -2, "pair_tests");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().list_builds : 0), lua_setfield(L, -2, "pair_lists");
+        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().pair_tests : 0),
+            lua_setfield(L, -2, "pair_tests");
+        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().list_builds : 0),
+            lua_setfield(L, -2, "pair_lists");
     } else if (key == "wakings") {
         lua_newtable(L);
         int i = 0;
@@ -216,7 +256,8 @@ int fields(lua_State* L) {
         lua_pushstring(L, run.structure().node_name(d->fastest().node).c_str()), lua_setfield(L, -2, "node");
     } else if (key == "probes") {
         lua_createtable(L, int(r.probes.size()), 0);
-        for (std::size_t i = 0; i < r.probes.size(); ++i) push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
+        for (std::size_t i = 0; i < r.probes.size(); ++i)
+            push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
     } else if (key == "effects") {
         lua_newtable(L);
         int i = 0;
@@ -246,10 +287,12 @@ int fields(lua_State* L) {
 
 int text(lua_State* L) {
     const auto& box = self_or_gone<RunBox>(L, "tostring");
-    if (const std::string since = gone(box); !since.empty()) return lua_pushstring(L, (name_of(box) + since).c_str()), 1;
+    if (const std::string since = gone(box); !since.empty())
+        return lua_pushstring(L, (name_of(box) + since).c_str()), 1;
     const Run& run = *box.value->run;
     char t[160];
-    std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(run.verdict()), run.steps_done(), run.planned_steps(), run.state().time);
+    std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(run.verdict()),
+                  run.steps_done(), run.planned_steps(), run.state().time);
     return lua_pushstring(L, t), 1;
 }
 
@@ -269,20 +312,27 @@ int probe_fields(lua_State* L) {
 
 int probe_text(lua_State* L) {
     const Probe& p = *self<ProbeBox>(L, "tostring").value;
-    return lua_pushstring(L, ("probe " + p.name + ": " + std::to_string(p.value.size()) + " values, the last " + show(p.value.back())).c_str()), 1;
+    return lua_pushstring(L, ("probe " + p.name + ": " + std::to_string(p.value.size()) + " values, the last " +
+                              show(p.value.back()))
+                                 .c_str()),
+           1;
 }
 
 }  // namespace
 
 void open_run(lua_State* L) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    static const luaL_Reg methods[] = {
-        {"steps", guarded<steps>}, {"step", guarded<step>}, {"finish", guarded<finish>}, {"stop", guarded<stop>}, {"probe", guarded<probe>},
-        {"on_step", guarded<on_step>}, {"count", guarded<count>}, {"momentum", guarded<run_momentum>}, {"still", guarded<run_still>}, {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"steps", guarded<steps>},     {"step", guarded<step>},
+                                       {"finish", guarded<finish>},   {"stop", guarded<stop>},
+                                       {"probe", guarded<probe>},     {"on_step", guarded<on_step>},
+                                       {"count", guarded<count>},     {"momentum", guarded<run_momentum>},
+                                       {"still", guarded<run_still>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name, {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder", "contacts", "stages", "effects",
-                                      "wall_seconds", "fastest", "dt", "hash", "counts", "wakings", "probes"});
+    name_fields(
+        L, RunBox::lua_name,
+        {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder",
+         "contacts", "stages", "effects", "wall_seconds", "fastest", "dt", "hash", "counts", "wakings", "probes"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
 }

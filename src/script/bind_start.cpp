@@ -26,8 +26,11 @@ State start_state(Options& o, const std::shared_ptr<const Structure>& structure,
         if (record.model != model) o.complain("from", "a run of another model", "must be a run of this one");
         const State& from = record.run->state();
         if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
-            o.complain("from", "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " + std::to_string(from.broken.size()) + " elements",
-                       "this model has " + std::to_string(state.displacement.size()) + " and " + std::to_string(state.broken.size()) + "; add nothing between the runs");
+            o.complain("from",
+                       "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " +
+                           std::to_string(from.broken.size()) + " elements",
+                       "this model has " + std::to_string(state.displacement.size()) + " and " +
+                           std::to_string(state.broken.size()) + "; add nothing between the runs");
         state = from;
         state.step = 0;
     }
@@ -37,7 +40,9 @@ State start_state(Options& o, const std::shared_ptr<const Structure>& structure,
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
     for (const NodalLoad& l : m.loads())
-        if (start.gone[l.node]) throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) + ", which has no element left");
+        if (start.gone[l.node])
+            throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
+                             ", which has no element left");
 }
 
 /// Steps between rows of history.csv; 0 for record = false.
@@ -61,7 +66,9 @@ int static_run(lua_State* L) {
     if (type == LUA_TSTRING) {
         const std::string word = lua_tostring(L, -1);
         if (word == "arc") s.control = Control::arc;
-        else if (word != "load") o.complain("control", "'" + word + "'", "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
+        else if (word != "load")
+            o.complain("control", "'" + word + "'",
+                       "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
     } else if (type == LUA_TTABLE) {
         Options c(L, -1, "model:static, control");
         s.control = Control::displacement;
@@ -71,13 +78,17 @@ int static_run(lua_State* L) {
         const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
         static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
         const auto at = std::find(names.begin(), names.end(), component);
-        if (at == names.end()) throw InputError("model:static, control: component is " + show(L, -1) + "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
+        if (at == names.end())
+            throw InputError("model:static, control: component is " + show(L, -1) +
+                             "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
         lua_pop(L, 2);
         s.component = int(at - names.begin());
         s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
         if (s.target == 0) c.complain("to", "0", "must differ from 0");
         c.finish(1);
-        if (m->nodes()[s.node].fixed >> s.component & 1) throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) + " is fixed by a support and cannot be driven");
+        if (m->nodes()[s.node].fixed >> s.component & 1)
+            throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) +
+                             " is fixed by a support and cannot be driven");
     } else if (type != LUA_TNIL) {
         o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
     }
@@ -93,25 +104,29 @@ int static_run(lua_State* L) {
     const int every = record_every(o, 1);
     State start = start_state(o, structure, m);
     o.finish();
-    if (structure->elements().empty()) throw InputError("model:static: the model has no members; add at least one with model:member");
+    if (structure->elements().empty())
+        throw InputError("model:static: the model has no members; add at least one with model:member");
     refuse_lost_loads(*m, *structure, start, "model:static");
     for (const NodalLoad& l : m->loads())
-        if (l.follows_state()) throw InputError("model:static: a load on " + structure->node_name(l.node) + " is a function of time and the run, which acts in dynamics only; make the static run before it is declared");
+        if (l.follows_state())
+            throw InputError("model:static: a load on " + structure->node_name(l.node) +
+                             " is a function of time and the run, which acts in dynamics only; make the static run "
+                             "before it is declared");
     context(L)->running = L;
     try {
         return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
-    } catch (const InputError& e) {
-        throw InputError(std::string("model:static: ") + e.what());
-    }
+    } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
 }
 
 namespace {
 
 void require_density(const Structure& structure) {
-    if (structure.elements().empty()) throw InputError("model:dynamic: the model has no members; add at least one with model:member");
+    if (structure.elements().empty())
+        throw InputError("model:dynamic: the model has no members; add at least one with model:member");
     for (const Element& e : structure.elements())
         if (!(e.rigidity.rhoA > 0))
-            throw InputError("model:dynamic: " + structure.element_name(int(&e - structure.elements().data())) + " has density 0 kg/m^3; dynamics needs a density above 0");
+            throw InputError("model:dynamic: " + structure.element_name(int(&e - structure.elements().data())) +
+                             " has density 0 kg/m^3; dynamics needs a density above 0");
 }
 
 /// The field dt. Explicit steps may not be longer than stability allows, and can be left to it: dt = "auto".
@@ -119,14 +134,18 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
     const std::string word = o.push_field("dt") == LUA_TSTRING ? lua_tostring(o.L(), -1) : "";
     lua_pop(o.L(), 1);
     automatic = word == "auto";
-    if (!word.empty() && !automatic) o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
-    if (!in_explicit_steps) return automatic ? Dynamics::shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
+    if (!word.empty() && !automatic)
+        o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
+    if (!in_explicit_steps)
+        return automatic ? Dynamics::shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
     const StableStep limit = stable_step(structure);
     if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model()));
     const double dt = o.number("dt", "s", Range::positive);
     if (dt > limit.dt)
-        o.complain("dt", show(dt) + " s", "explicit steps stay stable up to " + show(limit.dt) + " s here (" + structure.element_name(limit.element) +
-                                              " has the highest frequency); give a shorter one, or dt = 'auto'");
+        o.complain("dt", show(dt) + " s",
+                   "explicit steps stay stable up to " + show(limit.dt) + " s here (" +
+                       structure.element_name(limit.element) +
+                       " has the highest frequency); give a shorter one, or dt = 'auto'");
     return dt;
 }
 
@@ -135,35 +154,75 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
     Options o(L, 2, "model:dynamic");
-    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "record", "integrator", "precision", "threads", "rest", "energy_tolerance", "step_control", "rho_infinity", "checkpoint"});
+    o.expect({"dt",
+              "duration",
+              "beta",
+              "from",
+              "iterations",
+              "tolerance",
+              "predictor",
+              "geometric",
+              "turn",
+              "solver",
+              "solver_tolerance",
+              "solver_iterations",
+              "record",
+              "integrator",
+              "precision",
+              "threads",
+              "rest",
+              "energy_tolerance",
+              "step_control",
+              "rho_infinity",
+              "checkpoint"});
     const bool in_explicit_steps = o.word("integrator", {"newmark", "explicit"}, "newmark") == "explicit";
-    const auto structure = std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
+    const auto structure =
+        std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
-        throw InputError("model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes 'newmark'");
+        throw InputError(
+            "model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes "
+            "'newmark'");
     require_density(*structure);
     DynamicSettings s;
     s.duration = o.number("duration", "s", Range::positive);
     bool automatic = false;
     s.dt = step_of(o, *structure, in_explicit_steps, s.duration, automatic);
     s.automatic = automatic && !in_explicit_steps;
-    if (s.duration < 0.5 * s.dt) o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
-    if (s.duration / s.dt > 1e12) o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
+    if (s.duration < 0.5 * s.dt)
+        o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
+    if (s.duration / s.dt > 1e12)
+        o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
     s.beta = in_explicit_steps ? 0 : o.number("beta", "", Range::positive, s.beta);
-    if (s.beta > 1) o.complain("beta", show(s.beta), "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
+    if (s.beta > 1)
+        o.complain(
+            "beta", show(s.beta),
+            "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
     s.rho_infinity = o.number("rho_infinity", "", Range::not_negative, 1);
-    if (s.rho_infinity > 1) o.complain("rho_infinity", show(s.rho_infinity), "must be between 0 and 1: what a step leaves of the highest frequencies' amplitude (1: all, Newmark's method)");
+    if (s.rho_infinity > 1)
+        o.complain("rho_infinity", show(s.rho_infinity),
+                   "must be between 0 and 1: what a step leaves of the highest frequencies' amplitude (1: all, "
+                   "Newmark's method)");
     if (s.rho_infinity < 1) {
-        if (o.has("beta")) throw InputError("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = " + show(DynamicSettings::beta_of(s.rho_infinity)) + ": leave one out");
+        if (o.has("beta"))
+            throw InputError("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = " +
+                             show(DynamicSettings::beta_of(s.rho_infinity)) + ": leave one out");
         s.beta = DynamicSettings::beta_of(s.rho_infinity);
     }
-    s.step_control = o.number("step_control", "", Range::not_negative, s.automatic && m->options().shift != Shift::whole ? 0.01 : 0);
+    s.step_control =
+        o.number("step_control", "", Range::not_negative, s.automatic && m->options().shift != Shift::whole ? 0.01 : 0);
     if (s.step_control > 0 && m->options().shift == Shift::whole)
-        throw InputError("model:dynamic: field 'step_control' needs a ledger that closes, and that of a model with shift = 'whole' cannot; leave it out");
-    if (s.step_control >= 1) o.complain("step_control", show(s.step_control), "must be below 1: the part of the energy turned over that the run may lose, such as 0.01");
+        throw InputError(
+            "model:dynamic: field 'step_control' needs a ledger that closes, and that of a model with shift = 'whole' "
+            "cannot; leave it out");
+    if (s.step_control >= 1)
+        o.complain("step_control", show(s.step_control),
+                   "must be below 1: the part of the energy turned over that the run may lose, such as 0.01");
     s.iterations = o.integer("iterations", 0, 0);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
     const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
-    s.predictor = predictor == "acceleration" ? Predictor::acceleration : predictor == "displacement" ? Predictor::displacement : Predictor::by_step;
+    s.predictor = predictor == "acceleration"   ? Predictor::acceleration
+                  : predictor == "displacement" ? Predictor::displacement
+                                                : Predictor::by_step;
     s.geometric = o.flag("geometric", s.geometric);
     s.turn = o.number("turn", "rad", Range::positive, s.turn);
     s.narrow = o.word("precision", {"single", "double"}, "single") == "single";
@@ -172,8 +231,11 @@ int dynamic_run(lua_State* L) {
     s.threads = o.integer("threads", 1, 1);
     if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
     if (in_explicit_steps)
-        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric", "turn", "solver", "solver_tolerance", "solver_iterations", "precision"})
-            if (o.has(field)) throw InputError(std::string("model:dynamic: field '") + field + "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
+        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric", "turn",
+                                  "solver", "solver_tolerance", "solver_iterations", "precision"})
+            if (o.has(field))
+                throw InputError(std::string("model:dynamic: field '") + field +
+                                 "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);

@@ -9,7 +9,8 @@ int material(lua_State* L) {
     Material m;
     m.E = o.number("E", "Pa", Range::positive);
     const auto nu = o.maybe_number("nu", "", Range::any);
-    if (nu && !(*nu > -1 && *nu <= 0.5)) o.complain("nu", show(*nu), "Poisson's ratio must be above -1 and at most 0.5");
+    if (nu && !(*nu > -1 && *nu <= 0.5))
+        o.complain("nu", show(*nu), "Poisson's ratio must be above -1 and at most 0.5");
     const auto G = o.maybe_number("G", "Pa", Range::positive);
     m.G = G ? *G : m.E / (2 * (1 + nu.value_or(0.3)));
     m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
@@ -27,19 +28,23 @@ int material_fields(lua_State* L) {
     else if (key == "G") lua_pushnumber(L, m.G);
     else if (key == "density") lua_pushnumber(L, m.density);
     else if (key == "yield_stress") lua_pushnumber(L, m.yield_stress);
-    else throw InputError("material has no field '" + key + "'" + did_you_mean(key, {"E", "G", "density", "yield_stress"}));
+    else
+        throw InputError("material has no field '" + key + "'" +
+                         did_you_mean(key, {"E", "G", "density", "yield_stress"}));
     return 1;
 }
 
 int material_text(lua_State* L) {
     const Material& m = *self<MaterialBox>(L, "tostring").value;
-    lua_pushfstring(L, "material: E %f Pa, G %f Pa, density %f kg/m^3, yield stress %s Pa", m.E, m.G, m.density, show(m.yield_stress).c_str());
+    lua_pushfstring(L, "material: E %f Pa, G %f Pa, density %f kg/m^3, yield stress %s Pa", m.E, m.G, m.density,
+                    show(m.yield_stress).c_str());
     return 1;
 }
 
 int section(lua_State* L) {
     Options o(L, 1, "hinge.section.general");
-    o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0", "plastic", "size", "kind"});
+    o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0",
+              "plastic", "size", "kind"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);
@@ -79,12 +84,22 @@ int section(lua_State* L) {
 int section_fields(lua_State* L) {
     const Section& s = *self<SectionBox>(L, "section").value;
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    const std::pair<const char*, double> numbers[] = {
-        {"area", s.area}, {"Ix", s.Ix}, {"Iy", s.Iy}, {"J", s.J}, {"shear_area_x", s.shear_area_x}, {"shear_area_y", s.shear_area_y},
-        {"plastic_area", s.plastic_area}, {"Zx", s.Zx}, {"Zy", s.Zy}, {"Zz", s.Zz}, {"width", s.width}, {"depth", s.depth}};
+    const std::pair<const char*, double> numbers[] = {{"area", s.area},
+                                                      {"Ix", s.Ix},
+                                                      {"Iy", s.Iy},
+                                                      {"J", s.J},
+                                                      {"shear_area_x", s.shear_area_x},
+                                                      {"shear_area_y", s.shear_area_y},
+                                                      {"plastic_area", s.plastic_area},
+                                                      {"Zx", s.Zx},
+                                                      {"Zy", s.Zy},
+                                                      {"Zz", s.Zz},
+                                                      {"width", s.width},
+                                                      {"depth", s.depth}};
     for (const auto& [name, value] : numbers)
         if (key == name) return lua_pushnumber(L, value), 1;
-    const std::pair<const char*, std::optional<double>> given[] = {{"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};
+    const std::pair<const char*, std::optional<double>> given[] = {
+        {"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};
     for (const auto& [name, value] : given)
         if (key == name) return value ? lua_pushnumber(L, *value) : lua_pushnil(L), 1;
     if (key == "kind") return lua_pushstring(L, s.kind.c_str()), 1;
@@ -96,7 +111,8 @@ int section_fields(lua_State* L) {
 int section_text(lua_State* L) {
     const Section& s = *self<SectionBox>(L, "tostring").value;
     char text[200];
-    std::snprintf(text, sizeof text, "section (%s): area %.4g m^2, Ix %.4g, Iy %.4g, J %.4g m^4", s.kind.c_str(), s.area, s.Ix, s.Iy, s.J);
+    std::snprintf(text, sizeof text, "section (%s): area %.4g m^2, Ix %.4g, Iy %.4g, J %.4g m^4", s.kind.c_str(),
+                  s.area, s.Ix, s.Iy, s.J);
     lua_pushstring(L, text);
     return 1;
 }
@@ -112,11 +128,14 @@ int same(lua_State* L) {
 
 void open_values(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>, guarded<material_text>, same<MaterialBox>);
-    make_metatable(L, SectionBox::lua_name, none, guarded<section_fields>, collect<SectionBox>, guarded<section_text>, same<SectionBox>);
+    make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>,
+                   guarded<material_text>, same<MaterialBox>);
+    make_metatable(L, SectionBox::lua_name, none, guarded<section_fields>, collect<SectionBox>, guarded<section_text>,
+                   same<SectionBox>);
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
-    name_fields(L, SectionBox::lua_name, {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz", "N0", "Mx0", "My0",
-                                          "Mz0", "width", "depth"});
+    name_fields(L, SectionBox::lua_name,
+                {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
+                 "N0", "Mx0", "My0", "Mz0", "width", "depth"});
     lua_pushcfunction(L, guarded<material>);
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, guarded<section>);

@@ -12,10 +12,12 @@ namespace hinge::script {
 namespace {
 
 constexpr int periods_told = 3, bodies_told = 5;
-constexpr int most_nodes = 20000;   // of a body whose periods are looked for: some ten seconds
+constexpr int most_nodes = 20000;  // of a body whose periods are looked for: some ten seconds
 
 std::string digits(double v, int n = 4) { return number_text(v, n); }
-std::string count(std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+std::string count(std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
 std::string triple(const Vec3& v) {
     return vector_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0 : x; }), 4);
 }
@@ -24,7 +26,7 @@ struct Piece {
     std::vector<int> nodes, supports;
     int members = 0;
     double mass = 0;
-    bool heavy = true;   ///< all its elements have mass
+    bool heavy = true;  ///< all its elements have mass
 };
 
 std::vector<Piece> bodies_of(const Structure& structure) {
@@ -55,31 +57,35 @@ bool moves_a_support(const Structure& structure, const Piece& body, const RigidM
     return false;
 }
 
-/// How a body moves against which its supports do nothing: along or about an axis of space where it can, else about its own line.
+/// How a body moves against which its supports do nothing: along or about an axis of space where it can, else about its
+/// own line.
 std::string ways(const Structure& structure, const Piece& body, const std::vector<RigidMotion>& motions) {
     const int support = body.supports[0];
     std::string text;
     for (int c = 0; c < 6; ++c) {
         RigidMotion m{structure.position()[support], Vec3::Zero(), Vec3::Zero()};
         (c < 3 ? m.v : m.w)[c % 3] = 1;
-        if (!moves_a_support(structure, body, m)) text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "turn about ") + "xyz"[c % 3];
+        if (!moves_a_support(structure, body, m))
+            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "turn about ") + "xyz"[c % 3];
     }
     if (!text.empty()) return text + (text.find("turn") == std::string::npos ? "" : " through that node");
     const RigidMotion& m = motions[0];
     if (m.w.norm() < 1e-9 * m.v.norm()) return "move along " + triple(m.v.normalized());
-    return "turn about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " + triple(m.w.normalized());
+    return "turn about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +
+           triple(m.w.normalized());
 }
 
 /// What an axial wave takes through an element, and through all of its member, s: the shortest times.
 struct Waves {
     double element = std::numeric_limits<double>::infinity(), member = element;
-    int in_element = -1, in_member = -1;   ///< elements
+    int in_element = -1, in_member = -1;  ///< elements
 };
 Waves shortest_waves(const Structure& structure) {
     Waves least;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
-        const double t = e.length * std::sqrt(e.rigidity.rhoA / e.rigidity.EA), whole = t * structure.model().members()[e.member].elements;
+        const double t = e.length * std::sqrt(e.rigidity.rhoA / e.rigidity.EA),
+                     whole = t * structure.model().members()[e.member].elements;
         if (t > 0 && t < least.element) least.element = t, least.in_element = int(i);
         if (t > 0 && whole < least.member) least.member = whole, least.in_member = int(i);
     }
@@ -88,15 +94,18 @@ Waves shortest_waves(const Structure& structure) {
 
 std::string told(const Doubt& d) {
     std::string where = d.asked_at;
-    if (d.more > 0) where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
+    if (d.more > 0)
+        where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
     return "  warning: " + d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice + "\n";
 }
 
 std::string periods(const Structure& structure, const Piece& body, int rigid) {
     if (!body.heavy) return "no periods without a density";
-    if (int(body.nodes.size()) > most_nodes) return "periods are not looked for beyond " + std::to_string(most_nodes) + " nodes";
+    if (int(body.nodes.size()) > most_nodes)
+        return "periods are not looked for beyond " + std::to_string(most_nodes) + " nodes";
     std::string text;
-    for (double w : natural_frequencies(structure, body.nodes, rigid, periods_told)) text += (text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
+    for (double w : natural_frequencies(structure, body.nodes, rigid, periods_told))
+        text += (text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
     return text.empty() ? "nothing that vibrates" : "natural periods " + text + " s";
 }
 
@@ -106,8 +115,10 @@ std::string checked_run(const RunRecord& record) {
     const Structure& s = record.run->structure();
     double mass = 0;
     for (const Element& e : s.elements()) mass += e.rigidity.rhoA * e.length;
-    return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " + count(s.model().members().size(), "member") + ", " +
-           count(s.elements().size(), "element") + ", " + count(s.position().size(), "node") + ", " + count(s.free_dofs(), "free freedom") + ", " + digits(mass, 6) + " kg\n";
+    return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
+           count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +
+           count(s.position().size(), "node") + ", " + count(s.free_dofs(), "free freedom") + ", " + digits(mass, 6) +
+           " kg\n";
 }
 
 std::string checked_model(const RunRecord& record) {
@@ -115,25 +126,38 @@ std::string checked_model(const RunRecord& record) {
     std::vector<Doubt> list = doubts(s.model());
     std::string text;
     std::vector<Piece> bodies = bodies_of(s);
-    std::stable_sort(bodies.begin(), bodies.end(), [](const Piece& a, const Piece& b) { return a.members > b.members; });
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const Piece& a, const Piece& b) { return a.members > b.members; });
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Piece& body = bodies[i];
         const auto motions = free_motions(s, body.nodes);
         if (!motions.empty() && !body.supports.empty())
-            list.push_back({"mechanism: the body of " + count(body.members, "member") + " held at " + s.node_name(body.supports[0]) +
-                                (body.supports.size() > 1 ? " and " + count(body.supports.size() - 1, "more node") : "") + " can " + ways(s, body, motions) + " without resistance",
-                            "fix what it may not do with model:fix", s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
+            list.push_back(
+                {"mechanism: the body of " + count(body.members, "member") + " held at " +
+                     s.node_name(body.supports[0]) +
+                     (body.supports.size() > 1 ? " and " + count(body.supports.size() - 1, "more node") : "") +
+                     " can " + ways(s, body, motions) + " without resistance",
+                 "fix what it may not do with model:fix",
+                 s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
         if (i < bodies_told)
-            text += "  " + (body.supports.empty() ? "free body of " + count(body.members, "member") : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) + ", " +
-                    digits(body.mass, 6) + " kg: " + periods(s, body, int(motions.size())) + "\n";
+            text += "  " +
+                    (body.supports.empty()
+                         ? "free body of " + count(body.members, "member")
+                         : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) +
+                    ", " + digits(body.mass, 6) + " kg: " + periods(s, body, int(motions.size())) + "\n";
     }
-    if (bodies.size() > bodies_told) text += "  and " + std::to_string(bodies.size() - bodies_told) + " smaller bodies\n";
+    if (bodies.size() > bodies_told)
+        text += "  and " + std::to_string(bodies.size() - bodies_told) + " smaller bodies\n";
     if (const Waves waves = shortest_waves(s); waves.in_element >= 0) {
-        text += "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
+        text +=
+            "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
         const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
         if (d && !d->explicit_steps() && !d->settings().automatic && d->settings().dt > waves.member)
-            list.push_back({"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " + std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
-                            "a blow is smeared over more than a member; give dt = 'auto', or less, where that matters", record.asked_at});
+            list.push_back({"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
+                                std::to_string(s.elements()[waves.in_member].member + 1) + " in " +
+                                digits(waves.member) + " s",
+                            "a blow is smeared over more than a member; give dt = 'auto', or less, where that matters",
+                            record.asked_at});
     }
     for (const Doubt& d : list) text += told(d);
     return text + (list.empty() ? "  no warnings\n" : "");

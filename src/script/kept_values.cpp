@@ -5,7 +5,15 @@
 namespace hinge::script {
 namespace {
 
-enum class Tag : std::uint8_t { end, no, yes, whole, number, text, table };   ///< a table: keys and values by turns, then end
+enum class Tag : std::uint8_t {
+    end,
+    no,
+    yes,
+    whole,
+    number,
+    text,
+    table
+};  ///< a table: keys and values by turns, then end
 constexpr int deepest = 100;
 
 void pack(Writer& write, lua_State* L, int index, const std::string& what, int depth) {
@@ -21,14 +29,18 @@ void pack(Writer& write, lua_State* L, int index, const std::string& what, int d
             return write(Tag::text, std::string(text, length));
         }
         case LUA_TTABLE: break;
-        default: throw InputError(what + " is " + show(L, index) + "; only booleans, numbers, strings and tables of them can be kept");
+        default:
+            throw InputError(what + " is " + show(L, index) +
+                             "; only booleans, numbers, strings and tables of them can be kept");
     }
-    if (depth > deepest || !lua_checkstack(L, 4)) throw InputError(what + " is nested too deep to be kept; does a table hold itself?");
+    if (depth > deepest || !lua_checkstack(L, 4))
+        throw InputError(what + " is nested too deep to be kept; does a table hold itself?");
     write(Tag::table);
     lua_pushnil(L);
     while (lua_next(L, index)) {
         const int kind = lua_type(L, -2);
-        const std::string name = kind == LUA_TSTRING ? what + "." + lua_tostring(L, -2) : what + "[" + show(L, -2) + "]";
+        const std::string name =
+            kind == LUA_TSTRING ? what + "." + lua_tostring(L, -2) : what + "[" + show(L, -2) + "]";
         if (kind == LUA_TTABLE) throw InputError(name + ": a table that is a key cannot be kept");
         pack(write, L, -2, name, depth + 1);
         pack(write, L, -1, name, depth + 1);
@@ -70,7 +82,8 @@ std::vector<Token> read_table(const std::string& bytes) {
     return tokens;
 }
 
-/// Pushes the value that begins at `token` and leaves `token` behind it. Called under protect: nothing here has a destructor.
+/// Pushes the value that begins at `token` and leaves `token` behind it. Called under protect: nothing here has a
+/// destructor.
 void push_value(lua_State* L, const Token*& token) {
     const Token& t = *token++;
     luaL_checkstack(L, 4, nullptr);

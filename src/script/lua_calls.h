@@ -1,8 +1,8 @@
 // Lua's calls that may run out of memory, made safe for C++: where Lua would jump over destructors they throw.
 //
-// Inside hinge::script each of these names stands for the object here and not for Lua's function (an object also keeps C++ from
-// looking for functions by their arguments). It makes the call within lua_pcall, which takes some 50 ns. Calls that cannot raise
-// are Lua's own; so is `::lua_rawseti`, for one, where it is certain that the table has room.
+// Inside hinge::script each of these names stands for the object here and not for Lua's function (an object also keeps
+// C++ from looking for functions by their arguments). It makes the call within lua_pcall, which takes some 50 ns. Calls
+// that cannot raise are Lua's own; so is `::lua_rawseti`, for one, where it is certain that the table has room.
 #pragma once
 
 #include <lua.hpp>
@@ -21,16 +21,20 @@ inline void must_be_ok(lua_State* L, int status) {
     if (status != LUA_OK) throw LuaErrorOnStack();
 }
 
-/// Runs f(L) as a function of Lua's, with `arguments` values of the stack as its own, leaving `results`. Nothing in f may have a destructor.
+/// Runs f(L) as a function of Lua's, with `arguments` values of the stack as its own, leaving `results`. Nothing in f
+/// may have a destructor.
 template <class F>
 void protect(lua_State* L, int arguments, int results, F f) {
     if (!lua_checkstack(L, 4)) throw std::bad_alloc();
-    ::lua_pushcclosure(L, [](lua_State* L) {
-        F& f = *static_cast<F*>(lua_touserdata(L, -1));
-        lua_settop(L, -2);
-        f(L);
-        return lua_gettop(L);
-    }, 0);
+    ::lua_pushcclosure(
+        L,
+        [](lua_State* L) {
+            F& f = *static_cast<F*>(lua_touserdata(L, -1));
+            lua_settop(L, -2);
+            f(L);
+            return lua_gettop(L);
+        },
+        0);
     lua_rotate(L, -arguments - 1, 1);
     lua_pushlightuserdata(L, &f);
     must_be_ok(L, lua_pcall(L, arguments + 1, results, 0));
@@ -59,7 +63,8 @@ struct OnTable {
         if (!lua_checkstack(L, 1)) throw std::bad_alloc();
         lua_pushvalue(L, index);
         lua_rotate(L, -values - 1, 1);
-        protect(L, values + 1, results, [&](lua_State* L) { function(L, 1, key), results ? lua_remove(L, 1) : lua_settop(L, 0); });
+        protect(L, values + 1, results,
+                [&](lua_State* L) { function(L, 1, key), results ? lua_remove(L, 1) : lua_settop(L, 0); });
         return results ? lua_type(L, -1) : LUA_TNONE;
     }
 };

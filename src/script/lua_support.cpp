@@ -45,9 +45,7 @@ void explain_caught(lua_State* L) {
         return;
     } catch (const std::length_error&) {  // more of something than there can be
         throw std::bad_alloc();
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const HookError& e) {
+    } catch (const std::bad_alloc&) { throw; } catch (const HookError& e) {
         message = e.what();
         note_error(L, message, "hook");
     } catch (const Interrupted& e) {
@@ -89,7 +87,8 @@ std::string did_you_mean(const std::string& typed, const std::vector<std::string
             row[0] = i;
             for (std::size_t j = 1; j <= b.size(); ++j) {
                 const std::size_t up = row[j];
-                row[j] = std::min({up + 1, row[j - 1] + 1, diagonal + (std::tolower(a[i - 1]) != std::tolower(b[j - 1]))});
+                row[j] =
+                    std::min({up + 1, row[j - 1] + 1, diagonal + (std::tolower(a[i - 1]) != std::tolower(b[j - 1]))});
                 diagonal = up;
             }
         }
@@ -128,8 +127,8 @@ std::string show(lua_State* L, int index) {
     }
 }
 
-void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction gc, lua_CFunction to_string,
-                    lua_CFunction equal) {
+void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction gc,
+                    lua_CFunction to_string, lua_CFunction equal) {
     luaL_newmetatable(L, name);
     const auto set = [&](const char* event, lua_CFunction f) {
         if (f) lua_pushcfunction(L, f), lua_setfield(L, -2, event);
@@ -183,7 +182,8 @@ void refuse_field(lua_State* L, const char* object, const std::string& key) {
     std::sort(names.begin() + long(methods), names.end());
     std::string list;
     for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
-    throw InputError(std::string(object) + " has no field or method '" + key + "'" + did_you_mean(key, names) + "; it has " + list);
+    throw InputError(std::string(object) + " has no field or method '" + key + "'" + did_you_mean(key, names) +
+                     "; it has " + list);
 }
 
 void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields) {
@@ -194,7 +194,8 @@ void name_fields(lua_State* L, const char* name, std::initializer_list<const cha
     lua_pop(L, 1);
 }
 
-Options::Options(lua_State* L, int index, std::string function, bool may_be_absent) : L_(L), index_(lua_absindex(L, index)), function_(std::move(function)) {
+Options::Options(lua_State* L, int index, std::string function, bool may_be_absent)
+    : L_(L), index_(lua_absindex(L, index)), function_(std::move(function)) {
     if (lua_isnoneornil(L, index) && may_be_absent) index_ = 0;
     else if (!lua_istable(L, index)) throw InputError(function_ + ": takes a table of options, got " + show(L, index));
 }
@@ -231,7 +232,8 @@ std::optional<double> Options::read_number(const char* field, const char* unit, 
     }
     const double v = lua_tonumber(L_, -1);
     lua_pop(L_, 1);
-    if (std::isnan(v)) complain(field, "not a number (nan)", "must be a finite number" + (*unit ? std::string(" in ") + unit : ""));
+    if (std::isnan(v))
+        complain(field, "not a number (nan)", "must be a finite number" + (*unit ? std::string(" in ") + unit : ""));
     if (!std::isfinite(v)) complain(field, text + u, "must be finite");
     if (range == Range::positive && !(v > 0)) complain(field, text + u, "must be above 0" + u);
     if (range == Range::not_negative && !(v >= 0)) complain(field, text + u, "must be 0" + u + " or above");
@@ -240,16 +242,22 @@ std::optional<double> Options::read_number(const char* field, const char* unit, 
 
 double Options::number(const char* field, const char* unit, Range range) {
     if (const auto v = read_number(field, unit, range)) return *v;
-    throw InputError(function_ + ": field '" + std::string(field) + "' is missing; give a number" + (*unit ? std::string(" in ") + unit : ""));
+    throw InputError(function_ + ": field '" + std::string(field) + "' is missing; give a number" +
+                     (*unit ? std::string(" in ") + unit : ""));
 }
 
-double Options::number(const char* field, const char* unit, Range range, double fallback) { return read_number(field, unit, range).value_or(fallback); }
-std::optional<double> Options::maybe_number(const char* field, const char* unit, Range range) { return read_number(field, unit, range); }
+double Options::number(const char* field, const char* unit, Range range, double fallback) {
+    return read_number(field, unit, range).value_or(fallback);
+}
+std::optional<double> Options::maybe_number(const char* field, const char* unit, Range range) {
+    return read_number(field, unit, range);
+}
 
 int Options::integer(const char* field, int least, int fallback) {
     const auto v = read_number(field, "", Range::any);
     if (!v) return fallback;
-    if (*v != std::floor(*v) || *v < least || *v > 2e9) complain(field, show(*v), "must be a whole number, " + std::to_string(least) + " or above");
+    if (*v != std::floor(*v) || *v < least || *v > 2e9)
+        complain(field, show(*v), "must be a whole number, " + std::to_string(least) + " or above");
     return int(*v);
 }
 
@@ -300,9 +308,11 @@ void Options::finish(int items_allowed) {
             if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
                 std::string list;
                 for (const auto& k : known_) list += (list.empty() ? "" : ", ") + k;
-                problem = function_ + ": unknown field '" + key + "'" + did_you_mean(key, known_) + "; it takes " + list;
+                problem =
+                    function_ + ": unknown field '" + key + "'" + did_you_mean(key, known_) + "; it takes " + list;
             }
-        } else if (const double i = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : -1; !(i >= 1 && i <= items_allowed)) {
+        } else if (const double i = lua_type(L_, -1) == LUA_TNUMBER ? lua_tonumber(L_, -1) : -1;
+                   !(i >= 1 && i <= items_allowed)) {
             problem = function_ + ": item [" + show(L_, -1) + "] is not expected";
         }
         if (!problem.empty()) {
@@ -322,10 +332,15 @@ Vec3 read_triple(lua_State* L, int index, const std::string& what, const char* u
         const std::string text = show(L, -1);
         v[i] = lua_tonumber(L, -1);
         lua_pop(L, 1);
-        if (type != LUA_TNUMBER) throw InputError(what + ": component " + std::string(1, "xyz"[i]) + " is " + text + "; must be a number" + u);
-        if (!std::isfinite(v[i])) throw InputError(what + ": component " + std::string(1, "xyz"[i]) + " is " + (std::isnan(v[i]) ? "not a number (nan)" : text) + "; must be finite");
+        if (type != LUA_TNUMBER)
+            throw InputError(what + ": component " + std::string(1, "xyz"[i]) + " is " + text + "; must be a number" +
+                             u);
+        if (!std::isfinite(v[i]))
+            throw InputError(what + ": component " + std::string(1, "xyz"[i]) + " is " +
+                             (std::isnan(v[i]) ? "not a number (nan)" : text) + "; must be finite");
     }
-    if (lua_rawlen(L, index) > 3) throw InputError(what + " has " + std::to_string(lua_rawlen(L, index)) + " items; must be {x, y, z}" + u);
+    if (lua_rawlen(L, index) > 3)
+        throw InputError(what + " has " + std::to_string(lua_rawlen(L, index)) + " items; must be {x, y, z}" + u);
     return v;
 }
 

@@ -1,8 +1,9 @@
 // The boundary to Lua: errors that cross it, values that come in, objects that live behind userdata.
 //
-// Lua's errors are longjmps, so none may start while a C++ destructor is pending. Every function that Lua calls is wrapped by
-// `guarded`: it catches C++ exceptions, leaves the catch, and only then raises. Inside, arguments are read with calls that
-// do not raise, wrong input is thrown as InputError, and lua_calls.h has Lua's lack of memory thrown as std::bad_alloc.
+// Lua's errors are longjmps, so none may start while a C++ destructor is pending. Every function that Lua calls is
+// wrapped by `guarded`: it catches C++ exceptions, leaves the catch, and only then raises. Inside, arguments are read
+// with calls that do not raise, wrong input is thrown as InputError, and lua_calls.h has Lua's lack of memory thrown as
+// std::bad_alloc.
 #pragma once
 
 #include <cmath>
@@ -25,7 +26,9 @@ namespace hinge::script {
 using Body = int (*)(lua_State*);
 int guarded_call(lua_State* L, Body body);
 template <Body body>
-int guarded(lua_State* L) { return guarded_call(L, body); }
+int guarded(lua_State* L) {
+    return guarded_call(L, body);
+}
 
 /// "script.lua:12" for the innermost level outside the hinge library, or "" when there is none.
 std::string where(lua_State* L);
@@ -39,14 +42,16 @@ void set_library_folder(lua_State* L, const std::string& folder);
 /// The nearest of `names` to a mistyped one, as " (did you mean 'x'?)", or "".
 std::string did_you_mean(const std::string& typed, const std::vector<std::string>& names);
 
-std::string show(lua_State* L, int index);   ///< a value as an error message shows it
+std::string show(lua_State* L, int index);  ///< a value as an error message shows it
 std::string show(double value);
 
 // ---- objects ------------------------------------------------------------------------------------------------------
 
 /// T declares `static constexpr const char* lua_name`.
 template <class T>
-T* find(lua_State* L, int index) { return static_cast<T*>(luaL_testudata(L, index, T::lua_name)); }
+T* find(lua_State* L, int index) {
+    return static_cast<T*>(luaL_testudata(L, index, T::lua_name));
+}
 
 template <class T, class... Args>
 T* push(lua_State* L, Args&&... args) {
@@ -56,8 +61,8 @@ T* push(lua_State* L, Args&&... args) {
     return object;
 }
 
-/// Leaves a userdata that no function takes: a script may call this by hand (debug.getmetatable), or a finalizer of its own bring
-/// the userdata back.
+/// Leaves a userdata that no function takes: a script may call this by hand (debug.getmetatable), or a finalizer of its
+/// own bring the userdata back.
 template <class T>
 int collect(lua_State* L) {
     T* object = find<T>(L, 1);
@@ -74,7 +79,8 @@ inline void refuse_gone(const auto&, const std::string&) {}
 template <class T>
 T& self_or_gone(lua_State* L, const std::string& function) {
     if (T* object = find<T>(L, 1)) return *object;
-    throw InputError(function + ": called on " + show(L, 1) + "; write object" + (function.find(':') != std::string::npos ? ":method(...)" : ".field") + " on a " + T::lua_name);
+    throw InputError(function + ": called on " + show(L, 1) + "; write object" +
+                     (function.find(':') != std::string::npos ? ":method(...)" : ".field") + " on a " + T::lua_name);
 }
 
 template <class T>
@@ -85,15 +91,16 @@ T& self(lua_State* L, const std::string& function) {
 }
 
 /// Makes T's metatable with methods, __gc, __index falling back from methods to `fields`.
-void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction collect,
-                    lua_CFunction to_string, lua_CFunction equal);
+void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields,
+                    lua_CFunction collect, lua_CFunction to_string, lua_CFunction equal);
 
 /// Which fields its objects have: for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
 void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields);
 /// Methods for a metatable that make_metatable made.
 void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
 
-/// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the complaint if it is neither.
+/// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the
+/// complaint if it is neither.
 std::string key_argument(lua_State* L);
 bool push_method(lua_State* L);
 [[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key);
@@ -108,7 +115,7 @@ public:
     /// `index`: the table; absent is an empty table when `may_be_absent`.
     Options(lua_State* L, int index, std::string function, bool may_be_absent = false);
 
-    double number(const char* field, const char* unit, Range range);                        ///< must be there
+    double number(const char* field, const char* unit, Range range);  ///< must be there
     double number(const char* field, const char* unit, Range range, double fallback);
     std::optional<double> maybe_number(const char* field, const char* unit, Range range);
     int integer(const char* field, int least, int fallback);
@@ -122,7 +129,9 @@ public:
     int push_field(const char* field);
     int push_item(int i);
     /// Complains about a field that is none of these, before anything is said to be missing.
-    void expect(std::vector<std::string> fields, int items_allowed = 0) { known_ = std::move(fields), finish(items_allowed); }
+    void expect(std::vector<std::string> fields, int items_allowed = 0) {
+        known_ = std::move(fields), finish(items_allowed);
+    }
     /// Complains about a field nobody asked for.
     void finish(int items_allowed = 0);
 

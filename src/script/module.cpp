@@ -14,8 +14,8 @@ int input_error(lua_State* L) {
     throw InputError(text ? text : "wrong input");
 }
 
-/// core.error_kind(failure): "input", "outside", "hook", "interrupted" for a message that the engine raised, nil for others; of "interrupted" the
-/// exit status too.
+/// core.error_kind(failure): "input", "outside", "hook", "interrupted" for a message that the engine raised, nil for
+/// others; of "interrupted" the exit status too.
 int error_kind(lua_State* L) {
     const auto c = context(L);
     const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
@@ -38,7 +38,8 @@ int open_core(lua_State* L) {
     open_checkpoint(L, module);
     open_output(L, module);
     open_measure(L, module);
-    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {
+        {"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
     lua_pushstring(L, HINGE_VERSION);
     lua_setfield(L, module, "version");
@@ -48,7 +49,8 @@ int open_core(lua_State* L) {
 /// Where this shared object or program lies.
 std::filesystem::path own_folder() {
     Dl_info info;
-    if (dladdr(reinterpret_cast<void*>(&open_core), &info) && info.dli_fname && std::filesystem::exists(info.dli_fname)) {
+    if (dladdr(reinterpret_cast<void*>(&open_core), &info) && info.dli_fname &&
+        std::filesystem::exists(info.dli_fname)) {
         const auto path = std::filesystem::canonical(info.dli_fname).parent_path();
         return path;
     }
@@ -58,8 +60,10 @@ std::filesystem::path own_folder() {
 std::string library_folder() {
     const auto own = own_folder();
     // the installed program and module, and both of them as a rock
-    for (const char* place : {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
-        if (std::filesystem::exists(own / place / "hinge/init.lua")) return std::filesystem::canonical(own / place).string();
+    for (const char* place :
+         {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
+        if (std::filesystem::exists(own / place / "hinge/init.lua"))
+            return std::filesystem::canonical(own / place).string();
     return HINGE_LUA_FOLDER;
 }
 
@@ -90,7 +94,8 @@ std::shared_ptr<Context> prepare(lua_State* L) {
     set_library_folder(L, c->library + "/hinge/");
     lua_getglobal(L, "package");
     lua_getfield(L, -1, "path");
-    const std::string path = c->library + "/?.lua;" + c->library + "/?/init.lua;" + (lua_isstring(L, -1) ? lua_tostring(L, -1) : "");
+    const std::string path =
+        c->library + "/?.lua;" + c->library + "/?/init.lua;" + (lua_isstring(L, -1) ? lua_tostring(L, -1) : "");
     lua_pop(L, 1);
     lua_pushstring(L, path.c_str());
     lua_setfield(L, -2, "path");
@@ -105,6 +110,10 @@ std::shared_ptr<Context> prepare(lua_State* L) {
 }  // namespace hinge::script
 
 /// Where Lua finds hinge/init.lua by itself (a rock), it comes here for the engine alone.
-extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) { return hinge::script::guarded<hinge::script::open_core>(L); }
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) {
+    return hinge::script::guarded<hinge::script::open_core>(L);
+}
 
-extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) { return hinge::script::guarded<hinge::script::open_module>(L); }
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) {
+    return hinge::script::guarded<hinge::script::open_module>(L);
+}

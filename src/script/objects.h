@@ -18,56 +18,79 @@ namespace hinge::script {
 
 /// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
 struct Context {
-    lua_State* running = nullptr;         ///< the thread that entered the engine last; hooks are called on it
-    std::string out_dir;                  ///< empty: nothing is written unless a path is given
-    std::string library;                  ///< folder of the Lua library
-    std::string picture_module;           ///< path of the output module
-    bool progress = false;                ///< show a progress line on stderr
-    volatile std::sig_atomic_t interrupted = 0;   ///< the signal that came: the run under way ends with an error
-    bool ends_on_signals = false;         ///< and so does the program; else it is the prompt, which goes on
-    int exit_status = 3;                  ///< after such an end: 3 with a checkpoint written, else 128 and the signal
-    bool resume = false;                  ///< runs go on from their checkpoints
-    std::set<std::string> checkpoints;    ///< files that runs have named
-    bool sandbox = false;                 ///< the script is not trusted: nothing is written outside out_dir
-    bool planning = false;                ///< runs are described, not stepped; nothing is written
-    bool checking = false;                ///< while planning: what a run works on is looked over, not its effects
-    std::string left_out;                 ///< an effect that runs do without, whatever their models declare; "" for none
-    std::string last_error;               ///< the message the engine raised last, to tell its kind from its text
-    const char* last_error_kind = "";    ///< "input", "outside", "interrupted", "hook"
+    lua_State* running = nullptr;                ///< the thread that entered the engine last; hooks are called on it
+    std::string out_dir;                         ///< empty: nothing is written unless a path is given
+    std::string library;                         ///< folder of the Lua library
+    std::string picture_module;                  ///< path of the output module
+    bool progress = false;                       ///< show a progress line on stderr
+    volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
+    bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on
+    int exit_status = 3;                ///< after such an end: 3 with a checkpoint written, else 128 and the signal
+    bool resume = false;                ///< runs go on from their checkpoints
+    std::set<std::string> checkpoints;  ///< files that runs have named
+    bool sandbox = false;               ///< the script is not trusted: nothing is written outside out_dir
+    bool planning = false;              ///< runs are described, not stepped; nothing is written
+    bool checking = false;              ///< while planning: what a run works on is looked over, not its effects
+    std::string left_out;               ///< an effect that runs do without, whatever their models declare; "" for none
+    std::string last_error;             ///< the message the engine raised last, to tell its kind from its text
+    const char* last_error_kind = "";   ///< "input", "outside", "interrupted", "hook"
     std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
-    std::shared_ptr<struct RunRecord> record;  ///< of the last run
+    std::shared_ptr<struct RunRecord> record;            ///< of the last run
     std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
-    int runs = 0;                         ///< made so far
-    std::string described;                ///< all plans printed so far: a loop's runs are described once
-    int histories = 0;                    ///< kept by number so far
-    std::size_t unseen = 0;               ///< bytes that objects took outside Lua since all was collected
+    int runs = 0;                              ///< made so far
+    std::string described;                     ///< all plans printed so far: a loop's runs are described once
+    int histories = 0;                         ///< kept by number so far
+    std::size_t unseen = 0;                    ///< bytes that objects took outside Lua since all was collected
 };
-std::shared_ptr<Context> context(lua_State* L);   ///< throws InputError while Lua is being closed
+std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
 bool has_context(lua_State* L);
 void set_context(lua_State* L, std::shared_ptr<Context> c);
 
-/// Lua's collector sees a handle, not the megabytes behind it: each 16 MB that new objects took outside Lua make it collect all.
+/// Lua's collector sees a handle, not the megabytes behind it: each 16 MB that new objects took outside Lua make it
+/// collect all.
 void tell_collector(lua_State* L, std::size_t bytes);
 
-struct MaterialBox { static constexpr const char* lua_name = "hinge.material"; std::shared_ptr<const Material> value; };
-struct SectionBox { static constexpr const char* lua_name = "hinge.section"; std::shared_ptr<const Section> value; };
+struct MaterialBox {
+    static constexpr const char* lua_name = "hinge.material";
+    std::shared_ptr<const Material> value;
+};
+struct SectionBox {
+    static constexpr const char* lua_name = "hinge.section";
+    std::shared_ptr<const Section> value;
+};
 
 /// A model in a script's hands.
 struct ScriptModel : Model {
     using Model::Model;
-    std::string closed_at;                ///< the script's line that closed it, "" while it is open
+    std::string closed_at;  ///< the script's line that closed it, "" while it is open
     std::vector<std::weak_ptr<struct RunRecord>> runs;
 };
-struct ModelBox { static constexpr const char* lua_name = "hinge.model"; std::shared_ptr<ScriptModel> value; };
-struct NodeBox { static constexpr const char* lua_name = "hinge.node"; std::shared_ptr<ScriptModel> model; int index; };
-struct MemberBox { static constexpr const char* lua_name = "hinge.member"; std::shared_ptr<ScriptModel> model; int index; };
-struct GroupBox { static constexpr const char* lua_name = "hinge.group"; std::shared_ptr<ScriptModel> model; int index; std::string name; };
+struct ModelBox {
+    static constexpr const char* lua_name = "hinge.model";
+    std::shared_ptr<ScriptModel> value;
+};
+struct NodeBox {
+    static constexpr const char* lua_name = "hinge.node";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+struct MemberBox {
+    static constexpr const char* lua_name = "hinge.member";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+struct GroupBox {
+    static constexpr const char* lua_name = "hinge.group";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+    std::string name;
+};
 struct LoadBox {
     static constexpr const char* lua_name = "hinge.load";
     std::shared_ptr<ScriptModel> model;
-    int index;                            ///< its number
+    int index;  ///< its number
     int node;
-    std::string removed_at = {};          ///< the script's line that removed it, "" while it is there
+    std::string removed_at = {};  ///< the script's line that removed it, "" while it is there
 };
 
 /// A quantity of a node recorded at every step.
@@ -77,51 +100,64 @@ struct Probe {
     int component;
     std::string name;
     std::vector<double> time, value;
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.node, s.quantity, s.component, s.name, s.time, s.value); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.node, s.quantity, s.component, s.name, s.time, s.value);
+    }
 };
-struct ProbeBox { static constexpr const char* lua_name = "hinge.probe"; std::shared_ptr<Probe> value; };
+struct ProbeBox {
+    static constexpr const char* lua_name = "hinge.probe";
+    std::shared_ptr<Probe> value;
+};
 
 /// What a run's steps have left that a checkpoint keeps.
 struct Recorded {
     bool started = false, closed = false;
     long breaks_noted = 0;
-    std::vector<double> broken_at, left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
-    double wall = 0;                      ///< s in steps
+    std::vector<double> broken_at,
+        left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
+    double wall = 0;  ///< s in steps
     double worst_remainder = 0, last_remainder = 0, initial = 0;
-    long row_of = -1;                     ///< the step of the last row
+    long row_of = -1;  ///< the step of the last row
     template <class Self, class A>
-    static void fields(Self& s, A& a) { a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_remainder, s.last_remainder, s.initial, s.row_of); }
+    static void fields(Self& s, A& a) {
+        a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_remainder, s.last_remainder,
+          s.initial, s.row_of);
+    }
 };
 
 /// Where a run is kept, and how often.
 struct CheckpointPlan {
     std::string file;
-    double every = 60;                    ///< s
-    std::optional<LuaValue> keep;         ///< the script's table that is kept with it
+    double every = 60;             ///< s
+    std::optional<LuaValue> keep;  ///< the script's table that is kept with it
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
-    bool ended = false;                   ///< it holds the end of the run
+    bool ended = false;  ///< it holds the end of the run
 };
 
 /// A run with what is recorded of it.
 struct RunRecord : Recorded {
     std::shared_ptr<Run> run;
-    std::shared_ptr<ScriptModel> model;   ///< the script's own, to know its nodes and groups again
+    std::shared_ptr<ScriptModel> model;  ///< the script's own, to know its nodes and groups again
     std::vector<std::shared_ptr<Probe>> probes;
-    long every = 1;                       ///< steps between rows of history.csv; 0: none is kept
-    std::string rows;                     ///< not yet written
+    long every = 1;    ///< steps between rows of history.csv; 0: none is kept
+    std::string rows;  ///< not yet written
     std::string history_path;
-    std::string asked_at;                 ///< the script's line that made the run
-    bool begun = false;                   ///< its files are open
-    bool stepping = false;                ///< a step is going on: the script's functions may not ask for another
-    bool mid_step = false;                ///< the state is between two
+    std::string asked_at;   ///< the script's line that made the run
+    bool begun = false;     ///< its files are open
+    bool stepping = false;  ///< a step is going on: the script's functions may not ask for another
+    bool mid_step = false;  ///< the state is between two
     std::optional<CheckpointPlan> checkpoint;
-    std::string past;                     ///< of history.csv, from a checkpoint
-    long resumed_at = 0;                  ///< steps
-    std::vector<LuaFunction> on_step;     ///< called after each step
+    std::string past;                  ///< of history.csv, from a checkpoint
+    long resumed_at = 0;               ///< steps
+    std::vector<LuaFunction> on_step;  ///< called after each step
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     std::size_t wakings_shown = 0;
 };
-struct RunBox { static constexpr const char* lua_name = "hinge.run"; std::shared_ptr<RunRecord> value; };
+struct RunBox {
+    static constexpr const char* lua_name = "hinge.run";
+    std::shared_ptr<RunRecord> value;
+};
 
 std::string name_of(const NodeBox& n);
 std::string name_of(const MemberBox& m);
@@ -133,17 +169,22 @@ std::string name_of(const RunBox& r);
 /// "" for what is there, else since when it is not, as " of a model that was closed at script.lua:12".
 std::string gone(const ScriptModel& model);
 template <class T>
-std::string gone(const T& handle) { return gone(*handle.model); }
+std::string gone(const T& handle) {
+    return gone(*handle.model);
+}
 std::string gone(const LoadBox& l);
 std::string gone(const ModelBox& m);
 std::string gone(const RunBox& r);
 
-template <class T> requires requires(const T& handle) { name_of(handle); }
+template <class T>
+requires requires(const T& handle) { name_of(handle); }
 void refuse_gone(const T& handle, const std::string& function) {
-    if (const std::string since = gone(handle); !since.empty()) throw InputError(function + ": this is " + name_of(handle) + since);
+    if (const std::string since = gone(handle); !since.empty())
+        throw InputError(function + ": this is " + name_of(handle) + since);
 }
 
-/// Pushes the handle to the model's node, member, group or load of that number; while one is in use it is always the same one.
+/// Pushes the handle to the model's node, member, group or load of that number; while one is in use it is always the
+/// same one.
 template <class T, class... More>
 void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number, More&&... more) {
     push_handles(L, *model, T::lua_name);
@@ -167,39 +208,42 @@ void write_rows(RunRecord& r);
 /// One step, recorded. False at the end.
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
-void open_values(lua_State* L, int module);   ///< hinge.material, hinge.section
-void open_model(lua_State* L, int module);    ///< hinge.model
-void open_objects(lua_State* L);              ///< nodes, members, groups, loads
+void open_values(lua_State* L, int module);  ///< hinge.material, hinge.section
+void open_model(lua_State* L, int module);   ///< hinge.model
+void open_objects(lua_State* L);             ///< nodes, members, groups, loads
 void open_run(lua_State* L);
 void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
 
-int add_load(lua_State* L);                   ///< model:load
-int move_support(lua_State* L);               ///< model:move
-int fracture_rule(lua_State* L);              ///< model:fracture
-int contact_rule(lua_State* L);               ///< model:contact
-int static_run(lua_State* L);                 ///< model:static
-int dynamic_run(lua_State* L);                ///< model:dynamic
+int add_load(lua_State* L);       ///< model:load
+int move_support(lua_State* L);   ///< model:move
+int fracture_rule(lua_State* L);  ///< model:fracture
+int contact_rule(lua_State* L);   ///< model:contact
+int static_run(lua_State* L);     ///< model:static
+int dynamic_run(lua_State* L);    ///< model:dynamic
 
 /// Makes the run that model:static{} and model:dynamic{} return.
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
 MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);
-const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what, const Model* model = nullptr);
+const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what,
+                                               const Model* model = nullptr);
 void prepare_folder(const Context& c, const std::string& file);
 /// Whether somebody listens (core.on_run): such runs leave nothing.
 bool runs_are_measured(lua_State* L);
 /// The run made last of the model, nullptr when there is none.
 std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
-/// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is what is asked.
+/// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is
+/// what is asked.
 int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy = nullptr);
 /// Tells who listens (core.on_run) of the run on top of the stack.
 void tell_of_run(lua_State* L);
 /// The index of a node that the run has.
 int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
-/// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order of Probe::Quantity.
+/// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order
+/// of Probe::Quantity.
 const std::vector<std::string>& node_quantities();
 /// Number of the member's element that broke first and the time (s) of it, -inf where that was before this run.
 std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member);

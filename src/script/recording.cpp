@@ -15,11 +15,15 @@ double value_of(const Run& run, const Probe& p) {
         case Probe::Quantity::velocity: return run.state().velocity[p.node][p.component];
         case Probe::Quantity::acceleration: return run.state().acceleration[p.node][p.component];
         case Probe::Quantity::reaction: return run.reaction(p.node)[p.component];
-        default: return p.component < 3 ? run.state().displacement[p.node][p.component] : run.displacement(p.node)[p.component];
+        default:
+            return p.component < 3 ? run.state().displacement[p.node][p.component]
+                                   : run.displacement(p.node)[p.component];
     }
 }
 
-double abscissa(const Run& run) { return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time; }
+double abscissa(const Run& run) {
+    return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time;
+}
 
 namespace {
 
@@ -45,8 +49,8 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
             write_rows(*c->writer);
             c->writer->history_path = c->out_dir + "/history-" + std::to_string(++c->histories) + ".csv";
             std::rename(r.history_path.c_str(), c->writer->history_path.c_str());
-        }
-        else std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
+        } else
+            std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
         c->writer = record;
         std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder";
         for (const auto& p : r.probes) header += "," + p->name;
@@ -61,10 +65,13 @@ void add_row(RunRecord& r) {
     r.last_remainder = e.remainder;
     r.worst_remainder = std::max(r.worst_remainder, std::abs(e.remainder));
     const long step = r.run->state().step;
-    if (r.history_path.empty() || step < r.row_of) return;  // a run that failed may have gone back to its last good step
+    if (r.history_path.empty() || step < r.row_of)
+        return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
     char text[400];
-    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time, r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.numerical, e.work, e.remainder);
+    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time,
+                  r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.numerical,
+                  e.work, e.remainder);
     r.rows += text;
     for (const auto& p : r.probes) {
         std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));
@@ -84,7 +91,8 @@ void note_what_went(RunRecord& r) {
     for (std::size_t e = 0; e < s.broken.size(); ++e)
         if (s.broken[e] && std::isnan(r.broken_at[e])) r.broken_at[e] = now;
     for (std::size_t n = 0; n < s.gone.size(); ++n)
-        if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().elements_at(int(n)).empty()) r.left_at[n] = now;
+        if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().elements_at(int(n)).empty())
+            r.left_at[n] = now;
 }
 
 void show_progress(const Context& c, RunRecord& r, bool last) {
@@ -98,8 +106,11 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
     std::string bar(24, '-');
     for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
     char remainder[48] = "";
-    if (r.initial != 0) std::snprintf(remainder, sizeof remainder, "  remainder %+.2g %%", 100 * r.last_remainder / std::abs(r.initial));
-    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "", r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
+    if (r.initial != 0)
+        std::snprintf(remainder, sizeof remainder, "  remainder %+.2g %%",
+                      100 * r.last_remainder / std::abs(r.initial));
+    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "",
+                 r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
                  last ? "took " : "left ", last ? wall : left, remainder, screen && !last ? "" : "\n");
     std::fflush(stderr);
 }
@@ -125,7 +136,8 @@ void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         f.push(L);
         push<RunBox>(L, record);
         hold_anchor(L, *record->model);
-        call_hook(L, f, 1, 0, "run:on_step after step " + std::to_string(record->run->steps_done()) + ", which is done");
+        call_hook(L, f, 1, 0,
+                  "run:on_step after step " + std::to_string(record->run->steps_done()) + ", which is done");
     }
 }
 
@@ -141,7 +153,10 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     const auto c = context(L);
     c->running = L;
-    if (r.stepping) throw InputError("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done");
+    if (r.stepping)
+        throw InputError(
+            "run:step: called from a function of this very run, in the middle of a step; it steps on when that is "
+            "done");
     if (c->planning) return false;
     if (!r.begun) {
         begin_checkpoints(L, *c, r);
@@ -180,7 +195,8 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     for (const auto& list = r.run->wakings(); r.wakings_shown < list.size(); ++r.wakings_shown)
         if (c->progress) {
             const Run::Waking& w = list[r.wakings_shown];
-            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", isatty(2) ? "\r\033[K" : "", w.time, w.effect.c_str(), w.awake ? "awake" : "asleep", w.why.c_str());
+            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", isatty(2) ? "\r\033[K" : "", w.time, w.effect.c_str(),
+                         w.awake ? "awake" : "asleep", w.why.c_str());
         }
     const double pause = isatty(2) ? 0.2 : 10;
     if (seconds(now - r.start) > (isatty(2) ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {

@@ -5,7 +5,7 @@
 
 namespace hinge::script {
 
-double value_of(const Run& run, const Probe& probe);   ///< the probe's quantity now
-double abscissa(const Run& run);                       ///< time, s; in statics the load factor
+double value_of(const Run& run, const Probe& probe);  ///< the probe's quantity now
+double abscissa(const Run& run);                      ///< time, s; in statics the load factor
 
 }  // namespace hinge::script

@@ -17,10 +17,10 @@ namespace {
 
 Limits limits_;
 double instructions_ = 0;
-int stride_ = 1000;                       // instructions between two calls of the hook
+int stride_ = 1000;  // instructions between two calls of the hook
 volatile std::sig_atomic_t late_ = 0;
-char too_long_[160], too_much_[160];      // said where nothing can be formatted
-constexpr double grace = 0.5;             // s from the time limit to an end without the script's line
+char too_long_[160], too_much_[160];  // said where nothing can be formatted
+constexpr double grace = 0.5;         // s from the time limit to an end without the script's line
 
 [[noreturn]] void give_up(const char* message) {
     const auto written = ::write(2, message, std::strlen(message));
@@ -41,11 +41,17 @@ void watch(lua_State* L, lua_Debug*) {
     std::string place;
     try {
         place = where(L);
-    } catch (const std::bad_alloc&) {
-    }
+    } catch (const std::bad_alloc&) {}
     char text[400];
-    if (late_) std::snprintf(text, sizeof text, "hinge: %s: the script took more than %g s, the sandbox's limit; --seconds gives it more\n", place.c_str(), limits_.seconds);
-    else std::snprintf(text, sizeof text, "hinge: %s: the script took more than %g instructions, the sandbox's limit; --instructions gives it more\n", place.c_str(), limits_.instructions);
+    if (late_)
+        std::snprintf(text, sizeof text,
+                      "hinge: %s: the script took more than %g s, the sandbox's limit; --seconds gives it more\n",
+                      place.c_str(), limits_.seconds);
+    else
+        std::snprintf(
+            text, sizeof text,
+            "hinge: %s: the script took more than %g instructions, the sandbox's limit; --instructions gives it more\n",
+            place.c_str(), limits_.instructions);
     give_up(text);
 }
 
@@ -54,11 +60,15 @@ void watch(lua_State* L, lua_Debug*) {
 void confine(lua_State* L, const Limits& limits) {
     limits_ = limits;
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what the script said before it is stopped is not lost
-    std::snprintf(too_long_, sizeof too_long_, "hinge: the script took more than %g s, the sandbox's limit, in one call; --seconds gives it more\n", limits.seconds);
+    std::snprintf(too_long_, sizeof too_long_,
+                  "hinge: the script took more than %g s, the sandbox's limit, in one call; --seconds gives it more\n",
+                  limits.seconds);
 
     const rlimit room{rlim_t(limits.memory), rlim_t(limits.memory)};
     ::setrlimit(RLIMIT_DATA, &room);
-    std::snprintf(too_much_, sizeof too_much_, "hinge: not enough memory; the sandbox's limit is %.0fM, --memory gives more\n", limits.memory / (1 << 20));
+    std::snprintf(too_much_, sizeof too_much_,
+                  "hinge: not enough memory; the sandbox's limit is %.0fM, --memory gives more\n",
+                  limits.memory / (1 << 20));
     std::set_terminate([] { give_up(too_much_); });  // where C++ cannot pass on that there is no more
 
     struct sigaction action = {};

@@ -10,13 +10,14 @@
 
 namespace hinge::blocks {
 
-/// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are masked out.
-/// Arrays end with room for two more.
-using Wide __attribute__((vector_size(64), aligned(8), may_alias)) = double;  // this order: clang passes over aligned() in the other
+/// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are
+/// masked out. Arrays end with room for two more.
+using Wide __attribute__((vector_size(64), aligned(8), may_alias)) =
+    double;  // this order: clang passes over aligned() in the other
 constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 
-/// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight over
-/// two stores of six waits until both have left the core.
+/// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight
+/// over two stores of six waits until both have left the core.
 constexpr int stride = 8;
 
 inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
@@ -68,15 +69,19 @@ inline Wide times(const Number* B, const double* x) {
 /// B^T x; x is masked: its last two numbers are zero.
 template <class Number>
 inline Wide times_transposed(const Number* B, const Wide& x) {
-    const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x, p4 = load(B + 24) * x, p5 = load(B + 30) * x;
+    const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x,
+               p4 = load(B + 24) * x, p5 = load(B + 30) * x;
     const auto by_twos = [](const Wide& a, const Wide& b) {
-        return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) + __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+        return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14) +
+               __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
     };
     const auto by_fours = [](const Wide& a, const Wide& b) {
-        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) + __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13) +
+               __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
     };
     const Wide s45 = by_twos(p4, p5), q = by_fours(by_twos(p0, p1), by_twos(p2, p3)), r = by_fours(s45, s45);
-    return __builtin_shufflevector(q, r, 0, 1, 2, 3, 8, 9, 8, 9) + __builtin_shufflevector(q, r, 4, 5, 6, 7, 12, 13, 12, 13);
+    return __builtin_shufflevector(q, r, 0, 1, 2, 3, 8, 9, 8, 9) +
+           __builtin_shufflevector(q, r, 4, 5, 6, 7, 12, 13, 12, 13);
 }
 
 /// The inverse of a symmetric positive matrix from its 3x3 quarters, which Eigen inverts without loops.

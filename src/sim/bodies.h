@@ -7,7 +7,7 @@ namespace hinge {
 
 struct Bodies {
     int count = 0;
-    std::vector<int> of_node;   ///< -1: without an element
+    std::vector<int> of_node;  ///< -1: without an element
 };
 
 /// Bodies that whole elements hold together in `state`; numbered by their first nodes.

@@ -11,7 +11,9 @@ Mat3 frame(const Structure& structure, const State& state, int index) {
     return axes_of(place_element(structure, index, state));
 }
 
-Mat12 mass_matrix(const Structure& structure, const State& state, int index) { return structure.inertia(index).matrix(frame(structure, state, index)); }
+Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
+    return structure.inertia(index).matrix(frame(structure, state, index));
+}
 
 Vec12 element_velocity(const Element& e, const State& state) {
     Vec12 v;
@@ -22,8 +24,9 @@ Vec12 element_velocity(const Element& e, const State& state) {
 /// Momentum rows (linear, and angular about `about`) of nodal momenta p (12) at the element's nodes.
 Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& about) {
     Vec6 h;
-    h << p.segment<3>(0) + p.segment<3>(6),
-        p.segment<3>(3) + p.segment<3>(9) + (x1 - about).cross(Vec3(p.segment<3>(0))) + (x2 - about).cross(Vec3(p.segment<3>(6)));
+    h << p.segment<3>(0) + p.segment<3>(6), p.segment<3>(3) + p.segment<3>(9) +
+                                                (x1 - about).cross(Vec3(p.segment<3>(0))) +
+                                                (x2 - about).cross(Vec3(p.segment<3>(6)));
     return h;
 }
 
@@ -42,14 +45,16 @@ double kinetic_energy(const Structure& structure, const State& state, int index,
     const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
     const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = back * a.tail<3>(), wb = back * b.tail<3>();
     const beam::Inertia m = structure.inertia(index);
-    return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) + wb.dot(m.rotary[1].cwiseProduct(wb))) +
+    return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
+                  wb.dot(m.rotary[1].cwiseProduct(wb))) +
            m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
 }
 
 double kinetic_energy_of_stubs(const State& state) {
     double energy = 0;
     for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (state.hung[i].mass > 0) energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);
+        if (state.hung[i].mass > 0)
+            energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);
     return energy;
 }
 
@@ -67,8 +72,9 @@ Momentum momentum(const Structure& structure, const State& state) {
         if (state.broken[i]) continue;
         const Element& e = structure.elements()[i];
         const Mat12 M = mass_matrix(structure, state, int(i));
-        h += momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
-                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
+        h +=
+            momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
+                        structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
         total.mass += e.rigidity.rhoA * e.length;
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i) {
@@ -105,11 +111,15 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     const Vec3 span = where(freed) - where(carrier);
     const double stretch = e.length / span.norm();
     beam::Rigidity same_mass = e.rigidity;
-    same_mass.rhoA *= stretch; same_mass.rhoIx *= stretch; same_mass.rhoIy *= stretch;
-    const beam::Stub stub = structure.lumped() ? beam::lumped_stub(same_mass, span) : beam::rigid_stub(same_mass, span, axes);
+    same_mass.rhoA *= stretch;
+    same_mass.rhoIx *= stretch;
+    same_mass.rhoIy *= stretch;
+    const beam::Stub stub =
+        structure.lumped() ? beam::lumped_stub(same_mass, span) : beam::rigid_stub(same_mass, span, axes);
     const Mat6 stub_mass = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
 
-    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's velocity
+    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's
+    // velocity
     const Vec6 at_carrier = stub_mass * state.velocity[carrier];
     impulse[carrier] += carried - at_carrier;
     report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);

@@ -14,12 +14,17 @@ constexpr std::string_view magic("hinge\r\n\x1a", 8);
 struct Header {
     std::uint32_t format = checkpoint_format;
     char version[16] = HINGE_VERSION;
-    std::uint64_t length = 0;   ///< of what follows, bytes
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.format, s.version, s.length); }
+    std::uint64_t length = 0;  ///< of what follows, bytes
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.format, s.version, s.length);
+    }
 };
 constexpr std::size_t sum_at = magic.size(), header_at = sum_at + 4, rest_at = header_at + 28;
 
-std::uint32_t sum_of(std::string_view bytes) { return std::uint32_t(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size())); }
+std::uint32_t sum_of(std::string_view bytes) {
+    return std::uint32_t(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
 
 void put(std::string& bytes, std::size_t at, const auto& value) {
     std::string text;
@@ -33,7 +38,8 @@ void put(std::string& bytes, std::size_t at, const auto& value) {
 std::string checkpoint_of(const Dynamics& run, std::string beside) {
     std::string bytes(rest_at, '\0');
     Writer write(bytes);
-    write(Checkpoint{run.state().step, run.state().time, run.verdict() != Verdict::running, fingerprint(run), std::move(beside)});
+    write(Checkpoint{run.state().step, run.state().time, run.verdict() != Verdict::running, fingerprint(run),
+                     std::move(beside)});
     run.save(bytes);
     bytes.replace(0, magic.size(), magic);
     Header header;
@@ -44,8 +50,11 @@ std::string checkpoint_of(const Dynamics& run, std::string beside) {
 }
 
 Checkpoint open_checkpoint(std::string_view bytes, const std::string& path) {
-    const auto refuse = [&](const std::string& what) -> OutsideError { return OutsideError("checkpoint " + path + " " + what); };
-    if (bytes.size() < magic.size() ? !magic.starts_with(bytes) : !bytes.starts_with(magic)) throw refuse("is no checkpoint of hinge; is it the right file?");
+    const auto refuse = [&](const std::string& what) -> OutsideError {
+        return OutsideError("checkpoint " + path + " " + what);
+    };
+    if (bytes.size() < magic.size() ? !magic.starts_with(bytes) : !bytes.starts_with(magic))
+        throw refuse("is no checkpoint of hinge; is it the right file?");
     const char* const anew = "; go on from an older copy of it, or start the run anew";
     if (bytes.size() < rest_at) throw refuse("is cut short: " + std::to_string(bytes.size()) + " bytes" + anew);
     std::uint32_t sum = 0;
@@ -54,30 +63,33 @@ Checkpoint open_checkpoint(std::string_view bytes, const std::string& path) {
     reader(sum, header);
     const bool intact = sum_of(bytes.substr(header_at)) == sum;
     if (!intact && bytes.size() - rest_at < header.length)
-        throw refuse("is cut short or damaged: " + std::to_string(bytes.size()) + " bytes of " + std::to_string(rest_at + header.length) + anew);
-    if (!intact || bytes.size() - rest_at != header.length) throw refuse(std::string("is damaged: its checksum does not fit") + anew);
+        throw refuse("is cut short or damaged: " + std::to_string(bytes.size()) + " bytes of " +
+                     std::to_string(rest_at + header.length) + anew);
+    if (!intact || bytes.size() - rest_at != header.length)
+        throw refuse(std::string("is damaged: its checksum does not fit") + anew);
     header.version[15] = '\0';
     if (header.format != checkpoint_format)
-        throw refuse("is of format " + std::to_string(header.format) + ", written by hinge " + header.version + "; this is hinge " + HINGE_VERSION + ", which reads format " +
-                     std::to_string(checkpoint_format) + ": go on with the hinge that wrote it, or start the run anew");
+        throw refuse("is of format " + std::to_string(header.format) + ", written by hinge " + header.version +
+                     "; this is hinge " + HINGE_VERSION + ", which reads format " + std::to_string(checkpoint_format) +
+                     ": go on with the hinge that wrote it, or start the run anew");
     Checkpoint found;
     try {
         Reader rest(bytes.substr(rest_at));
         rest(found);
         found.run = rest.rest();
-    } catch (const Damaged& e) {
-        throw refuse(std::string("is damaged: ") + e.what() + anew);
-    }
+    } catch (const Damaged& e) { throw refuse(std::string("is damaged: ") + e.what() + anew); }
     return found;
 }
 
 void resume(Dynamics& run, const Checkpoint& from, const std::string& path) {
     if (const std::string other = difference(from.model, fingerprint(run)); !other.empty())
-        throw InputError("checkpoint " + path + " is of another run, with not the same " + other + "; give the script and parameters that it was written with, or start the run anew");
+        throw InputError("checkpoint " + path + " is of another run, with not the same " + other +
+                         "; give the script and parameters that it was written with, or start the run anew");
     try {
         run.restore(from.run);
     } catch (const Damaged& e) {
-        throw OutsideError("checkpoint " + path + " is damaged: " + e.what() + "; go on from an older copy of it, or start the run anew");
+        throw OutsideError("checkpoint " + path + " is damaged: " + e.what() +
+                           "; go on from an older copy of it, or start the run anew");
     }
 }
 

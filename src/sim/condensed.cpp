@@ -106,7 +106,8 @@ void Condensed<Number>::paint() {
 /// Where the column of a joint's entry lies: across the node between, if there is one and it is taken out.
 template <class Number>
 int Condensed<Number>::far(int place, int entry) const {
-    const int node = order_[place], next = other_node(structure_.elements()[structure_.elements_at(node)[entry - 1]], node);
+    const int node = order_[place],
+              next = other_node(structure_.elements()[structure_.elements_at(node)[entry - 1]], node);
     if (place_[next] >= 0) return place_[next];
     const Between& m = between_[which_[next]];
     return m.count < 2 ? place : place_[m.side[m.side[0] == node ? 1 : 0]];
@@ -138,7 +139,8 @@ void Condensed<Number>::lay_out() {
         for (int k = 1; k < first_[p + 1] - first_[p]; ++k) {
             at_[first_[p] + k] = far(p, k);
             const int next = other_node(structure_.elements()[structure_.elements_at(node)[k - 1]], node);
-            via_[first_[p] + k] = place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
+            via_[first_[p] + k] =
+                place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
         }
     }
     red_.clear();
@@ -150,7 +152,8 @@ void Condensed<Number>::lay_out() {
     for (int p = 0; p < places; ++p) {
         if (!takes_part(order_[p])) continue;
         staying_.push_back(p);
-        const bool red = p < joints_ && colour_[p] == Colour::red && !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
+        const bool red = p < joints_ && colour_[p] == Colour::red &&
+                         !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
         (red ? red_ : black_).push_back(p);
     }
 }
@@ -248,7 +251,9 @@ void Condensed<Number>::reduce(const double* right) {
             const int p = staying_[i];
             Wide sum = load_six(right + 6 * order_[p]);
             for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
-                if (const int via = via_[k]; via >= 0) sum -= times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
+                if (const int via = via_[k]; via >= 0)
+                    sum -=
+                        times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
             store(&r_[stride * p], sum);
         }
     });
@@ -257,7 +262,8 @@ void Condensed<Number>::reduce(const double* right) {
 template <class Number>
 void Condensed<Number>::solve_back(const double* right, double* x) const {
     team_.share(int(staying_.size()), piece, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) std::memcpy(x + 6 * order_[staying_[i]], &x_[stride * staying_[i]], 6 * sizeof(double));
+        for (int i = first; i < end; ++i)
+            std::memcpy(x + 6 * order_[staying_[i]], &x_[stride * staying_[i]], 6 * sizeof(double));
     });
     team_.share(int(going_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
@@ -277,7 +283,8 @@ void Condensed<Number>::follow(double alpha) {
             const int p = red_[i];
             store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
             Row row;
-            for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
             double sum[8];
             store(sum, row.sum());
             store(&d_[stride * p], -times(&inverse_[36 * std::size_t(p)], sum));
@@ -328,7 +335,8 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
             Row row;
-            for (int k = first_[p] + 1; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
             store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
             product += precondition(p);
             store(&d_[stride * p], load(&q_[stride * p]));
@@ -358,7 +366,8 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         rho = next;
         before = alpha;
         team_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
-            for (int i = first; i < end; ++i) store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
+            for (int i = first; i < end; ++i)
+                store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
         });
         ++report.iterations;
     }

@@ -26,7 +26,9 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
     return true;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point t) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count(); }
+double seconds_since(std::chrono::steady_clock::time_point t) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
+}
 
 }  // namespace
 
@@ -44,7 +46,8 @@ bool Dynamics::advance() {
     } catch (const HookError& e) {
         take_back();
         char at[100];
-        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1, state_.time + settings_.dt);
+        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1,
+                      state_.time + settings_.dt);
         throw HookError(e.what() + std::string(at));
     } catch (...) {
         if (has_rules_ || controlled()) take_back();
@@ -74,7 +77,7 @@ void Dynamics::take_step() {
         }
         if (stage.run != &Dynamics::correct) continue;
         if (again_) {
-            i = recover_at - 1;  // Newton: once more
+            i = recover_at - 1;   // Newton: once more
         } else if (from_rest_) {  // the stresses so far are those the last solve started from
             const auto settling = std::chrono::steady_clock::now();
             recover();
@@ -94,22 +97,26 @@ void Dynamics::restart() {
     loads();
 }
 
-/// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the fastest
-/// waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
+/// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
+/// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
 void Dynamics::predict() {
     const double dt = settings_.dt, beta = settings_.beta, alpha = settings_.alpha(), gamma = settings_.gamma();
     if (from_rest_) {
         for (std::size_t i = 0; i < increment_.size(); ++i) {
             trial_.displacement[i] = state_.displacement[i];
             increment_[i].setZero();
-            trial_.acceleration[i] = -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
-            trial_.velocity[i] = state_.velocity[i] + dt * ((1 - gamma) * state_.acceleration[i] + gamma * trial_.acceleration[i]);
-            if (alpha != 0) trial_.acceleration[i] = (1 - alpha) * trial_.acceleration[i] + alpha * state_.acceleration[i];
+            trial_.acceleration[i] =
+                -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
+            trial_.velocity[i] =
+                state_.velocity[i] + dt * ((1 - gamma) * state_.acceleration[i] + gamma * trial_.acceleration[i]);
+            if (alpha != 0)
+                trial_.acceleration[i] = (1 - alpha) * trial_.acceleration[i] + alpha * state_.acceleration[i];
         }
         move_supports();
         return move_to_increment(0, int(increment_.size()));
     }
-    const bool keep = operator_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
+    const bool keep =
+        operator_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
     team_.share(int(increment_.size()), some_nodes, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Lanes v = load_row<6>(state_.velocity[i].data()), a = load_row<6>(state_.acceleration[i].data());
@@ -139,8 +146,8 @@ void Dynamics::recover() {
     if (iteration_ == 0 && sweep_.twisted() >= 0) failure_ = sweep_.twisted_reason();
 }
 
-/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short steps,
-/// where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
+/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short
+/// steps, where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Dynamics::yield() {
     tangents_.resize(yielding_.size());
     double section[2];
@@ -156,7 +163,8 @@ void Dynamics::yield() {
         const Yielding& y = yielding_[i];
         const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
         const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
-        tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section, y.flow.lambda, active, n);
+        tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section,
+                                             y.flow.lambda, active, n);
         was_yielding_.push_back(y.element);
         const double same = from_rest_ || settings_.iterations > 1 ? 0 : same_tangent;
         const auto there = built_.find(y.element);
@@ -179,7 +187,8 @@ void Dynamics::renew_operator() {
         force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
         operator_->build(rebuild_, state_, trial_, given);
         for (std::size_t i = 0; i < rebuild_.size() && !support_parts_.empty(); ++i)
-            if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end()) at->second = operator_->part(rebuild_[i], state_, trial_, given[i]);
+            if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end())
+                at->second = operator_->part(rebuild_[i], state_, trial_, given[i]);
         force_.swap(state_.force);
         for (int e : rebuild_) {
             sweep_.mark_built(e, axes_of(place_element(*structure_, e, trial_)));
@@ -208,7 +217,8 @@ void Dynamics::solve() {
         return;
     }
     take_reactions(right);
-    // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to solve
+    // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to
+    // solve
     fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
     const double motion = team_.sum(nodes, some_nodes, [&](int first, int end) {
         double sum = 0;
@@ -224,14 +234,16 @@ void Dynamics::solve() {
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
     const SolveReport report = operator_->solve(right, change_, settings_.solver);
     if (!report.converged)
-        failure_ = settings_.solver.direct ? "the operator could not be factorised"
-                                           : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
-                                                 " iterations; a shorter dt makes the system easier";
+        failure_ = settings_.solver.direct
+                       ? "the operator could not be factorised"
+                       : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
+                             " iterations; a shorter dt makes the system easier";
 }
 
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
 void Dynamics::correct() {
-    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = settings_.gamma() * dt, to_a = 1 - settings_.alpha();
+    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = settings_.gamma() * dt,
+                 to_a = 1 - settings_.alpha();
     if (settings_.iterations > 1) {  // Newton that swings between two sets of hinges is held back
         double whole = 0;
         for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
@@ -243,7 +255,8 @@ void Dynamics::correct() {
             for (Vec6& c : change_) c *= damping_;
     }
     const bool by_spin = from_rest_ && structure_->large();
-    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of its vector
+    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of
+                  // its vector
         for (std::size_t i = 0; i < change_.size(); ++i) {
             const Vec3 before = increment_[i];
             trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
@@ -257,7 +270,8 @@ void Dynamics::correct() {
             store_row<6>(trial_.acceleration[i].data(), load_row<6>(trial_.acceleration[i].data()) + to_a * change);
             store_row<6>(trial_.velocity[i].data(), load_row<6>(trial_.velocity[i].data()) + to_v * change);
             store_row<3>(trial_.displacement[i].data(), load_row<3>(trial_.displacement[i].data()) + to_u * change);
-            if (!by_spin) store_row<3>(increment_[i].data(), load_row<3>(increment_[i].data()) + to_u * second_three(change));
+            if (!by_spin)
+                store_row<3>(increment_[i].data(), load_row<3>(increment_[i].data()) + to_u * second_three(change));
             sum += change * change;
         }
         if (!by_spin) move_to_increment(first, end);
@@ -280,9 +294,11 @@ void Dynamics::correct() {
         if (settings_.alpha() != 0) leave_met();
         if (built::fracture) keep_stub_momentum(change_);
     }
-    if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ && first_change_ > 1e-12)
+    if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ &&
+        first_change_ > 1e-12)
         failure_ = "Newton did not converge in " + std::to_string(iteration_) + " iterations (last correction " +
-                   std::to_string(std::sqrt(size / first_change_)) + " of the first); a shorter dt or more iterations may help";
+                   std::to_string(std::sqrt(size / first_change_)) +
+                   " of the first); a shorter dt or more iterations may help";
 }
 
 /// What was tried becomes the state.
@@ -303,7 +319,8 @@ void Dynamics::commit() {
     if (from_rest_) {
         hinges_ = yielding_;
         for (Yielding& y : hinges_)
-            for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;  // the next step's D_p is that of a beginning
+            for (double& lambda : y.flow.lambda)
+                lambda = lambda > 0 ? 1e-300 : 0;  // the next step's D_p is that of a beginning
     }
     for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
         take_up_ = true;
@@ -356,7 +373,8 @@ void Dynamics::commit() {
         to_break_.clear();
         restart_ = true;
     }
-    if (controlled() && restart_) kept_remainder_ = energy().remainder;  // what breaking and letting go left in the ledger is no step's
+    if (controlled() && restart_)
+        kept_remainder_ = energy().remainder;  // what breaking and letting go left in the ledger is no step's
     watch_effects();
     ++state_.step;
     pace_.done += pace_.length;
@@ -381,7 +399,8 @@ void Dynamics::take_back() {
     set_length(undo_.pace.length);
     state_.booked = undo_.booked;
     pace_ = undo_.pace;
-    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age, fastest_ = undo_.fastest;
+    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age,
+    fastest_ = undo_.fastest;
     to_break_.clear();
     if (!with_contact()) return;
     state_.contact->take_back();
@@ -414,12 +433,14 @@ void Dynamics::take_reactions(std::vector<Vec6>& right) {
 /// Takes up what each piece of the nodes found: squared speeds.
 void Dynamics::note_fastest() {
     for (const Fastest& f : fastest_of_)
-        if (f.speed > fastest_.speed * fastest_.speed) fastest_ = {std::sqrt(f.speed), f.node, state_.time + settings_.dt};
+        if (f.speed > fastest_.speed * fastest_.speed)
+            fastest_ = {std::sqrt(f.speed), f.node, state_.time + settings_.dt};
 }
 
 std::string Dynamics::name_the_culprit() const {
     for (std::size_t i = 0; i < force_.size(); ++i)
-        if (!state_.broken[i] && !force_[i].allFinite()) return "the forces of " + structure_->element_name(int(i)) + " are not finite";
+        if (!state_.broken[i] && !force_[i].allFinite())
+            return "the forces of " + structure_->element_name(int(i)) + " are not finite";
     for (std::size_t i = 0; i < nodal_.size(); ++i)
         if (!nodal_[i].allFinite()) return "the forces at " + structure_->node_name(int(i)) + " are not finite";
     for (std::size_t i = 0; i < external_.size(); ++i)

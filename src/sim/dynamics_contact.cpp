@@ -12,13 +12,16 @@ void Dynamics::contact() {
     if (bars_changed_) list_bars();
     place_contact(state_.displacement);
     std::vector<Vec6>& foreseen = nodal_;  // free until stresses are recovered
-    for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
+    for (std::size_t i = 0; i < foreseen.size(); ++i)
+        foreseen[i] = state_.velocity[i] + (0.5 * settings_.dt) * state_.acceleration[i];
     contact::PairRule rule_of;
     const std::vector<ContactRule>& rules = structure_->model().contact();
-    if (rules.size() > 1 || rules[0].between || rules[0].pairs) rule_of = [this](int a, int b) { return contact_rule(a, b); };
+    if (rules.size() > 1 || rules[0].between || rules[0].pairs)
+        rule_of = [this](int a, int b) { return contact_rule(a, b); };
     std::optional<contact::Contact> before;
     if (pace_.length > pace_.own) before = state_.contact;
-    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen}, settings_.dt, state_.time, rule_of);
+    const int bound = state_.contact->detect(bars_, bars_changed_, {contact_position_, state_.rotation, foreseen},
+                                             settings_.dt, state_.time, rule_of);
     if (before && !state_.contact->idle()) {  // too long a step to touch in
         state_.contact = std::move(before);
         take_steps_of(pace_.own);
@@ -43,7 +46,8 @@ void Dynamics::part() {
     std::vector<contact::LetGo> parted;
     const double let_go = contact.release(time, &parted);
     for (Vec6& n : impulse) n.setZero();
-    const contact::Contact::Settled settled = contact.settle(time, settings_.dt, contact_position_, trial_.rotation, impulse);
+    const contact::Contact::Settled settled =
+        contact.settle(time, settings_.dt, contact_position_, trial_.rotation, impulse);
     state_.booked.contact_released += let_go + settled.heat;
     if (settled.missed) add_missed(impulse, settled.work);
     for (const contact::LetGo& bond : parted)
@@ -60,7 +64,8 @@ void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
     const double root = k.linear * k.linear + 4 * k.square * work;
     double x = 1;
     if (root >= 0 && k.square > 0) {
-        const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square, near = far != 0 ? -work / k.square / far : 1;
+        const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square,
+                     near = far != 0 ? -work / k.square / far : 1;
         const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
         if (std::abs(exact - 1) < 0.5) x = exact;
     }
@@ -68,8 +73,8 @@ void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
     for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
 }
 
-/// What a bond still held when it was let go springs back at once, along its own forces and so that the two bars part. They
-/// are in balance, so momentum is kept; so is the energy.
+/// What a bond still held when it was let go springs back at once, along its own forces and so that the two bars part.
+/// They are in balance, so momentum is kept; so is the energy.
 double Dynamics::give_back(const contact::LetGo& bond) {
     std::vector<Vec6>& impulse = nodal_;
     for (Vec6& n : impulse) n.setZero();
@@ -85,8 +90,8 @@ double Dynamics::give_back(const contact::LetGo& bond) {
         const Vec6& v = change_[bond.end[i].node];
         opening += bond.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
     }
-    // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself. The force goes,
-    // and so does its part of that: M a+ = M a- + f.
+    // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself. The
+    // force goes, and so does its part of that: M a+ = M a- + f.
     double power = 2 * k.square;
     for (std::size_t i = 0; i < impulse.size(); ++i) power -= 2 * impulse[i].dot(trial_.acceleration[i]);
     const double held_back = -0.5 * (settings_.beta - 0.5 * settings_.gamma()) * settings_.dt * settings_.dt * power;
@@ -100,7 +105,8 @@ double Dynamics::give_back(const contact::LetGo& bond) {
 
 void Dynamics::place_contact(const std::vector<Vec3>& displacement) {
     contact_position_.resize(displacement.size());
-    for (std::size_t i = 0; i < displacement.size(); ++i) contact_position_[i] = structure_->position()[i] + displacement[i];
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+        contact_position_[i] = structure_->position()[i] + displacement[i];
 }
 
 /// By which of contact's rules two elements meet; the script's own rule is asked once for each pair of members.
@@ -111,14 +117,16 @@ int Dynamics::contact_rule(int element_a, int element_b) {
     const ContactRule& rule = structure_->model().contact()[declared];
     if (!rule.pairs) return state_.contact->rule(rule.settings);
     const auto known = pair_rules_.find({a, b});
-    const std::optional<contact::ContactSettings>& own = known != pair_rules_.end() ? known->second : pair_rules_[{a, b}] = rule.pairs(a, b);
+    const std::optional<contact::ContactSettings>& own =
+        known != pair_rules_.end() ? known->second : pair_rules_[{a, b}] = rule.pairs(a, b);
     return own ? state_.contact->rule(*own) : -1;
 }
 
 /// What began and ended in the step: marked, and told to the script.
 void Dynamics::note_contacts() {
     for (const contact::ContactEvent& event : state_.contact->events()) {
-        const int a = structure_->elements()[event.element[0]].member, b = structure_->elements()[event.element[1]].member;
+        const int a = structure_->elements()[event.element[0]].member,
+                  b = structure_->elements()[event.element[1]].member;
         const int declared = structure_->model().contact_rule(a, b);
         if (declared < 0) continue;
         const ContactRule& rule = structure_->model().contact()[declared];
@@ -133,7 +141,9 @@ void Dynamics::note_contacts() {
 void Dynamics::renew_couplings(const std::vector<Quat>& rotation) {
     if (!operator_) return;
     std::vector<Coupling> couplings;
-    state_.contact->add_stiffness(contact_position_, rotation, [&](int a, int b, const Mat12& K) { couplings.push_back({a, b, K}); });
+    state_.contact->add_stiffness(contact_position_, rotation, [&](int a, int b, const Mat12& K) {
+        couplings.push_back({a, b, K});
+    });
     operator_->set_couplings(std::move(couplings));
 }
 

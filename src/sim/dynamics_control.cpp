@@ -1,7 +1,8 @@
 // Dynamics, whether a step is kept: step control.
 //
-// A step may lose its share of what the run may lose, or whatever the steps before it have left over. One that would lose more,
-// turns a node too far, or cannot be solved is taken back before anything was told of it, and tried again half as long.
+// A step may lose its share of what the run may lose, or whatever the steps before it have left over. One that would
+// lose more, turns a node too far, or cannot be solved is taken back before anything was told of it, and tried again
+// half as long.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +11,9 @@
 namespace hinge {
 namespace {
 
-constexpr double most_turn = 0.5;    ///< rad: of a node in a step
-constexpr int most_easy = 1 << 20;   ///< more is not counted
-constexpr double advance_part = 0.1; ///< of what may be lost, there from the beginning
+constexpr double most_turn = 0.5;     ///< rad: of a node in a step
+constexpr int most_easy = 1 << 20;    ///< more is not counted
+constexpr double advance_part = 0.1;  ///< of what may be lost, there from the beginning
 
 }  // namespace
 
@@ -21,7 +22,8 @@ Energy Dynamics::energy_of_trial() {
     const Booked booked = state_.booked;
     std::vector<Vec6> plastic;
     const auto exchange = [this] {
-        state_.displacement.swap(trial_.displacement), state_.rotation.swap(trial_.rotation), state_.turn.swap(trial_.turn), state_.velocity.swap(trial_.velocity);
+        state_.displacement.swap(trial_.displacement), state_.rotation.swap(trial_.rotation),
+            state_.turn.swap(trial_.turn), state_.velocity.swap(trial_.velocity);
     };
     state_.booked.work += work_of_loads() + work_of_supports();
     state_.booked.numerical += numerical_;
@@ -50,17 +52,25 @@ void Dynamics::weigh() {
             }
     const double before = turned_over_;
     const Energy energy = energy_of_trial();
-    const double share = remainder_share(energy), of_run = double(pace_.length) / double(pace_.whole), so_far = double(pace_.done) / double(pace_.whole);
-    const double may = settings_.step_control * turned_over_, lost = std::abs(energy.remainder) - std::abs(kept_remainder_);
+    const double share = remainder_share(energy), of_run = double(pace_.length) / double(pace_.whole),
+                 so_far = double(pace_.done) / double(pace_.whole);
+    const double may = settings_.step_control * turned_over_,
+                 lost = std::abs(energy.remainder) - std::abs(kept_remainder_);
     const bool within = std::abs(energy.remainder) <= may * (advance_part + (1 - advance_part) * (so_far + of_run));
     if (share == 0 || (std::isfinite(share) && (within || lost <= may * of_run))) {
         kept_remainder_ = energy.remainder;
-        pace_.easy = lost <= 0.25 * may * of_run || std::abs(energy.remainder) <= 0.5 * may * (advance_part + (1 - advance_part) * so_far) ? std::min(pace_.easy + 1, most_easy) : 0;
+        pace_.easy = lost <= 0.25 * may * of_run ||
+                             std::abs(energy.remainder) <= 0.5 * may * (advance_part + (1 - advance_part) * so_far)
+                         ? std::min(pace_.easy + 1, most_easy)
+                         : 0;
         return;
     }
     char what[160];
     if (!std::isfinite(share)) std::snprintf(what, sizeof what, "its energy would no longer be finite");
-    else std::snprintf(what, sizeof what, "the step would lose %.3g %% of the energy turned over, its share of step_control is %.3g %%", 100 * lost / turned_over_, 100 * settings_.step_control * of_run);
+    else
+        std::snprintf(what, sizeof what,
+                      "the step would lose %.3g %% of the energy turned over, its share of step_control is %.3g %%",
+                      100 * lost / turned_over_, 100 * settings_.step_control * of_run);
     failure_ = what;
     turned_over_ = before;
 }

@@ -11,7 +11,8 @@ void Dynamics::accelerate() {
     const double half = 0.5 * settings_.dt;
     const std::vector<Vec6>& inverse = mass_->lumped_inverse();
     const auto move = [&](int i, const Lanes& a, Fastest& most) {
-        const Lanes v = load_row<6>(state_.velocity[i].data()) + half * (load_row<6>(state_.acceleration[i].data()) + a);
+        const Lanes v =
+            load_row<6>(state_.velocity[i].data()) + half * (load_row<6>(state_.acceleration[i].data()) + a);
         store_row<6>(trial_.acceleration[i].data(), a);
         store_row<6>(trial_.velocity[i].data(), v);
         if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};

@@ -61,7 +61,8 @@ void Dynamics::move_supports() {
         if (state_.gone[m.node]) continue;
         trial_.displacement[m.node][m.component] = m.next;
         trial_.velocity[m.node][m.component] = m.speed;
-        trial_.acceleration[m.node][m.component] = (1 - settings_.alpha()) * m.acceleration + settings_.alpha() * state_.acceleration[m.node][m.component];
+        trial_.acceleration[m.node][m.component] =
+            (1 - settings_.alpha()) * m.acceleration + settings_.alpha() * state_.acceleration[m.node][m.component];
     }
 }
 
@@ -104,9 +105,9 @@ double Dynamics::work_on_momentum(const std::vector<Vec6>& velocity) const {
     return work;
 }
 
-/// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what they do beyond that,
-/// so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean velocity, dv_N as Newmark has it and b the mean
-/// acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M b).
+/// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what they
+/// do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean velocity, dv_N
+/// as Newmark has it and b the mean acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M b).
 double Dynamics::work_of_supports() const {
     const double dt = settings_.dt, beta = settings_.beta, gamma = settings_.gamma();
     const bool damped = settings_.alpha() != 0;
@@ -114,11 +115,15 @@ double Dynamics::work_of_supports() const {
     for (const Moved& m : moved_) {
         if (state_.gone[m.node]) continue;
         work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
-        const double v = state_.velocity[m.node][m.component], a = state_.acceleration[m.node][m.component], next_a = trial_.acceleration[m.node][m.component];
-        const double j = m.speed - v - dt * ((1 - gamma) * a + gamma * next_a), k = m.next - m.now - dt * v - dt * dt * ((0.5 - beta) * a + beta * next_a);
+        const double v = state_.velocity[m.node][m.component], a = state_.acceleration[m.node][m.component],
+                     next_a = trial_.acceleration[m.node][m.component];
+        const double j = m.speed - v - dt * ((1 - gamma) * a + gamma * next_a),
+                     k = m.next - m.now - dt * v - dt * dt * ((0.5 - beta) * a + beta * next_a);
         const double mv = 0.5 * (momentum_at(m, state_.velocity) + momentum_at(m, trial_.velocity));
-        const double mdv = dt * ((1 - gamma) * momentum_at(m, state_.acceleration) + gamma * momentum_at(m, trial_.acceleration));
-        const double mb = 0.5 * (momentum_at(m, damped ? met_ : state_.acceleration) + momentum_at(m, damped ? next_met_ : trial_.acceleration));
+        const double mdv =
+            dt * ((1 - gamma) * momentum_at(m, state_.acceleration) + gamma * momentum_at(m, trial_.acceleration));
+        const double mb = 0.5 * (momentum_at(m, damped ? met_ : state_.acceleration) +
+                                 momentum_at(m, damped ? next_met_ : trial_.acceleration));
         work += j * mv + 0.5 * j * mdv - k * mb;
     }
     return work;
@@ -128,7 +133,8 @@ double Dynamics::work_of_loads() const {
     double work = 0;
     for (const Loaded& l : loaded_) {
         const Vec6 mean = 0.5 * (l.now + l.before);
-        work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) + mean.tail<3>().dot(increment_[l.node]);
+        work += mean.head<3>().dot(trial_.displacement[l.node] - state_.displacement[l.node]) +
+                mean.tail<3>().dot(increment_[l.node]);
     }
     return work;
 }

@@ -7,18 +7,21 @@
 namespace hinge {
 namespace {
 
-/// A stub's inertia about its own axis is a thousandth of that across: its part of the operator must not lag by more than
-/// 2 mrad, the cosine of whose half this is.
+/// A stub's inertia about its own axis is a thousandth of that across: its part of the operator must not lag by more
+/// than 2 mrad, the cosine of whose half this is.
 constexpr double hung_turn = 1 - 5e-7;
 
 }  // namespace
 
-/// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a step
-/// of a force that is no longer there would go into the velocities.
+/// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a
+/// step of a force that is no longer there would go into the velocities.
 void Dynamics::find_acceleration() {
-    std::vector<double> given;   // of the supports that move
+    std::vector<double> given;  // of the supports that move
     for (const Moved& m : moved_) given.push_back(state_.acceleration[m.node][m.component]);
-    const auto give = [&] { for (std::size_t i = 0; i < moved_.size(); ++i) state_.acceleration[moved_[i].node][moved_[i].component] = given[i]; };
+    const auto give = [&] {
+        for (std::size_t i = 0; i < moved_.size(); ++i)
+            state_.acceleration[moved_[i].node][moved_[i].component] = given[i];
+    };
     for (Vec6& a : state_.acceleration) a.setZero();
     give();
     trial_ = pose_of(state_);
@@ -29,14 +32,15 @@ void Dynamics::find_acceleration() {
     for (std::size_t i = 0; i < nodal_.size(); ++i) nodal_[i] = external_[i] - nodal_[i];
     take_reactions(nodal_);
     mass_->solve(nodal_, state_.acceleration, state_, 1e-12);
-    if (explicit_steps()) give();   // else the support's own mass is in its reaction
+    if (explicit_steps()) give();  // else the support's own mass is in its reaction
     for (Moved& m : moved_) m.force = reaction_[m.node][m.component] + momentum_at(m, state_.acceleration, false);
     give();
     yielding_.clear();
     restart_ = false;
     if (settings_.alpha() != 0) met_ = state_.acceleration;
     stub_rate_ = tried_stub_rate_;
-    for (std::size_t i = 0; i < stub_rate_.size(); ++i) stub_rate_[i] += state_.acceleration[i].tail<3>().cross(state_.rotation[i] * state_.hung[i].moment);
+    for (std::size_t i = 0; i < stub_rate_.size(); ++i)
+        stub_rate_[i] += state_.acceleration[i].tail<3>().cross(state_.rotation[i] * state_.hung[i].moment);
 }
 
 /// M alone, of what turned or broke since it was last needed.
@@ -47,7 +51,8 @@ void Dynamics::renew_mass(const Pose& pose) {
     mass_stale_.clear();
 }
 
-/// change_ = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to it.
+/// change_ = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to
+/// it.
 Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
     Kick out;
     right_ = impulse;
@@ -78,8 +83,10 @@ void Dynamics::add_hung_inertia() {
         const HungMass& h = state_.hung[i];
         if (h.mass == 0) continue;
         const Mat3 R = trial_.rotation[i].toRotationMatrix();
-        const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(), w = trial_.velocity[i].tail<3>();
-        const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body), Ja = R * (h.inertia * (R.transpose() * alpha));
+        const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(),
+                   w = trial_.velocity[i].tail<3>();
+        const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body),
+                   Ja = R * (h.inertia * (R.transpose() * alpha));
         tried_stub_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
         nodal_[i].head<3>() += h.mass * a + tried_stub_rate_[i];
         nodal_[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
@@ -87,9 +94,9 @@ void Dynamics::add_hung_inertia() {
     }
 }
 
-/// A stub's part of the momentum, w x S, turns with it: over a step it changes by a little else than the trapezium rule makes of the
-/// rates that the forces met. The node takes the difference, so that linear momentum stays what it was. Called with the change
-/// of the acceleration since the stresses were recovered.
+/// A stub's part of the momentum, w x S, turns with it: over a step it changes by a little else than the trapezium rule
+/// makes of the rates that the forces met. The node takes the difference, so that linear momentum stays what it was.
+/// Called with the change of the acceleration since the stresses were recovered.
 void Dynamics::keep_stub_momentum(const std::vector<Vec6>& change) {
     const double alpha = settings_.alpha(), gamma = settings_.gamma();
     next_stub_rate_ = tried_stub_rate_;
@@ -98,12 +105,16 @@ void Dynamics::keep_stub_momentum(const std::vector<Vec6>& change) {
         if (h.mass == 0) continue;
         const Vec3 S = state_.rotation[i] * h.moment, next_S = trial_.rotation[i] * h.moment;
         const Vec3 S_met = operator_ ? Vec3(hung_built_[i] * h.moment) : next_S;
-        next_stub_rate_[i] = (tried_stub_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * stub_rate_[i]) / (1 - alpha);
+        next_stub_rate_[i] =
+            (tried_stub_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * stub_rate_[i]) /
+            (1 - alpha);
         const Vec3 met = settings_.dt * ((1 - gamma) * stub_rate_[i] + gamma * next_stub_rate_[i]);
         double mass = h.mass;
         for (int e : structure_->elements_at(int(i)))
-            if (!state_.broken[e]) mass += 0.5 * structure_->elements()[e].rigidity.rhoA * structure_->elements()[e].length;
-        const Vec3 missed = (trial_.velocity[i].tail<3>().cross(next_S) - state_.velocity[i].tail<3>().cross(S) - met) / mass;
+            if (!state_.broken[e])
+                mass += 0.5 * structure_->elements()[e].rigidity.rhoA * structure_->elements()[e].length;
+        const Vec3 missed =
+            (trial_.velocity[i].tail<3>().cross(next_S) - state_.velocity[i].tail<3>().cross(S) - met) / mass;
         for (int c = 0; c < 3; ++c)
             if (!(state_.held[i] >> c & 1)) trial_.velocity[i][c] -= missed[c];
     }

@@ -1,9 +1,9 @@
 // Dynamics, how long the next step is: dt = "auto" of Newmark's method.
 //
-// The shortest step lets an axial wave cross the shortest element in twelve; it is the step of an impact. In free flight, and
-// while nothing yields, breaks or touches, steps are eight times that, as long as the accelerations change little within one: where
-// something vibrates, they do not. Touches and loads are foreseen: a long step in which a touch would begin, or a load changes, is
-// not taken.
+// The shortest step lets an axial wave cross the shortest element in twelve; it is the step of an impact. In free
+// flight, and while nothing yields, breaks or touches, steps are eight times that, as long as the accelerations change
+// little within one: where something vibrates, they do not. Touches and loads are foreseen: a long step in which a
+// touch would begin, or a load changes, is not taken.
 //
 // With step control, a step that was taken back is halved, and steps grow again once that has gone well for a while.
 #include <algorithm>
@@ -14,17 +14,20 @@
 namespace hinge {
 namespace {
 
-constexpr long long_step = 8;       ///< of the shortest
-constexpr int calm_steps = 20;      ///< before steps are long: K anew costs as much as ten steps
-constexpr int first_patience = 8;   ///< halved steps that must go well before they are doubled; twice as many after each that does not
+constexpr long long_step = 8;   ///< of the shortest
+constexpr int calm_steps = 20;  ///< before steps are long: K anew costs as much as ten steps
+constexpr int first_patience =
+    8;  ///< halved steps that must go well before they are doubled; twice as many after each that does not
 constexpr int most_patience = 512;
-constexpr double jump_limit = 1e-3; ///< dt |da| against |v| in a long step, weighted by mass: its error is a twelfth of that
+constexpr double jump_limit =
+    1e-3;  ///< dt |da| against |v| in a long step, weighted by mass: its error is a twelfth of that
 
 }  // namespace
 
 double Dynamics::shortest_step(const Structure& structure, double duration) {
     double waves = 0;  // crossings a second
-    for (const Element& e : structure.elements()) waves = std::max(waves, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    for (const Element& e : structure.elements())
+        waves = std::max(waves, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
     return duration / std::ceil(duration * std::max(12 * waves, crossing(structure, 1) / 0.9));
 }
 
@@ -48,17 +51,22 @@ void Dynamics::choose_step() {
     if (pace_.easy >= pace_.patience) pace_.patience = first_patience;
     if (!settings_.automatic) return;
     const long longest = long_step * pace_.own;
-    const double longer = double(longest) / double(pace_.length);  // da grows with dt: what a short step says of a long one
-    const bool calm = !in_contact() && yielding_.empty() && !restart_ && moved_.empty() && rule_loads_.empty() && jump_ * longer * longer <= jump_limit;
+    const double longer =
+        double(longest) / double(pace_.length);  // da grows with dt: what a short step says of a long one
+    const bool calm = !in_contact() && yielding_.empty() && !restart_ && moved_.empty() && rule_loads_.empty() &&
+                      jump_ * longer * longer <= jump_limit;
     pace_.calm = calm ? pace_.calm + 1 : 0;
     const bool fits = pace_.done + longest <= pace_.whole;
-    take_steps_of(fits && calm && (pace_.length > pace_.own || pace_.calm >= calm_steps) && !loads_change() ? longest : pace_.own);
+    take_steps_of(fits && calm && (pace_.length > pace_.own || pace_.calm >= calm_steps) && !loads_change()
+                      ? longest
+                      : pace_.own);
 }
 
 void Dynamics::take_steps_of(long length) {
     if (length == pace_.length) return;
     if (std::max(length, pace_.length) > pace_.own)
-        note_waking("long steps", length > pace_.own, length > pace_.own ? "nothing yields, breaks or touches" : "back to the shortest");
+        note_waking("long steps", length > pace_.own,
+                    length > pace_.own ? "nothing yields, breaks or touches" : "back to the shortest");
     else if (length == pace_.own) note_waking("short steps", false, "back to dt");
     set_length(length);
 }

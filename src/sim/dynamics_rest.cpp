@@ -8,8 +8,8 @@
 namespace hinge {
 namespace {
 
-/// A body is at rest if what is out of balance in it is less than this part of what holds it: a static run leaves 1e-8 or so.
-/// Moments count as forces at the ends of its longest element.
+/// A body is at rest if what is out of balance in it is less than this part of what holds it: a static run leaves 1e-8
+/// or so. Moments count as forces at the ends of its longest element.
 constexpr double balanced = 1e-6;
 
 /// Steps without anything to do after which an effect is said to sleep.
@@ -17,8 +17,8 @@ constexpr long quiet_steps = 100;
 
 }  // namespace
 
-/// Puts to rest every body that does not move, that nothing will move but contact, and whose forces are in balance. Called with
-/// nodal_ as find_acceleration left it: what is out of balance.
+/// Puts to rest every body that does not move, that nothing will move but contact, and whose forces are in balance.
+/// Called with nodal_ as find_acceleration left it: what is out of balance.
 void Dynamics::let_rest() {
     const Bodies bodies = find_bodies(*structure_, state_);
     std::vector<char> rests(bodies.count, 1);
@@ -33,7 +33,9 @@ void Dynamics::let_rest() {
         const int b = bodies.of_node[n];
         if (b < 0) continue;
         if (!state_.velocity[n].isZero(0) || (!state_.hung.empty() && state_.hung[n].mass > 0)) rests[b] = 0;
-        const auto size = [&](const Vec6& f) { return f.head<3>().squaredNorm() + f.tail<3>().squaredNorm() / (arm[b] * arm[b]); };
+        const auto size = [&](const Vec6& f) {
+            return f.head<3>().squaredNorm() + f.tail<3>().squaredNorm() / (arm[b] * arm[b]);
+        };
         out[b] += size(nodal_[n]);
         holding[b] += size(external_[n]);
         if (const auto r = reaction_.find(int(n)); r != reaction_.end()) holding[b] += size(r->second);
@@ -41,7 +43,8 @@ void Dynamics::let_rest() {
     for (const Moved& m : moved_)
         if (bodies.of_node[m.node] >= 0) rests[bodies.of_node[m.node]] = 0;
     for (const NodalLoad& load : structure_->model().loads())
-        if ((load.history || load.follows_state()) && bodies.of_node[load.node] >= 0) rests[bodies.of_node[load.node]] = 0;
+        if ((load.history || load.follows_state()) && bodies.of_node[load.node] >= 0)
+            rests[bodies.of_node[load.node]] = 0;
     for (const contact::Touch& t : state_.contact ? state_.contact->touches() : std::vector<contact::Touch>{})
         for (int e : t.element) rests[bodies.of_node[structure_->elements()[e].node[0]]] = 0;
     for (const contact::Bond& t : state_.contact ? state_.contact->bonds() : std::vector<contact::Bond>{})
@@ -62,7 +65,8 @@ void Dynamics::let_rest() {
     const int count = int(std::count(rests.begin(), rests.end(), 1));
     long elements = 0;
     for (const Element& e : structure_->elements()) elements += resting_[e.node[0]] >= 0;
-    note_waking(count == 1 ? "body" : std::to_string(count) + " bodies", false, std::to_string(elements) + " elements at rest until something reaches them");
+    note_waking(count == 1 ? "body" : std::to_string(count) + " bodies", false,
+                std::to_string(elements) + " elements at rest until something reaches them");
     std::erase_if(held_nodes_, [&](int n) { return resting_[n] >= 0; });
     for (std::size_t e = 0; e < structure_->elements().size(); ++e)
         if (!state_.broken[e] && resting_[structure_->elements()[e].node[0]] >= 0) sweep_.drop(int(e));
@@ -86,7 +90,9 @@ void Dynamics::wake_bodies() {
     for (const auto& [element, end] : to_break_) heed(element, "broken");
     if (with_contact()) heed_pairs(state_.contact->touches()), heed_pairs(state_.contact->bonds());
     if (woken.empty()) return;
-    const auto wakes = [&](int node) { return resting_[node] >= 0 && std::find(woken.begin(), woken.end(), resting_[node]) != woken.end(); };
+    const auto wakes = [&](int node) {
+        return resting_[node] >= 0 && std::find(woken.begin(), woken.end(), resting_[node]) != woken.end();
+    };
     for (std::size_t e = 0; e < structure_->elements().size(); ++e)
         if (!state_.broken[e] && wakes(structure_->elements()[e].node[0])) sweep_.raise(int(e));
     for (int n = 0; n < int(resting_.size()); ++n)
@@ -127,11 +133,16 @@ void Dynamics::watch_effects() {
             if (!looked) return std::string("members bound or touching");
             char text[64];
             std::snprintf(text, sizeof text, "2 bodies within %.2g m: ", std::max(0.0, nearest.distance));
-            return text + structure_->element_name(nearest.element[0]) + " and " + structure_->element_name(nearest.element[1]);
+            return text + structure_->element_name(nearest.element[0]) + " and " +
+                   structure_->element_name(nearest.element[1]);
         });
     }
     if (can_yield())
-        watch(plasticity_sleeper_, !yielding_.empty(), [&] { return std::to_string(yielding_.size()) + (yielding_.size() == 1 ? " element flows: " : " elements flow: ") + structure_->element_name(yielding_[0].element); });
+        watch(plasticity_sleeper_, !yielding_.empty(), [&] {
+            return std::to_string(yielding_.size()) +
+                   (yielding_.size() == 1 ? " element flows: " : " elements flow: ") +
+                   structure_->element_name(yielding_[0].element);
+        });
 }
 
 }  // namespace hinge

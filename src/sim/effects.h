@@ -1,4 +1,5 @@
-// Which effects a scene calls for, and why: decided once, when a run is made; an effect that is off has no stage in the step.
+// Which effects a scene calls for, and why: decided once, when a run is made; an effect that is off has no stage in the
+// step.
 #pragma once
 
 #include <string>

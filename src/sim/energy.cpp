@@ -19,11 +19,13 @@ double Ledger::potential(const State& state) const {
         if (state.broken[i]) continue;
         const Element& e = structure_.elements()[i];
         const beam::Inertia m = structure_.inertia(int(i));
-        for (int end : {0, 1}) moment += m.weight(end) * (structure_.position()[e.node[end]] + state.displacement[e.node[end]]);
+        for (int end : {0, 1})
+            moment += m.weight(end) * (structure_.position()[e.node[end]] + state.displacement[e.node[end]]);
     }
     for (std::size_t i = 0; i < state.hung.size(); ++i)
         if (state.hung[i].mass > 0)
-            moment += state.hung[i].mass * (structure_.position()[i] + state.displacement[i]) + state.rotation[i] * state.hung[i].moment;
+            moment += state.hung[i].mass * (structure_.position()[i] + state.displacement[i]) +
+                      state.rotation[i] * state.hung[i].moment;
     return -moment.dot(g);
 }
 
@@ -62,7 +64,8 @@ Energy Ledger::balance(const State& state) const {
     e.contact = e.contact_stored + e.contact_released;
     e.numerical = now.numerical - then.numerical;
     e.work = now.work - then.work;
-    e.remainder = e.initial + e.work - (e.kinetic + e.gravity + e.elastic + e.plastic + e.fracture + e.contact + e.numerical);
+    e.remainder =
+        e.initial + e.work - (e.kinetic + e.gravity + e.elastic + e.plastic + e.fracture + e.contact + e.numerical);
     return e;
 }
 

@@ -5,18 +5,19 @@
 
 namespace hinge {
 
-/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact + numerical): the numerical error.
+/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact + numerical): the
+/// numerical error.
 struct Energy {
-    double initial = 0;   ///< kinetic + elastic at the start of the run
+    double initial = 0;  ///< kinetic + elastic at the start of the run
     double kinetic = 0;
-    double gravity = 0;   ///< potential, zero at the start of the run
+    double gravity = 0;  ///< potential, zero at the start of the run
     double elastic = 0;
     double plastic = 0;   ///< dissipated in hinges since the start of the run
     double fracture = 0;  ///< let go by fracture: strain energy, and kinetic energy of stubs
     double contact = 0;   ///< stored in bonds and touches now; let go with bonds, heat of friction
     double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
-    double numerical = 0; ///< taken out by a dissipative integrator
-    double work = 0;      ///< done by loads (not gravity)
+    double numerical = 0;  ///< taken out by a dissipative integrator
+    double work = 0;       ///< done by loads (not gravity)
     double remainder = 0;
 };
 
@@ -25,7 +26,10 @@ public:
     /// Takes `start` as the zero of everything that is counted from the start of the run.
     Ledger(const Structure& structure, const State& start);
     Energy balance(const State& state) const;
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.potential_at_start_, s.booked_at_start_, s.initial_); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.potential_at_start_, s.booked_at_start_, s.initial_);
+    }
 
 private:
     double potential(const State& state) const;

@@ -1,4 +1,5 @@
-// What a run was made of, part by part as a count and a checksum, to know a checkpoint of another model or other settings.
+// What a run was made of, part by part as a count and a checksum, to know a checkpoint of another model or other
+// settings.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,17 @@
 namespace hinge {
 
 struct FingerprintPart {
-    std::string name;        ///< "nodes", "members", ...
+    std::string name;  ///< "nodes", "members", ...
     std::uint64_t count = 0;
-    std::uint32_t sum = 0;   ///< CRC-32 of all its numbers
-    template <class Self, class A> static void fields(Self& s, A& a) { a(s.name, s.count, s.sum); }
+    std::uint32_t sum = 0;  ///< CRC-32 of all its numbers
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.name, s.count, s.sum);
+    }
 };
 
-/// Everything declared and every setting that changes bits. Of functions, whether there is one: what it does cannot be seen.
+/// Everything declared and every setting that changes bits. Of functions, whether there is one: what it does cannot be
+/// seen.
 std::vector<FingerprintPart> fingerprint(const Dynamics& run);
 
 /// "members (40 there, 38 here) and loads"; "" where they are the same.

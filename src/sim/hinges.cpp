@@ -7,11 +7,13 @@ namespace hinge {
 void move_point(const Structure& structure, State& state, int element, double s) {
     const Element& e = structure.elements()[element];
     const Vec6& p = state.force[element];
-    state.plastic[element] += stiffness_now(structure, state, element).solve(p) - beam::stiffness(e.rigidity, e.length, s).solve(p);
+    state.plastic[element] +=
+        stiffness_now(structure, state, element).solve(p) - beam::stiffness(e.rigidity, e.length, s).solve(p);
     state.point[element] = s;
 }
 
-std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding, std::vector<int>& flowing) {
+std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,
+                             std::vector<int>& flowing) {
     const std::vector<int> before = flowing;
     for (int e : before) state.hinge[e] = 0;
     flowing.clear();
@@ -20,7 +22,8 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
         state.plastic_work[y.element] += y.flow.dissipation;
         state.booked.plastic += y.flow.dissipation;
         std::uint8_t bits = hinge_at_middle;
-        if (!structure.conventional()) bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);
+        if (!structure.conventional())
+            bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);
         state.hinge[y.element] = bits;
         state.yielded[y.element] |= bits;
         flowing.push_back(y.element);

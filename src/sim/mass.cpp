@@ -43,8 +43,10 @@ Part part_of(const Structure& structure, int index, const State& state, const Po
     return part;
 }
 
-/// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as preconditioner.
-void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change, const State& state, double tolerance) {
+/// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as
+/// preconditioner.
+void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change, const State& state,
+                         double tolerance) {
     const std::size_t n = r.size();
     const Pose pose = pose_of(state);
     std::vector<Part> part(structure.elements().size());
@@ -52,9 +54,13 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
     std::vector<Mat3> own_rotary(n, Mat3::Zero());
     for (std::size_t i = 0; i < part.size(); ++i) {
         part[i] = part_of(structure, int(i), state, pose);
-        for (int node : structure.elements()[i].node) own_mass[node] += 2 * part[i].mass, own_rotary[node] += 2 * part[i].rotary;
+        for (int node : structure.elements()[i].node)
+            own_mass[node] += 2 * part[i].mass, own_rotary[node] += 2 * part[i].rotary;
     }
-    struct Stubs { int node; Mat6 mass, inverse; };
+    struct Stubs {
+        int node;
+        Mat6 mass, inverse;
+    };
     std::vector<Stubs> stubs;
     for (std::size_t i = 0; i < n; ++i) {
         if (has_stubs(state, int(i))) {
@@ -132,7 +138,8 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
     else
         for (int e : elements) take_up(e);
     for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (has_stubs(state, int(i))) blocks_->parts.set_hung(int(i), hung_in_space(state.hung[i], pose.rotation[i])), mark(int(i));
+        if (has_stubs(state, int(i)))
+            blocks_->parts.set_hung(int(i), hung_in_space(state.hung[i], pose.rotation[i])), mark(int(i));
 }
 
 void Mass::renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose) {
@@ -179,7 +186,8 @@ void Mass::keep_blocks(const State& state) {
 
 void Mass::make_blocks() {
     const int nodes = int(structure_.position().size());
-    blocks_.reset(new Blocks{Parts(structure_, false, true), Condensed<double>(structure_, alone_), {}, std::vector<char>(nodes, 0)});
+    blocks_.reset(new Blocks{
+        Parts(structure_, false, true), Condensed<double>(structure_, alone_), {}, std::vector<char>(nodes, 0)});
     for (int node = 0; node < nodes; ++node) mark(node);
 }
 

@@ -1,8 +1,10 @@
-// M by itself: what an impulse does to the nodes. Needed whenever forces begin or end at once, and in every explicit step.
+// M by itself: what an impulse does to the nodes. Needed whenever forces begin or end at once, and in every explicit
+// step.
 //
-// Consistent (paper, after eq 15): the first solution, a run's start, goes over the elements and puts nothing together; a run that
-// needs more keeps M by blocks (parts.h) and solves on its joints (condensed.h). Lumped: half of each element on each of its nodes, the rotary inertia the section's polar one about every axis, so
-// that a node's spin needs no frame and no gyroscopic moment.
+// Consistent (paper, after eq 15): the first solution, a run's start, goes over the elements and puts nothing together;
+// a run that needs more keeps M by blocks (parts.h) and solves on its joints (condensed.h). Lumped: half of each
+// element on each of its nodes, the rotary inertia the section's polar one about every axis, so that a node's spin
+// needs no frame and no gyroscopic moment.
 #pragma once
 
 #include <memory>
@@ -17,23 +19,27 @@ public:
     /// Of all whole elements and the stubs, where `state` has them.
     Mass(const Structure& structure, const State& state);
 
-    /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing but as stubs.
-    /// Before the first call of it a solution takes the elements where `state` has them.
+    /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing
+    /// but as stubs. Before the first call of it a solution takes the elements where `state` has them.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
     /// Stubs alone: where `pose` has turned them.
     void turn_stubs(const State& state, const Pose& pose);
-    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the residual,
-    /// relative; lumped masses need none.
+    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the
+    /// residual, relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
 
-    /// Lumped: of each node's elements, a number for each freedom, 1/kg and 1/(kg m^2); zero where it is held or nothing is left.
+    /// Lumped: of each node's elements, a number for each freedom, 1/kg and 1/(kg m^2); zero where it is held or
+    /// nothing is left.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6 in space. The
-    /// inverse is of the freedoms that are not held; one for those that are.
+    /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6
+    /// in space. The inverse is of the freedoms that are not held; one for those that are.
     struct Heavy {
         int node;
         Mat6 elements, stubs, inverse;
-        template <class Self, class A> static void fields(Self& s, A& a) { a(s.node, s.elements, s.stubs, s.inverse); }
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.node, s.elements, s.stubs, s.inverse);
+        }
     };
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
@@ -61,10 +67,15 @@ private:
 
     const Structure& structure_;
     std::vector<Vec6> lumped_inverse_;
-    std::vector<Heavy> heavy_;                                  ///< in order of their nodes
-    struct Blocks { Parts parts; Condensed<double> condensed; std::vector<int> dirty; std::vector<char> is_dirty; };
+    std::vector<Heavy> heavy_;  ///< in order of their nodes
+    struct Blocks {
+        Parts parts;
+        Condensed<double> condensed;
+        std::vector<int> dirty;
+        std::vector<char> is_dirty;
+    };
     Team alone_;
-    std::unique_ptr<Blocks> blocks_;                            ///< consistent, from the first renew on
+    std::unique_ptr<Blocks> blocks_;  ///< consistent, from the first renew on
 };
 
 }  // namespace hinge

@@ -64,11 +64,13 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
     std::vector<RigidMotion> motions;
     for (int i = 0; i < 6; ++i)
         if (solver.eigenvalues()[i] < 1e-12 * std::max(1.0, solver.eigenvalues()[5]))
-            motions.push_back({centre, solver.eigenvectors().col(i).head<3>(), solver.eigenvectors().col(i).tail<3>() / reach});
+            motions.push_back(
+                {centre, solver.eigenvectors().col(i).head<3>(), solver.eigenvectors().col(i).tail<3>() / reach});
     return motions;
 }
 
-std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count) {
+std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
+                                        int count) {
     const Matrices of(structure, nodes);
     const int wanted = std::min(rigid + count, of.size), width = std::min(of.size, std::max(2 * wanted, wanted + 8));
     if (wanted <= rigid) return {};
@@ -80,7 +82,8 @@ std::vector<double> natural_frequencies(const Structure& structure, const std::v
     Eigen::VectorXd values = Eigen::VectorXd::Zero(width);
     for (int iteration = 0; iteration < 100; ++iteration) {
         const Eigen::MatrixXd inverted = factors.solve(M * X);
-        const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(inverted).householderQ() * Eigen::MatrixXd::Identity(of.size, width);
+        const Eigen::MatrixXd Q =
+            Eigen::HouseholderQR<Eigen::MatrixXd>(inverted).householderQ() * Eigen::MatrixXd::Identity(of.size, width);
         const Eigen::MatrixXd MQ = M * Q, KQ = of.K.selfadjointView<Eigen::Lower>() * Q;
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(Q.transpose() * KQ, Q.transpose() * MQ);
         const Eigen::VectorXd change = small.eigenvalues() - values;

@@ -1,4 +1,5 @@
-// Natural vibration, K x = w^2 M x, of a structure as it is declared, without load; and the rigid motions that its supports leave it.
+// Natural vibration, K x = w^2 M x, of a structure as it is declared, without load; and the rigid motions that its
+// supports leave it.
 #pragma once
 
 #include <vector>
@@ -7,20 +8,24 @@
 
 namespace hinge {
 
-/// A motion of a body as if it were rigid, that strains nothing and moves no support: the turn w (rad) about `centre` (m) and the
-/// shift v (m) of that point.
-struct RigidMotion { Vec3 centre, v, w; };
+/// A motion of a body as if it were rigid, that strains nothing and moves no support: the turn w (rad) about `centre`
+/// (m) and the shift v (m) of that point.
+struct RigidMotion {
+    Vec3 centre, v, w;
+};
 
-/// All of them that are independent of each other, for the body that these nodes make up: six where it is free, none where its
-/// supports hold it. Members join their nodes rigidly, so what a body can do without resistance is this and no more.
+/// All of them that are independent of each other, for the body that these nodes make up: six where it is free, none
+/// where its supports hold it. Members join their nodes rigidly, so what a body can do without resistance is this and
+/// no more.
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes);
 
-/// The lowest `count` circular frequencies (rad/s, rising) of the body that these nodes make up, after the zero ones of its
-/// `rigid` free motions. Fewer where it has fewer freedoms. Every element must have mass.
+/// The lowest `count` circular frequencies (rad/s, rising) of the body that these nodes make up, after the zero ones of
+/// its `rigid` free motions. Fewer where it has fewer freedoms. Every element must have mass.
 ///
-/// Subspace iteration (K.-J. Bathe, Solution methods for large generalized eigenvalue problems in structural engineering, UC
-/// SESM 71-20, Berkeley 1971) with K + a M in factors: a is 0 for a supported body, else 1e-9 of the ratio of the sums of their
-/// diagonals. Stopped when the frequencies change by less than 1e-10 of themselves.
-std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count);
+/// Subspace iteration (K.-J. Bathe, Solution methods for large generalized eigenvalue problems in structural
+/// engineering, UC SESM 71-20, Berkeley 1971) with K + a M in factors: a is 0 for a supported body, else 1e-9 of the
+/// ratio of the sums of their diagonals. Stopped when the frequencies change by less than 1e-10 of themselves.
+std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
+                                        int count);
 
 }  // namespace hinge

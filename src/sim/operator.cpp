@@ -12,8 +12,14 @@
 
 namespace hinge {
 
-Operator::Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric, Keeping keeping)
-    : structure_(structure), team_(team), mass_factor_(mass_factor), stiffness_factor_(stiffness_factor), geometric_(geometric), keeping_(keeping),
+Operator::Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric,
+                   Keeping keeping)
+    : structure_(structure),
+      team_(team),
+      mass_factor_(mass_factor),
+      stiffness_factor_(stiffness_factor),
+      geometric_(geometric),
+      keeping_(keeping),
       parts_(structure, keeping == Keeping::narrow, keeping != Keeping::unsymmetric) {
     const int n = int(structure.position().size());
     if (keeping == Keeping::narrow) narrow_ = std::make_unique<Condensed<float>>(structure, team);
@@ -32,7 +38,8 @@ Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6
     const Mat3 axes = axes_of(place);
     const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
     const auto stiffness = [&](bool geometric) {
-        return structure_.large() ? beam::tangent(place, state.force[index], k, geometric) : beam::linear_tangent(axes.transpose(), e.length, k);
+        return structure_.large() ? beam::tangent(place, state.force[index], k, geometric)
+                                  : beam::linear_tangent(axes.transpose(), e.length, k);
     };
     const Mat12 K = stiffness(geometric_);
     Mat12 A;
@@ -41,14 +48,17 @@ Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6
     if (mass_factor_ == 0) return A;
     const Mat12 M = mass_factor_ * structure_.inertia(index).matrix(axes);
     A += M;
-    if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) && A.llt().info() != Eigen::Success)
+    if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
+        A.llt().info() != Eigen::Success)
         A = stiffness_factor_ * stiffness(false) + M;
     return A;
 }
 
-void Operator::build(const std::vector<int>& elements, const State& state, const Pose& pose, const std::vector<const Mat6*>& tangents) {
+void Operator::build(const std::vector<int>& elements, const State& state, const Pose& pose,
+                     const std::vector<const Mat6*>& tangents) {
     team_.share(int(elements.size()), 64, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) parts_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
+        for (int i = first; i < end; ++i)
+            parts_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
     });
     for (int index : elements)
         for (int node : structure_.elements()[index].node) mark(node);
@@ -129,7 +139,8 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
         else out = factor_.solve(b);
         return {0, out.allFinite()};
     }
-    const SolveReport report = narrow_ ? narrow_->solve(right[0].data(), x[0].data(), settings) : condensed_->solve(right[0].data(), x[0].data(), settings);
+    const SolveReport report = narrow_ ? narrow_->solve(right[0].data(), x[0].data(), settings)
+                                       : condensed_->solve(right[0].data(), x[0].data(), settings);
     counts_.iterations += report.iterations;
     return report;
 }
@@ -141,12 +152,14 @@ bool Operator::factorise() {
     const auto add = [&](int row, int column, const Mat6& block) {
         for (int c = 0; c < 6; ++c)
             for (int r = 0; r < 6; ++r)
-                if (const double v = block(r, c); v != 0 && (unsymmetric || 6 * row + r >= 6 * column + c)) entries.emplace_back(6 * row + r, 6 * column + c, v);
+                if (const double v = block(r, c); v != 0 && (unsymmetric || 6 * row + r >= 6 * column + c))
+                    entries.emplace_back(6 * row + r, 6 * column + c, v);
     };
     const int n = int(structure_.position().size());
     for (int i = 0; i < n; ++i) add(i, i, parts_.own(i));
     for (std::size_t e = 0; e < structure_.elements().size(); ++e)
-        for (int end : {0, 1}) add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], parts_.across(int(e), end));
+        for (int end : {0, 1})
+            add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], parts_.across(int(e), end));
     for (const Coupling& p : couplings_)
         for (int a : {0, 1})
             for (int b : {0, 1}) add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b));
@@ -183,7 +196,9 @@ double Operator::time_product(int repeats) const {
     std::vector<int> first(1, 0), column;
     std::vector<double> value;
     value.reserve(36 * (std::size_t(n) + 2 * structure_.elements().size()) + 8);
-    const auto add = [&](int j, const Mat6& m) { column.push_back(j), value.insert(value.end(), m.data(), m.data() + 36); };
+    const auto add = [&](int j, const Mat6& m) {
+        column.push_back(j), value.insert(value.end(), m.data(), m.data() + 36);
+    };
     for (int i = 0; i < n; ++i) {
         add(i, parts_.own(i));
         for (int e : structure_.elements_at(int(i))) {

@@ -1,5 +1,5 @@
-// The left side of a step: A = m M + k K by blocks of 6x6, rebuilt only where something changed, and its solution: by conjugate
-// gradients (condensed.h), or by factors.
+// The left side of a step: A = m M + k K by blocks of 6x6, rebuilt only where something changed, and its solution: by
+// conjugate gradients (condensed.h), or by factors.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -17,26 +17,30 @@ enum class Keeping : std::uint8_t {
     direct,       ///< for factors: initial stress stays in, whatever it does to an element's part
     unsymmetric,  ///< the tangent's unsymmetric part too (an applied moment is not conservative); for LU
     iterative,    ///< for conjugate gradients: initial stress stays out of a part that it would make indefinite
-    narrow,       ///< likewise, in single precision: half the memory to go through. Good where inertia rules A (steps no longer than
-                  ///< the fastest waves need): the solution is a change of the accelerations, and what it lacks the next step sees
+    narrow,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A (steps no
+             ///< longer than the fastest waves need): the solution is a change of the accelerations, and what it lacks
+             ///< the next step sees
 };
 
 class Operator {
 public:
-    Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric, Keeping keeping);
+    Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric,
+             Keeping keeping);
 
-    /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null: elastic).
-    void build(const std::vector<int>& elements, const State& state, const Pose& pose, const std::vector<const Mat6*>& tangents);
+    /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null:
+    /// elastic).
+    void build(const std::vector<int>& elements, const State& state, const Pose& pose,
+               const std::vector<const Mat6*>& tangents);
     void remove(int element);
     /// Another k: every element must be built anew, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
     /// Replaces everything that joins nodes beside the elements: bonds (12x12, already a stiffness) and hung masses.
     void set_couplings(std::vector<Coupling> couplings);
     void set_hung(int node, const Mat6& mass);
-    void set_held(const std::vector<std::uint8_t>& held);   ///< rows and columns taken out
+    void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
 
-    /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing couples them to
-    /// others, and their solution is zero. Empty: none.
+    /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing
+    /// couples them to others, and their solution is zero. Empty: none.
     void leave_out(const std::vector<int>& resting);
 
     /// Takes up what changed.
@@ -44,22 +48,28 @@ public:
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
     /// Factorises A as it stands. False when it is singular.
     bool factorise();
-    /// After factorise: the freedom (6 node + component) that can move with next to no resistance, -1 when there is none.
+    /// After factorise: the freedom (6 node + component) that can move with next to no resistance, -1 when there is
+    /// none.
     int loosest_freedom(double ratio) const;
-    /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the yardstick of a step.
+    /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the
+    /// yardstick of a step.
     double time_product(int repeats) const;
 
     /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
     Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
     Mat12 element_part(int element) const { return parts_.whole(element); }
 
-    struct Counts { long built = 0, iterations = 0, solves = 0, factorisations = 0; };
+    struct Counts {
+        long built = 0, iterations = 0, solves = 0, factorisations = 0;
+    };
     const Counts& counts() const { return counts_; }
 
-    /// What a checkpoint holds: the blocks as they were built, at one time or another. What follows from them is found anew.
+    /// What a checkpoint holds: the blocks as they were built, at one time or another. What follows from them is found
+    /// anew.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.stiffness_factor_, s.parts_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves, s.counts_.factorisations);
+        a(s.stiffness_factor_, s.parts_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves,
+          s.counts_.factorisations);
         if constexpr (A::reading) a.must(s.take_up_all());
     }
 
@@ -76,7 +86,7 @@ private:
     std::vector<Coupling> couplings_;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> narrow_;
-    std::vector<int> dirty_;                    // nodes
+    std::vector<int> dirty_;  // nodes
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
     std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu_;

@@ -8,7 +8,11 @@ constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
 }  // namespace
 
 Parts::Parts(const Structure& structure, bool narrow, bool symmetric)
-    : structure_(structure), narrow_(narrow), symmetric_(symmetric), stride_(symmetric ? packed : full), held_(structure.fixed()) {
+    : structure_(structure),
+      narrow_(narrow),
+      symmetric_(symmetric),
+      stride_(symmetric ? packed : full),
+      held_(structure.fixed()) {
     const std::size_t numbers = stride_ * structure.elements().size();
     empty_.assign(structure.elements().size(), 0);
     if (narrow) narrow_part_.assign(numbers, 0);
@@ -97,7 +101,8 @@ Mat6 Parts::own(int node) const {
     for (int e : structure_.elements_at(node)) {
         if (empty_[e]) continue;
         const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
-        sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end) : own_of(&wide_part_[stride_ * std::size_t(e)], end);
+        sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end)
+                       : own_of(&wide_part_[stride_ * std::size_t(e)], end);
     }
     if (!hung_.empty()) sum += hung_[node];
     sum = masked(node, node, sum);
@@ -109,7 +114,8 @@ Mat6 Parts::own(int node) const {
 Mat6 Parts::across(int element, int end) const {
     const Element& e = structure_.elements()[element];
     return masked(e.node[end], e.node[1 - end],
-                  narrow_ ? across_of(&narrow_part_[stride_ * std::size_t(element)], end) : across_of(&wide_part_[stride_ * std::size_t(element)], end));
+                  narrow_ ? across_of(&narrow_part_[stride_ * std::size_t(element)], end)
+                          : across_of(&wide_part_[stride_ * std::size_t(element)], end));
 }
 
 }  // namespace hinge

@@ -15,8 +15,8 @@ public:
     Parts(const Structure& structure, bool narrow, bool symmetric);
 
     void set(int element, const Mat12& A);
-    void clear(int element);                                     ///< it broke
-    bool empty(int element) const { return empty_[element]; }    ///< cleared: its blocks are zero
+    void clear(int element);                                   ///< it broke
+    bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     Mat12 whole(int element) const;
     void set_hung(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
@@ -33,7 +33,8 @@ public:
         const std::size_t numbers[] = {s.wide_part_.size(), s.narrow_part_.size(), s.empty_.size(), s.held_.size()};
         a(s.wide_part_, s.narrow_part_, s.empty_, s.hung_, s.held_);
         if constexpr (A::reading)
-            a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] && s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
+            a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] &&
+                   s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
                    (s.hung_.empty() || s.hung_.size() == s.held_.size()));
     }
 
@@ -46,11 +47,11 @@ private:
 
     const Structure& structure_;
     bool narrow_, symmetric_;
-    int stride_;                        // numbers a part: two halves of own blocks and the block across, or all 144
+    int stride_;  // numbers a part: two halves of own blocks and the block across, or all 144
     LargeVector<double> wide_part_;
     LargeVector<float> narrow_part_;
     std::vector<char> empty_;
-    std::vector<Mat6> hung_;            // of each node, empty if none
+    std::vector<Mat6> hung_;  // of each node, empty if none
     std::vector<std::uint8_t> held_;
 };
 

@@ -16,7 +16,9 @@ const char* name(Verdict v) {
 }
 
 Run::Run(std::shared_ptr<const Structure> structure, State start)
-    : structure_(std::move(structure)), state_(std::move(start)), ledger_(*structure_, state_),
+    : structure_(std::move(structure)),
+      state_(std::move(start)),
+      ledger_(*structure_, state_),
       first_step_(state_.step) {}
 
 void Run::stop() {
@@ -48,7 +50,8 @@ double Run::yield_value(int element) const {
     if (state_.broken[element]) return 0;
     const Element& e = structure_->elements()[element];
     if (structure_->conventional()) return beam::yield_function(state_.force[element], 0, e.yield);
-    return std::max(beam::yield_function(state_.force[element], -1, e.yield), beam::yield_function(state_.force[element], 1, e.yield));
+    return std::max(beam::yield_function(state_.force[element], -1, e.yield),
+                    beam::yield_function(state_.force[element], 1, e.yield));
 }
 
 Run::Counts Run::count_members(int group) const {

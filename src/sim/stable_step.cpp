@@ -15,7 +15,8 @@ namespace {
 double highest(const Element& e) {
     const auto T = beam::linear_deformation(e.length);
     Mat12 K = T.transpose() * e.stiffness.matrix() * T;
-    const Vec12 root = beam::lumped_inertia(e.rigidity, e.length).matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
+    const Vec12 root =
+        beam::lumped_inertia(e.rigidity, e.length).matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
     K = root.asDiagonal() * K * root.asDiagonal();
     return Eigen::SelfAdjointEigenSolver<Mat12>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
 }
@@ -28,7 +29,8 @@ StableStep stable_step(const Structure& structure) {
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
         const MemberData& member = structure.model().members()[e.member];
-        const auto [at, fresh] = known.try_emplace({member.section.get(), member.material.get(), std::round(1e9 * e.length)}, 0);
+        const auto [at, fresh] =
+            known.try_emplace({member.section.get(), member.material.get(), std::round(1e9 * e.length)}, 0);
         if (fresh) at->second = 2 / std::sqrt(highest(e));
         if (at->second < least.dt) least = {at->second, int(i)};
     }

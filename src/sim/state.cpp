@@ -36,25 +36,30 @@ bool makes_sense(const State& s, const Structure& structure) {
     const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
     const auto long_as = [](std::size_t n, const auto&... arrays) { return ((arrays.size() == n) && ...); };
     const auto none_or = [](std::size_t n, const auto& array) { return array.empty() || array.size() == n; };
-    const bool whole = long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) && long_as(structure.large() ? 0 : nodes, s.turn) &&
-                       long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) && none_or(nodes, s.hung) &&
-                       none_or(elements, s.stub);
+    const bool whole =
+        long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) &&
+        long_as(structure.large() ? 0 : nodes, s.turn) &&
+        long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) &&
+        none_or(nodes, s.hung) && none_or(elements, s.stub);
     if (!whole) return false;
     for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
         if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
     return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
-           std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) && (!any_broken || (!s.hung.empty() && !s.stub.empty()));
+           std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) &&
+           (!any_broken || (!s.hung.empty() && !s.stub.empty()));
 }
 
 bool is_finite(const State& s) {
     const auto finite = [](double x) { return std::isfinite(x); };
     const Booked& b = s.booked;
     bool good = true;
-    for (double x : {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical}) good = good && finite(x);
+    for (double x :
+         {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical})
+        good = good && finite(x);
     State::for_each_field(s, [&](const char*, const auto& array) {
         if (static_cast<const void*>(&array) == &s.kept) return;  // a rule of the script may keep what it likes
-        if constexpr (sizeof(array[0]) > 1) {  // doubles or made of them; else bytes
+        if constexpr (sizeof(array[0]) > 1) {                     // doubles or made of them; else bytes
             const auto* first = reinterpret_cast<const double*>(array.data());
             good = good && std::all_of(first, first + array.size() * sizeof(array[0]) / sizeof(double), finite);
         }

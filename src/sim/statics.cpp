@@ -23,25 +23,31 @@ double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // transla
 }  // namespace
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
-    : Run(std::move(structure), std::move(start)), settings_(std::move(settings)), held_(state_.held), sweep_(*structure_, team_, false),
+    : Run(std::move(structure), std::move(start)),
+      settings_(std::move(settings)),
+      held_(state_.held),
+      sweep_(*structure_, team_, false),
       operator_(std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::direct)) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
-    for (auto* v : {&load_, &gravity_load_, &nodal_, &right_, &change_, &response_, &last_move_}) v->assign(nodes, Vec6::Zero());
+    for (auto* v : {&load_, &gravity_load_, &nodal_, &right_, &change_, &response_, &last_move_})
+        v->assign(nodes, Vec6::Zero());
     moved_.assign(nodes, Vec3::Zero());
     double length = 0;
     for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
         const Element& e = structure_->elements()[i];
         length += e.length;
         if (model.gravity() && !state_.broken[i])
-            for (int end : {0, 1}) gravity_load_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
+            for (int end : {0, 1})
+                gravity_load_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
     }
     if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
     for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
     // forces that rounding of the positions alone makes: below them equilibrium cannot be told
     for (const Element& e : structure_->elements())
-        noise_ = std::max(noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
+        noise_ = std::max(
+            noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
     noise_ *= std::sqrt(double(nodes));
     for (const NodalLoad& l : model.loads()) {
         const double factor = l.history ? l.history(0) : 1.0;
@@ -59,7 +65,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
-    const bool moments = std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    const bool moments =
+        std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     if (moments && structure_->large()) {
         operator_ = std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::unsymmetric);
         operator_->set_held(held_);
@@ -96,7 +103,14 @@ bool Statics::renew_and_factorise() {
         const Element& e = structure_->elements()[y.element];
         const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
         const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        tangents[i] = beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) + hinge_regularisation * (Vec6() << e.rigidity.EIx, e.rigidity.EIx, e.rigidity.EIy, e.rigidity.EIy, e.rigidity.EA, e.rigidity.GJ).finished().asDiagonal().toDenseMatrix() / e.length;
+        tangents[i] =
+            beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) +
+            hinge_regularisation *
+                (Vec6() << e.rigidity.EIx, e.rigidity.EIx, e.rigidity.EIy, e.rigidity.EIy, e.rigidity.EA, e.rigidity.GJ)
+                    .finished()
+                    .asDiagonal()
+                    .toDenseMatrix() /
+                e.length;
         given[std::lower_bound(list.begin(), list.end(), y.element) - list.begin()] = &tangents[i];
         was_yielding_.push_back(y.element);
     }
@@ -116,7 +130,8 @@ void Statics::refuse_mechanism() {
     renew_and_factorise();
     const int loose = operator_->loosest_freedom(1e-12);
     if (loose < 0) return;
-    static const char* way[] = {"move along x", "move along y", "move along z", "turn about x", "turn about y", "turn about z"};
+    static const char* way[] = {"move along x", "move along y", "move along z",
+                                "turn about x", "turn about y", "turn about z"};
     bool supported = false;
     for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
     throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
@@ -147,8 +162,8 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
     }
 }
 
-/// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the arc (in
-/// units of the first step's).
+/// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the
+/// arc (in units of the first step's).
 Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     trial_ = pose_of(state_);
     trial_factor_ = state_.factor;
@@ -172,7 +187,9 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         SolverSettings direct;
         direct.direct = true;
         const std::vector<Vec6> unit_load = response_;
-        if (!operator_->solve(right_, change_, direct).converged || !operator_->solve(unit_load, response_, direct).converged) return Outcome::diverged;
+        if (!operator_->solve(right_, change_, direct).converged ||
+            !operator_->solve(unit_load, response_, direct).converged)
+            return Outcome::diverged;
 
         double d_factor = 0;
         if (settings_.control == Control::load) {
@@ -180,7 +197,8 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         } else if (settings_.control == Control::displacement) {
             const int n = settings_.node, c = settings_.component;
             const auto at = [&](const std::vector<Vec6>& v) { return v[n][c]; };
-            const double wanted = iteration == 1 ? increment * settings_.target : increment * settings_.target - at(total);
+            const double wanted =
+                iteration == 1 ? increment * settings_.target : increment * settings_.target - at(total);
             if (at(response_) == 0) return Outcome::diverged;
             d_factor = (wanted - at(change_)) / at(response_);
         } else if (iteration == 1) {
@@ -191,10 +209,13 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             d_factor = (forward < 0 ? -1 : 1) * arc / size;
         } else {  // |total + change + d response| = arc: of the two roots, the one that goes on
             for (std::size_t i = 0; i < step.size(); ++i) step[i] = total[i] + change_[i];
-            const double a = dot(response_, response_), b = dot(step, response_), c = dot(step, step) - arc * arc, disc = b * b - a * c;
+            const double a = dot(response_, response_), b = dot(step, response_), c = dot(step, step) - arc * arc,
+                         disc = b * b - a * c;
             if (disc < 0) return Outcome::diverged;
             const double r1 = (-b + std::sqrt(disc)) / a, r2 = (-b - std::sqrt(disc)) / a;
-            d_factor = dot(total, step) + r1 * dot(total, response_) >= dot(total, step) + r2 * dot(total, response_) ? r1 : r2;
+            d_factor = dot(total, step) + r1 * dot(total, response_) >= dot(total, step) + r2 * dot(total, response_)
+                           ? r1
+                           : r2;
         }
         double size = 0, turn = 0;
         for (std::size_t i = 0; i < step.size(); ++i) {
@@ -202,9 +223,10 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             size = std::max(size, step[i].head<3>().cwiseAbs().maxCoeff());
             turn = std::max(turn, step[i].tail<3>().cwiseAbs().maxCoeff());
         }
-        if (!std::isfinite(size + turn) || size > 10 * reach_ || (structure_->large() && turn > 1.5)) return Outcome::diverged;
-        // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that makes the
-        // balance worse is taken by half, and by half again.
+        if (!std::isfinite(size + turn) || size > 10 * reach_ || (structure_->large() && turn > 1.5))
+            return Outcome::diverged;
+        // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that
+        // makes the balance worse is taken by half, and by half again.
         const Pose before = trial_;
         const std::vector<Vec3> moved_before = moved_;
         const double factor_before = trial_factor_;
@@ -241,7 +263,8 @@ void Statics::commit(double before) {
         const Vec3 du = trial_.displacement[i] - state_.displacement[i];
         const double mean = 0.5 * (before + trial_factor_);
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
-        state_.booked.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) - gravity_load_[i].head<3>().dot(du);
+        state_.booked.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) -
+                              gravity_load_[i].head<3>().dot(du);
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
             for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;
@@ -275,12 +298,16 @@ bool Statics::advance() {
     double increment = arc ? arc_scale_ : std::min(step_size_, 1 - done);
     if (!arc && 1 - done - increment < 1e-9) increment = 1 - done;
     const double before = state_.factor;
-    while (equilibrate(increment, true) != Outcome::converged && (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
+    while (equilibrate(increment, true) != Outcome::converged &&
+           (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
         increment /= 2;
         if (increment < settings_.smallest_step) {
             char text[200];
-            std::snprintf(text, sizeof text, "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a mechanism or a snap; "
-                          "control by displacement or arc length can go on", state_.factor, state_.step + 1, increment);
+            std::snprintf(text, sizeof text,
+                          "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a "
+                          "mechanism or a snap; "
+                          "control by displacement or arc length can go on",
+                          state_.factor, state_.step + 1, increment);
             fail(sweep_.twisted() >= 0 ? text + ("; " + sweep_.twisted_reason()) : text);
             return false;
         }
@@ -289,9 +316,12 @@ bool Statics::advance() {
     }
     commit(before);
     progress_ += increment;
-    if (arc) arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5), 30.0);  // five iterations a step
+    if (arc)
+        arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5),
+                              30.0);  // five iterations a step
     else if (converged_in_ <= 6) step_size_ = std::min(2 * step_size_, 1.0 / settings_.steps);
-    if (arc ? steps_done() >= settings_.steps : (settings_.control == Control::displacement ? progress_ : state_.factor) >= 1 - 1e-12)
+    if (arc ? steps_done() >= settings_.steps
+            : (settings_.control == Control::displacement ? progress_ : state_.factor) >= 1 - 1e-12)
         verdict_ = Verdict::completed;
     return true;
 }

@@ -1,4 +1,5 @@
-// Statics: load steps, each brought to equilibrium by Newton's method; load, displacement or arc length controls the path.
+// Statics: load steps, each brought to equilibrium by Newton's method; load, displacement or arc length controls the
+// path.
 #pragma once
 
 #include "sim/operator.h"
@@ -9,13 +10,15 @@ namespace hinge {
 enum class Control : std::uint8_t { load, displacement, arc };
 
 struct StaticSettings {
-    int steps = 10;               ///< load control: equal steps to factor 1; arc: at most so many; displacement: equal steps to `target`
+    int steps =
+        10;  ///< load control: equal steps to factor 1; arc: at most so many; displacement: equal steps to `target`
     Control control = Control::load;
-    int node = -1, component = 0; ///< displacement control: what is driven (0..5: ux uy uz rx ry rz)
-    double target = 0;            ///< its value at the end, m or rad
-    int iterations = 30;          ///< Newton iterations before a step is halved
-    double tolerance = 1e-9;      ///< out-of-balance force relative to the forces at work (moments over a mean element length)
-    double smallest_step = 1e-5;  ///< of the whole: a step halved below this ends the run, at the limit load
+    int node = -1, component = 0;  ///< displacement control: what is driven (0..5: ux uy uz rx ry rz)
+    double target = 0;             ///< its value at the end, m or rad
+    int iterations = 30;           ///< Newton iterations before a step is halved
+    double tolerance =
+        1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
+    double smallest_step = 1e-5;     ///< of the whole: a step halved below this ends the run, at the limit load
     std::vector<std::uint8_t> held;  ///< extra supports for this run only (six bits a node), or empty
 };
 
@@ -48,7 +51,8 @@ private:
     Sweep sweep_;
     std::unique_ptr<Operator> operator_;
     Pose trial_;
-    double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3, noise_ = 0;
+    double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
+           noise_ = 0;
     int converged_in_ = 0;
     std::vector<Vec6> load_, gravity_load_, nodal_, right_, change_, response_, force_, last_move_;
     std::vector<Vec3> moved_;

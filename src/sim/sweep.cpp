@@ -10,8 +10,8 @@
 
 namespace hinge {
 
-using beam::Lanes;
 using beam::lane_count;
+using beam::Lanes;
 using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
@@ -21,15 +21,15 @@ struct Sweep::Block {
     int node[2][lane_count];
     Lanes chord[3];
     const Kind* kind;
-    unsigned whole;                    // a bit for each that is not broken
+    unsigned whole;  // a bit for each that is not broken
 };
 
 /// What blocks of the same eight sections, lengths and directions share: in a regular frame, nearly all of them.
 struct Sweep::Kind {
-    Lanes length, axes[4];             // w x y z
-    Lanes k[8];                        // x11 x12 x22 y11 y12 y22 axial twist
-    Lanes yield[4];                    // x y n z
-    Lanes mass, rotary[3];             // rho A L/6, rho I L/6: the linear mass
+    Lanes length, axes[4];                       // w x y z
+    Lanes k[8];                                  // x11 x12 x22 y11 y12 y22 axial twist
+    Lanes yield[4];                              // x y n z
+    Lanes mass, rotary[3];                       // rho A L/6, rho I L/6: the linear mass
     Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
     bool can_yield;
 };
@@ -40,13 +40,15 @@ struct Sweep::Found {
     int twisted = -1;
 };
 
-/// The mean of an element's two y axes, each of length one, where its ends have twisted against each other by 160 degrees.
+/// The mean of an element's two y axes, each of length one, where its ends have twisted against each other by 160
+/// degrees.
 constexpr double least_mean_y = 0.17;
 
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
 
-Sweep::Sweep(const Structure& structure, Team& team, bool inertia) : structure_(structure), team_(team), inertia_(inertia) {}
+Sweep::Sweep(const Structure& structure, Team& team, bool inertia)
+    : structure_(structure), team_(team), inertia_(inertia) {}
 
 Sweep::~Sweep() = default;
 
@@ -58,7 +60,8 @@ int Sweep::sections(double* r) const {
 void Sweep::mark_built(int element, const Mat3& frame) {
     if (!watching_) return;
     Lanes* built = &built_[6 * std::size_t(element / lane_count)];
-    for (int c = 0; c < 3; ++c) built[c][element % lane_count] = frame(c, 2), built[3 + c][element % lane_count] = frame(c, 1);
+    for (int c = 0; c < 3; ++c)
+        built[c][element % lane_count] = frame(c, 2), built[3 + c][element % lane_count] = frame(c, 1);
 }
 
 void Sweep::watch_turning(double tolerance) {
@@ -79,7 +82,8 @@ void Sweep::take_up(const State& state) {
         bool as_declared = true;
         int index[lane_count];
         for (int i = 0; i < lane_count; ++i) {
-            index[i] = std::min(block * lane_count + i, count - 1);  // a short block repeats its last element and drops the copies
+            index[i] = std::min(block * lane_count + i,
+                                count - 1);  // a short block repeats its last element and drops the copies
             const Element& e = structure_.elements()[index[i]];
             alike[i] = &e.stiffness;
             as_declared = as_declared && state.point[index[i]] == e.s;
@@ -173,7 +177,9 @@ template <class T>
     return {v[3], v[0], v[1], v[2]};
 }
 
-struct Motion { Triple<Lanes> linear, angular; };
+struct Motion {
+    Triple<Lanes> linear, angular;
+};
 [[gnu::always_inline]] inline Motion gather_motion(const std::vector<Vec6>& from, const int* node) {
     Lanes v[lane_count];
     beam::pick_rows<6>(from.data()->data(), node, 6, v);
@@ -193,7 +199,8 @@ Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& leng
     return p;
 }
 
-void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& turn1, const Triple<Lanes>& turn2, Lanes d[6]) {
+void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& turn1,
+                        const Triple<Lanes>& turn2, Lanes d[6]) {
     const auto& f = p.frame;
     const Lanes u = dot(f.x, relative) / p.length, v = dot(f.y, relative) / p.length;
     d[0] = dot(f.x, turn1) + v;
@@ -213,7 +220,8 @@ Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<
 }  // namespace
 
 template <bool large, bool inertia, bool cubic>
-void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found& found) {
+void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal,
+                       std::vector<Vec6>& force, Found& found) {
     double section[2];
     const int section_count = sections(section);
     const bool watching = watching_;
@@ -240,28 +248,36 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
 
         // elastic forces: p = k (d - d_p)
         Lanes plastic[lane_count];
-        beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element), plastic);
+        beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element),
+                           plastic);
         for (int c = 0; c < 6; ++c) d[c] -= plastic[c];
-        Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1], kind.k[1] * d[0] + kind.k[2] * d[1],
-                      kind.k[3] * d[2] + kind.k[4] * d[3], kind.k[4] * d[2] + kind.k[5] * d[3], kind.k[6] * d[4], kind.k[7] * d[5]};
+        Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1],
+                      kind.k[1] * d[0] + kind.k[2] * d[1],
+                      kind.k[3] * d[2] + kind.k[4] * d[3],
+                      kind.k[4] * d[2] + kind.k[5] * d[3],
+                      kind.k[6] * d[4],
+                      kind.k[7] * d[5]};
 
         // yield: return to the surface of eq 14
         if (built::plasticity && kind.can_yield) {
             Lanes f[2];
             const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
             for (int s = 0; s < section_count; ++s) {
-                const Lanes mx = (section[s] - 1) / 2 * p[0] + (section[s] + 1) / 2 * p[1], my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
+                const Lanes mx = (section[s] - 1) / 2 * p[0] + (section[s] + 1) / 2 * p[1],
+                            my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
                 f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
             }
             if (beam::any_above(f[0], 1) || (section_count == 2 && beam::any_above(f[1], 1)))
                 for (int i = 0; i < lane_count; ++i) {
                     if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
                     const Element& e = structure_.elements()[element + i];
-                    const beam::Stiffness k = {kind.k[0][i], kind.k[1][i], kind.k[2][i], kind.k[3][i], kind.k[4][i], kind.k[5][i], kind.k[6][i], kind.k[7][i]};
+                    const beam::Stiffness k = {kind.k[0][i], kind.k[1][i], kind.k[2][i], kind.k[3][i],
+                                               kind.k[4][i], kind.k[5][i], kind.k[6][i], kind.k[7][i]};
                     Vec6 trial;
                     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
                     if (!trial.allFinite()) continue;  // the step names the culprit
-                    found.yielding.push_back({element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
+                    found.yielding.push_back(
+                        {element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
                     for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
                 }
         }
@@ -270,11 +286,14 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
 
         if constexpr (inertia) {
             const Lanes two = beam::spread(2.0, kind.mass);
-            const Motion m1 = gather_motion(pose.acceleration, b.node[0]), m2 = gather_motion(pose.acceleration, b.node[1]);
+            const Motion m1 = gather_motion(pose.acceleration, b.node[0]),
+                         m2 = gather_motion(pose.acceleration, b.node[1]);
             const Triple<Lanes>&a1 = m1.linear, &a2 = m2.linear;
             out.force[0] = out.force[0] + kind.mass * (two * a1 + a2);
             out.force[1] = out.force[1] + kind.mass * (a1 + two * a2);
-            const auto local = [&](const Triple<Lanes>& v) { return Triple<Lanes>{dot(place.frame.x, v), dot(place.frame.y, v), dot(place.frame.z, v)}; };
+            const auto local = [&](const Triple<Lanes>& v) {
+                return Triple<Lanes>{dot(place.frame.x, v), dot(place.frame.y, v), dot(place.frame.z, v)};
+            };
             const Lanes none = {};
             Triple<Lanes> w1 = {none, none, none}, w2 = w1;
             if constexpr (large) {
@@ -283,23 +302,27 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             }
             const Triple<Lanes> s1 = local(m1.angular), s2 = local(m2.angular);
             const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, s1), h2 = rotary_force(kind.rotary, w2, s2);
-            const auto space = [&](const Triple<Lanes>& v) { return v.x * place.frame.x + v.y * place.frame.y + v.z * place.frame.z; };
+            const auto space = [&](const Triple<Lanes>& v) {
+                return v.x * place.frame.x + v.y * place.frame.y + v.z * place.frame.z;
+            };
             const Triple<Lanes> g1 = space(h1), g2 = space(h2);
             out.moment[0] = out.moment[0] + two * g1 + g2;
             out.moment[1] = out.moment[1] + g1 + two * g2;
             if constexpr (cubic) {
                 out.force[0] = out.force[0] + (kind.more[0] * a1 + kind.more_across * a2);
                 out.force[1] = out.force[1] + (kind.more_across * a1 + kind.more[1] * a2);
-                const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none}, across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
+                const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none},
+                            across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
                 out.moment[0] = out.moment[0] + space(rotary_force(across1, w1, s1));
                 out.moment[1] = out.moment[1] + space(rotary_force(across2, w2, s2));
             }
         }
 
         // element by element again
-        Lanes row[2][lane_count], by_end[2][lane_count] = {
-            {out.force[0].x, out.force[0].y, out.force[0].z, out.moment[0].x, out.moment[0].y, out.moment[0].z},
-            {out.force[1].x, out.force[1].y, out.force[1].z, out.moment[1].x, out.moment[1].y, out.moment[1].z}};
+        Lanes row[2][lane_count],
+            by_end[2][lane_count] = {
+                {out.force[0].x, out.force[0].y, out.force[0].z, out.moment[0].x, out.moment[0].y, out.moment[0].z},
+                {out.force[1].x, out.force[1].y, out.force[1].z, out.moment[1].x, out.moment[1].y, out.moment[1].z}};
         for (int e : {0, 1}) beam::transpose(by_end[e], row[e]);
         for (int i = 0; i < lane_count; ++i)
             for (int e = 0; e < 2 && b.whole >> i & 1; ++e) {
@@ -341,7 +364,8 @@ void Sweep::share_out() {
     }
 }
 
-void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force, std::vector<Yielding>& yielding) {
+void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
+                std::vector<Yielding>& yielding) {
     if (team_.threads() > 1 && place_.empty()) share_out();
     found_.resize((blocks_.size() + piece - 1) / piece);
     team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
@@ -349,7 +373,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         found_[i].turned.clear();
         found_[i].twisted = -1;
         const auto go_over = [&]<bool large>() {
-            const auto run_blocks_of = !inertia_           ? &Sweep::run_blocks<large, false, false>
+            const auto run_blocks_of = !inertia_            ? &Sweep::run_blocks<large, false, false>
                                        : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
                                                             : &Sweep::run_blocks<large, true, false>;
             (this->*run_blocks_of)(first, end, state, pose, nodal, force, found_[i]);
@@ -372,12 +396,15 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
 }
 
 std::string Sweep::twisted_reason() const {
-    return "the two ends of " + structure_.element_name(twisted_) + " have twisted by 160 degrees against each other, and at half a turn an element's frame jumps; more elements a member, or fracture, may help";
+    return "the two ends of " + structure_.element_name(twisted_) +
+           " have twisted by 160 degrees against each other, and at half a turn an element's frame jumps; more "
+           "elements a member, or fracture, may help";
 }
 
 Mat3 axes_of(const beam::Placement<double>& p) {
     Mat3 axes;
-    axes << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z, p.frame.z.z;
+    axes << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z,
+        p.frame.z.z;
     return axes;
 }
 
@@ -386,16 +413,19 @@ beam::Placement<double> place_element(const Structure& structure, int index, con
     const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
     if (structure.large()) {
         const Vec3 chord = e.chord + (at.displacement[e.node[1]] - at.displacement[e.node[0]]);
-        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]), quad(at.rotation[e.node[1]]), quad(e.axes));
+        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]),
+                                   quad(at.rotation[e.node[1]]), quad(e.axes));
     }
     return beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes));
 }
 
 Vec6 element_deformation(const Structure& structure, int index, const Places& at) {
-    return element_deformation(structure, index, at, structure.large() ? place_element(structure, index, at) : beam::Placement<double>{});
+    return element_deformation(structure, index, at,
+                               structure.large() ? place_element(structure, index, at) : beam::Placement<double>{});
 }
 
-Vec6 element_deformation(const Structure& structure, int index, const Places& at, const beam::Placement<double>& placement) {
+Vec6 element_deformation(const Structure& structure, int index, const Places& at,
+                         const beam::Placement<double>& placement) {
     Vec6 d;
     const Element& e = structure.elements()[index];
     if (structure.large()) {
@@ -404,7 +434,8 @@ Vec6 element_deformation(const Structure& structure, int index, const Places& at
     }
     const Mat3 axes = e.axes.toRotationMatrix().transpose();
     Vec12 u;
-    u << axes * at.displacement[e.node[0]], axes * at.turn[e.node[0]], axes * at.displacement[e.node[1]], axes * at.turn[e.node[1]];
+    u << axes * at.displacement[e.node[0]], axes * at.turn[e.node[0]], axes * at.displacement[e.node[1]],
+        axes * at.turn[e.node[1]];
     return beam::linear_deformation(e.length) * u;
 }
 

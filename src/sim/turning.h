@@ -9,7 +9,8 @@
 namespace hinge {
 
 /// to[i] = turned(by[i], from[i]) for first <= i < end, with the same bits.
-inline void turn_all(const std::vector<Vec3>& by, const std::vector<Quat>& from, std::vector<Quat>& to, std::size_t first, std::size_t end) {
+inline void turn_all(const std::vector<Vec3>& by, const std::vector<Quat>& from, std::vector<Quat>& to,
+                     std::size_t first, std::size_t end) {
     using beam::Lanes;
     constexpr int n = beam::lane_count;
     const std::size_t whole = first + (end - first) / n * n;

@@ -1,4 +1,5 @@
-// What a step of an elastic frame costs, us: compiled with all effects, and (HINGE_BARE) with none but those it calls for.
+// What a step of an elastic frame costs, us: compiled with all effects, and (HINGE_BARE) with none but those it calls
+// for.
 #include <chrono>
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 // Bytes from anywhere, read as a checkpoint. What is taken, a run goes on from, and its numbers stay finite or it says
 // that it failed; what is refused leaves the run as it was.
 //
-// libFuzzer changes what real runs have saved. An input's first byte says who reads the rest: one of the runs below, the reader of the
-// file (as it is, and with its checksum mended), or that of the table a script keeps. The real ones are written to the folder that
-// HINGE_SEEDS names.
+// libFuzzer changes what real runs have saved. An input's first byte says who reads the rest: one of the runs below,
+// the reader of the file (as it is, and with its checksum mended), or that of the table a script keeps. The real ones
+// are written to the folder that HINGE_SEEDS names.
 //
 // Run     tests/sanitize.sh fuzz [seconds]
 #define CATCH_CONFIG_RUNNER  // helpers.h refers to it; no test runs here
@@ -39,7 +39,8 @@ std::string saved(const Dynamics& run) {
     return bytes;
 }
 
-// ---- runs that have something to save of every kind --------------------------------------------------------------------
+// ---- runs that have something to save of every kind
+// --------------------------------------------------------------------
 
 struct Scene {
     std::shared_ptr<const Structure> structure;
@@ -51,7 +52,9 @@ struct Scene {
 Scene scene(const Frame& frame, double dt, int steps, DynamicSettings settings = {}) {
     settings.dt = dt;
     settings.duration = steps * dt;
-    Scene s{std::make_shared<const Structure>(frame.model, settings.beta == 0 ? MassKind::lumped : MassKind::consistent), settings};
+    Scene s{
+        std::make_shared<const Structure>(frame.model, settings.beta == 0 ? MassKind::lumped : MassKind::consistent),
+        settings};
     s.fresh = saved(s.start());
     return s;
 }
@@ -62,10 +65,12 @@ Frame crash(contact::ContactRuleKind kind, bool clamped = true, double yield_str
     ContactRule rule;
     rule.settings.rule = kind;
     rule.settings.friction = 0.2;
-    if (kind == contact::ContactRuleKind::gap) rule.pairs = [own = rule.settings](int, int) { return std::optional(own); };
+    if (kind == contact::ContactRuleKind::gap)
+        rule.pairs = [own = rule.settings](int, int) { return std::optional(own); };
     frame.model->add_contact(rule);
     frame.material = steel(yield_stress);
-    const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08), b2 = frame.node(0.1, 0.5, 0.08);
+    const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08),
+              b2 = frame.node(0.1, 0.5, 0.08);
     if (clamped)
         for (int a : {a1, a2}) frame.model->fix(a, 63);
     frame.member(a1, a2);
@@ -97,7 +102,8 @@ Frame judged_crash() {
 Frame shaken(ModelOptions options, double speed) {
     Frame frame(options);
     frame.material = steel(245e6);
-    const int foot = frame.foot(0, 0, 0), other = frame.foot(1, 0, 0), left = frame.node(0, 0, 1), right = frame.node(1, 0, 1);
+    const int foot = frame.foot(0, 0, 0), other = frame.foot(1, 0, 0), left = frame.node(0, 0, 1),
+              right = frame.node(1, 0, 1);
     frame.member(foot, left);
     frame.member(left, right);
     frame.member(right, other);
@@ -133,7 +139,8 @@ const std::vector<Scene>& all_scenes() {
     return all;
 }
 
-// ---- who reads ---------------------------------------------------------------------------------------------------------
+// ---- who reads
+// ---------------------------------------------------------------------------------------------------------
 
 constexpr int until_a_look = 110;  ///< steps; by then the energy ledger was looked at (sim/dynamics_guard.cpp)
 
@@ -141,12 +148,11 @@ void go_on(const Scene& scene, std::string_view bytes) {
     Dynamics run = scene.start();
     try {
         run.restore(bytes);
-    } catch (const Damaged&) {
-        return must(saved(run) == scene.fresh, "what was refused has changed the run");
-    }
+    } catch (const Damaged&) { return must(saved(run) == scene.fresh, "what was refused has changed the run"); }
     scene.start().restore(saved(run));  // what was taken is taken again
     for (int step = 0; (step < 3 || (!is_finite(run.state()) && step < until_a_look)) && run.advance(); ++step) {}
-    must(run.verdict() == Verdict::failed || is_finite(run.state()), "the run goes on with numbers that are not finite");
+    must(run.verdict() == Verdict::failed || is_finite(run.state()),
+         "the run goes on with numbers that are not finite");
 }
 
 /// A file's bytes with checksum and length as they should be.
@@ -167,8 +173,7 @@ void read_file(const std::string& bytes) {
     try {
         resume(run, open_checkpoint(bytes, "file"), "file");
     } catch (const OutsideError&) {
-    } catch (const InputError&) {
-    }
+    } catch (const InputError&) {}
     must(run.advance() || run.verdict() != Verdict::running, "no step");
 }
 
@@ -184,7 +189,8 @@ void read_kept(const std::string& bytes) {
     lua_settop(L, 0);
 }
 
-// ---- where it begins ---------------------------------------------------------------------------------------------------
+// ---- where it begins
+// ---------------------------------------------------------------------------------------------------
 
 void write_seeds(const std::string& folder) {
     int count = 0;
@@ -200,11 +206,13 @@ void write_seeds(const std::string& folder) {
         must(run.verdict() == Verdict::completed, (std::to_string(i) + ": " + run.reason()).c_str());
         write(i, saved(run));
         const Run::Counts counts = run.count_members(-1);
-        std::printf("scene %zu: %ld steps, %ld members yielded, %ld broken, %ld touched; %zu bytes\n", i, run.steps_done(), counts.yielded, counts.broken, counts.touched, saved(run).size());
+        std::printf("scene %zu: %ld steps, %ld members yielded, %ld broken, %ld touched; %zu bytes\n", i,
+                    run.steps_done(), counts.yielded, counts.broken, counts.touched, saved(run).size());
     }
     write(all_scenes().size(), checkpoint_of(all_scenes()[0].start(), "beside"));
     lua_State* L = luaL_newstate();
-    must(luaL_dostring(L, "return { 1, -2.5, 'text', true, { deep = { deeper = {} }, [1e9] = false } }") == LUA_OK, "the table");
+    must(luaL_dostring(L, "return { 1, -2.5, 'text', true, { deep = { deeper = {} }, [1e9] = false } }") == LUA_OK,
+         "the table");
     write(all_scenes().size() + 1, script::pack_table(L, -1, "kept"));
     lua_close(L);
 }
@@ -228,8 +236,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-/// An entry out of a list, or one of zeros into it, where it was guessed right that eight bytes are a list's length and how long its
-/// entries are: plain numbers and vectors, and the types of sim/ and contact/ as they are written.
+/// An entry out of a list, or one of zeros into it, where it was guessed right that eight bytes are a list's length and
+/// how long its entries are: plain numbers and vectors, and the types of sim/ and contact/ as they are written.
 std::size_t change_a_list(std::uint8_t* data, std::size_t size, std::size_t max_size, std::minstd_rand& dice) {
     static const std::size_t entries[] = {1, 4, 8, 17, 24, 48, 52, 56, 80, 104, 124, 292, 489, 493, 1160};
     for (int guess = 0; guess < 100; ++guess) {
@@ -251,13 +259,25 @@ std::size_t change_a_list(std::uint8_t* data, std::size_t size, std::size_t max_
 }  // namespace
 
 /// Most changes leave all lengths as they are: behind a wrong one nothing is read.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
     std::minstd_rand dice(seed);
     const unsigned way = dice() % 8;
     if (size < 20 || way == 0) return LLVMFuzzerMutate(data, size, max_size);
     if (way < 4) return change_a_list(data, size, max_size, dice);
-    static const double numbers[] = {0, -1, 1e-300, 1e-8, 1e8, 1e300, std::numeric_limits<double>::max(), infinite, -infinite, std::nan("")};
-    static const std::int64_t wholes[] = {0, 1, -1, 2, 7, 255, 1L << 31, 1L << 32, 1L << 62, std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
+    static const double numbers[] = {
+        0, -1, 1e-300, 1e-8, 1e8, 1e300, std::numeric_limits<double>::max(), infinite, -infinite, std::nan("")};
+    static const std::int64_t wholes[] = {0,
+                                          1,
+                                          -1,
+                                          2,
+                                          7,
+                                          255,
+                                          1L << 31,
+                                          1L << 32,
+                                          1L << 62,
+                                          std::numeric_limits<std::int64_t>::max(),
+                                          std::numeric_limits<std::int64_t>::min()};
     for (unsigned changes = 1 + dice() % 3; changes > 0; --changes) {
         std::uint8_t* const at = data + 1 + dice() % (size - 8);
         const std::size_t length = 1u << dice() % 4;

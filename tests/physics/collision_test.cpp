@@ -1,5 +1,5 @@
-// Two beams that collide (paper 3.3, figs 13-15), by the paper's gap elements and by their surfaces: momenta, and the ledger
-// over time.
+// Two beams that collide (paper 3.3, figs 13-15), by the paper's gap elements and by their surfaces: momenta, and the
+// ledger over time.
 #include "helpers.h"
 #include "sim/breaking.h"
 
@@ -8,15 +8,17 @@ using namespace hinge::test;
 
 namespace {
 
-/// Beam a along x, clamped at both ends or free; beam b 0.25 m above it, crossing at `angle` degrees, falling at `speed`. The
-/// crossing is `along_a` m from a's middle and `along_b` m from b's.
+/// Beam a along x, clamped at both ends or free; beam b 0.25 m above it, crossing at `angle` degrees, falling at
+/// `speed`. The crossing is `along_a` m from a's middle and `along_b` m from b's.
 struct Pair {
     std::shared_ptr<const Structure> structure;
     Pair(ContactRule rule, bool clamped, double angle, double along_a, double along_b, double speed) {
         Frame frame;
         frame.model->add_contact(rule);
-        const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0), middle = Vec3(along_a, 0, 0.25) - along_b * d;
-        const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d), b2 = frame.node(middle + 0.5 * d);
+        const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0),
+            middle = Vec3(along_a, 0, 0.25) - along_b * d;
+        const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d),
+                  b2 = frame.node(middle + 0.5 * d);
         if (clamped) frame.model->fix(a1, 63), frame.model->fix(a2, 63);
         frame.member(a1, a2);
         frame.member(b1, b2);
@@ -48,9 +50,13 @@ ContactRule surface(double friction = 0) {
 }
 
 /// Angle, and how far off the middles of a and b they cross.
-constexpr double crossings[][3] = {{90, 0, 0}, {70, 0, 0}, {45, 0, 0}, {20, 0, 0}, {90, 0.13, 0.07}, {70, 0.2, 0.2}, {45, 0.3, -0.1}, {20, -0.2, 0.1}, {90, 0.25, 0.25}};
+constexpr double crossings[][3] = {{90, 0, 0},     {70, 0, 0},      {45, 0, 0},      {20, 0, 0},      {90, 0.13, 0.07},
+                                   {70, 0.2, 0.2}, {45, 0.3, -0.1}, {20, -0.2, 0.1}, {90, 0.25, 0.25}};
 
-struct Outcome { double worst = 0, let_go = 0, end = 0; long bound = 0; };   // parts of the initial energy
+struct Outcome {
+    double worst = 0, let_go = 0, end = 0;
+    long bound = 0;
+};  // parts of the initial energy
 Outcome collide(ContactRule rule, const double (&c)[3], double speed, double dt, double beta) {
     const Pair pair(rule, true, c[0], c[1], c[2], speed);
     Dynamics run(pair.structure, initial_state(*pair.structure), settings(dt, 0.03, beta));
@@ -77,7 +83,8 @@ std::string label(const char* what, const double (&c)[3]) {
 }  // namespace
 
 TEST_CASE("collision: two free beams keep linear momentum to 1e-9 and angular momentum to 1e-6", "[collision]") {
-    const std::pair<const char*, ContactRule> rules[] = {{"gap", gap()}, {"surface", surface()}, {"surface with friction", surface(0.3)}};
+    const std::pair<const char*, ContactRule> rules[] = {
+        {"gap", gap()}, {"surface", surface()}, {"surface with friction", surface(0.3)}};
     for (const auto& [what, rule] : rules) {
         const Pair pair(rule, false, 70, 0.13, 0.07, 50);
         Dynamics run(pair.structure, initial_state(*pair.structure), settings(1e-6, 0.012, 0.25, 1e-10));
@@ -85,12 +92,15 @@ TEST_CASE("collision: two free beams keep linear momentum to 1e-9 and angular mo
         while (run.advance()) {}
         const Momentum after = momentum(*pair.structure, run.state());
         CHECK(run.state().contact->counts().bound > 0);
-        CHECK_FIGURE(std::string("linear momentum, ") + what, (after.linear - before.linear).norm() / before.linear.norm(), 1e-9);
-        CHECK_FIGURE(std::string("angular momentum, ") + what, (after.angular - before.angular).norm() / before.angular.norm(), 1e-6);
+        CHECK_FIGURE(std::string("linear momentum, ") + what,
+                     (after.linear - before.linear).norm() / before.linear.norm(), 1e-9);
+        CHECK_FIGURE(std::string("angular momentum, ") + what,
+                     (after.angular - before.angular).norm() / before.angular.norm(), 1e-6);
     }
 }
 
-TEST_CASE("collision, gap: found at every angle and offset, 1 % of the energy unaccounted for at most, 2 % let go", "[collision]") {
+TEST_CASE("collision, gap: found at every angle and offset, 1 % of the energy unaccounted for at most, 2 % let go",
+          "[collision]") {
     for (const auto& c : crossings) {
         const Outcome o = collide(gap(), c, 50, 1e-5, 0.4);
         CHECK(o.bound > 0);
@@ -105,7 +115,8 @@ TEST_CASE("collision, gap: cut at the binding time as the paper has it, much of 
     CHECK(o.worst < 1e-2);
 }
 
-TEST_CASE("collision, surface: found at every angle, offset and speed, 0.5 % unaccounted for at most, nothing let go", "[collision]") {
+TEST_CASE("collision, surface: found at every angle, offset and speed, 0.5 % unaccounted for at most, nothing let go",
+          "[collision]") {
     for (const auto& c : crossings)
         for (double speed : {10.0, 50.0, 100.0}) {
             const Outcome o = collide(surface(), c, speed, 1e-5, 0.4);
@@ -116,7 +127,8 @@ TEST_CASE("collision, surface: found at every angle, offset and speed, 0.5 % una
 }
 
 TEST_CASE("collision, surface: the remainder falls with the square of the step", "[collision]") {
-    const Outcome coarse = collide(surface(), crossings[0], 50, 1e-5, 0.4), fine = collide(surface(), crossings[0], 50, 2.5e-6, 0.4);
+    const Outcome coarse = collide(surface(), crossings[0], 50, 1e-5, 0.4),
+                  fine = collide(surface(), crossings[0], 50, 2.5e-6, 0.4);
     CHECK_FIGURE("surface: remainder of a quarter of the step, of the remainder", fine.worst / coarse.worst, 1.0 / 8);
     CHECK_FIGURE("surface: remainder with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 1e-4);
 }
@@ -159,7 +171,8 @@ TEST_CASE("collision, surface: a touch goes on with the stub when its element br
     FractureRule rule;
     rule.curvature_x = rule.curvature_y = 0.03;
     frame.model->add_fracture(rule);
-    const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.1), b2 = frame.node(0.1, 0.5, 0.1);
+    const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.1),
+              b2 = frame.node(0.1, 0.5, 0.1);
     frame.member(a1, a2);
     frame.member(b1, b2);
     for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -50}, Vec3::Zero());

@@ -1,5 +1,5 @@
-// Elastic statics at large displacement against closed forms and independent solutions (benchmarks 1, 2, 4, 8 and 10 of the
-// project's list; Mattiasson 1981, Bathe and Bolourchi 1979).
+// Elastic statics at large displacement against closed forms and independent solutions (benchmarks 1, 2, 4, 8 and 10 of
+// the project's list; Mattiasson 1981, Bathe and Bolourchi 1979).
 #include "helpers.h"
 
 using namespace hinge;
@@ -40,8 +40,12 @@ TEST_CASE("elastic statics: a moment rolls a cantilever up into half a circle an
     }
 }
 
-TEST_CASE("elastic statics: a dead load bends a cantilever as Mattiasson's elliptic integrals say", "[elastic_statics]") {
-    const double table[][4] = {{1, 0.30172, 0.05643, 0.46135}, {2, 0.49346, 0.16064, 0.78175}, {5, 0.71379, 0.38763, 1.21537}, {10, 0.81061, 0.55500, 1.43029}};
+TEST_CASE("elastic statics: a dead load bends a cantilever as Mattiasson's elliptic integrals say",
+          "[elastic_statics]") {
+    const double table[][4] = {{1, 0.30172, 0.05643, 0.46135},
+                               {2, 0.49346, 0.16064, 0.78175},
+                               {5, 0.71379, 0.38763, 1.21537},
+                               {10, 0.81061, 0.55500, 1.43029}};
     for (const auto& row : table) {
         Cantilever beam(8);
         beam.load(beam.tip(), {0, 0, -row[0]});
@@ -62,7 +66,8 @@ TEST_CASE("elastic statics: the 45-degree bend goes out of its plane", "[elastic
     section->J = 1.0 / 6;
     frame.section = section;
     std::vector<Vec3> points;
-    for (int i = 0; i <= 8; ++i) points.push_back(100 * Vec3(std::sin(pi / 4 * i / 8), 1 - std::cos(pi / 4 * i / 8), 0));
+    for (int i = 0; i <= 8; ++i)
+        points.push_back(100 * Vec3(std::sin(pi / 4 * i / 8), 1 - std::cos(pi / 4 * i / 8), 0));
     const std::vector<int> nodes = chain(frame, points, Vec3::UnitZ());
     frame.model->fix(nodes[0], 63);
     frame.load(nodes.back(), {0, 0, 600});

@@ -1,5 +1,5 @@
-// Explicit steps (central differences, lumped masses): how long they may be, what they keep, and that they give what the
-// implicit ones give.
+// Explicit steps (central differences, lumped masses): how long they may be, what they keep, and that they give what
+// the implicit ones give.
 #include <Eigen/Eigenvalues>
 
 #include "helpers.h"
@@ -11,7 +11,9 @@ using namespace hinge::test;
 
 namespace {
 
-std::shared_ptr<const Structure> lumped(const Frame& frame) { return std::make_shared<Structure>(frame.model, MassKind::lumped); }
+std::shared_ptr<const Structure> lumped(const Frame& frame) {
+    return std::make_shared<Structure>(frame.model, MassKind::lumped);
+}
 
 DynamicSettings explicit_steps(double dt, double duration) {
     DynamicSettings s;
@@ -29,7 +31,8 @@ DynamicSettings implicit_steps(double dt, double duration) {
 
 /// 2 / omega of the fastest vibration of the whole structure.
 double limit_of(const Structure& structure) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(dense(structure, 0, 1), dense(structure, 1, 0), Eigen::EigenvaluesOnly);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+        dense(structure, 0, 1), dense(structure, 1, 0), Eigen::EigenvaluesOnly);
     return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
 }
 
@@ -44,22 +47,27 @@ double worst_remainder(Dynamics& run, int every = 1) {
     return worst;
 }
 
-// ---- free flight ------------------------------------------------------------------------------------------------------
+// ---- free flight
+// ------------------------------------------------------------------------------------------------------
 
 /// A beam skew in space with speed v and spin about an axis across it, for 0.03 s.
 Flight fly(const Vec3& v, double spin, double dt) {
     Frame frame;
     const Vec3 along = Vec3(1, 2, -0.5).normalized(), axis = along.unitOrthogonal(), start(1, 1, 1);
     const auto nodes = straight(frame, start, start + along, 2, axis);
-    for (int n : nodes) frame.model->set_velocity(n, v + spin * axis.cross(frame.model->nodes()[n].position - start - 0.5 * along), spin * axis);
+    for (int n : nodes)
+        frame.model->set_velocity(n, v + spin * axis.cross(frame.model->nodes()[n].position - start - 0.5 * along),
+                                  spin * axis);
     const auto structure = lumped(frame);
     Dynamics run(structure, initial_state(*structure), explicit_steps(dt, 0.03));
     return worst_of_flight(run);
 }
 
-// ---- a cantilever -----------------------------------------------------------------------------------------------------
+// ---- a cantilever
+// -----------------------------------------------------------------------------------------------------
 
-/// 16 elements along x, 1 m, set going upwards in its first bending mode; each joint with up to `kick` m/s of its own as well.
+/// 16 elements along x, 1 m, set going upwards in its first bending mode; each joint with up to `kick` m/s of its own
+/// as well.
 struct Cantilever : Frame {
     static constexpr double root = 1.875104068711961;
     std::vector<int> nodes;
@@ -73,14 +81,18 @@ struct Cantilever : Frame {
             const double x = root * i / 8;
             const double shape = 0.5 * (std::cosh(x) - std::cos(x) - sigma * (std::sinh(x) - std::sin(x)));
             const double slope = 0.5 * root * (std::sinh(x) + std::sin(x) - sigma * (std::cosh(x) - std::cos(x)));
-            model->set_velocity(nodes[i], Vec3(0, 0, tip_speed * shape) + dice.vector(kick), {0, -tip_speed * slope, 0});
+            model->set_velocity(nodes[i], Vec3(0, 0, tip_speed * shape) + dice.vector(kick),
+                                {0, -tip_speed * slope, 0});
         }
     }
     int tip() const { return nodes.back(); }
-    double omega() const { return std::sqrt(material->E * section->Ix / (material->density * section->area)) * root * root; }
+    double omega() const {
+        return std::sqrt(material->E * section->Ix / (material->density * section->area)) * root * root;
+    }
 };
 
-// ---- two beams that meet ----------------------------------------------------------------------------------------------
+// ---- two beams that meet
+// ----------------------------------------------------------------------------------------------
 
 ContactRule surface() {
     ContactRule rule;
@@ -93,7 +105,8 @@ Frame falling_beam(ContactRule rule, double angle, double off) {
     Frame frame;
     frame.model->add_contact(rule);
     const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0), middle(off, 0, 0.25);
-    const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d), b2 = frame.node(middle + 0.5 * d);
+    const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d),
+              b2 = frame.node(middle + 0.5 * d);
     frame.member(a1, a2);
     frame.member(b1, b2);
     for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -50}, Vec3::Zero());
@@ -117,7 +130,10 @@ TEST_CASE("explicit: where the axial vibration rules, the stable step is L/c (1e
     CHECK(structure->elements()[limit.element].member == 1);
 }
 
-TEST_CASE("explicit: no structure vibrates faster than its stable step has it, and none much more slowly (half as long again)", "[explicit]") {
+TEST_CASE(
+    "explicit: no structure vibrates faster than its stable step has it, and none much more slowly (half as long "
+    "again)",
+    "[explicit]") {
     const auto check = [](const char* what, const Frame& frame) {
         const auto structure = lumped(frame);
         const double ratio = limit_of(*structure) / stable_step(*structure).dt;
@@ -138,11 +154,13 @@ TEST_CASE("explicit: no structure vibrates faster than its stable step has it, a
     for (Formulation f : {Formulation::asi, Formulation::conventional}) {
         ModelOptions options;
         options.formulation = f;
-        check(f == Formulation::asi ? "space frame, asi" : "space frame, conventional", SpaceFrame(options, 0, infinite));
+        check(f == Formulation::asi ? "space frame, asi" : "space frame, conventional",
+              SpaceFrame(options, 0, infinite));
     }
 }
 
-TEST_CASE("explicit: a free beam with speed and spin keeps both momenta to rounding, and its energy better with dt^2", "[explicit]") {
+TEST_CASE("explicit: a free beam with speed and spin keeps both momenta to rounding, and its energy better with dt^2",
+          "[explicit]") {
     // kicks and drifts of central differences each keep both momenta: what is left is rounding over 1e4 steps
     const Flight coarse = fly({20, 5, 1}, 50, 1e-5), fine = fly({20, 5, 1}, 50, 2.5e-6);
     CHECK_FIGURE("linear momentum", fine.linear, 1e-12);
@@ -151,7 +169,8 @@ TEST_CASE("explicit: a free beam with speed and spin keeps both momenta to round
     CHECK_FIGURE("energy falls with dt^2: 16 times for 4", fine.energy / coarse.energy, 1.0 / 8);
 }
 
-TEST_CASE("explicit: just below the limit a cantilever stays bounded over 20000 steps, 5 % above it does not", "[explicit]") {
+TEST_CASE("explicit: just below the limit a cantilever stays bounded over 20000 steps, 5 % above it does not",
+          "[explicit]") {
     for (bool large : {false, true}) {
         const std::string name = large ? "large displacement" : "small displacement";
         const Cantilever frame(large ? ModelOptions{} : small_displacement(), 0.05, 1, 0.1);  // all modes are there
@@ -169,8 +188,10 @@ TEST_CASE("explicit: just below the limit a cantilever stays bounded over 20000 
         REQUIRE(stays.verdict() == Verdict::completed);
         CHECK(stays.steps_done() == 20000);
         CHECK_FIGURE(name + ": swing of the second half over that of the first", furthest[1] / furthest[0], 1.05);
-        CHECK_FIGURE(name + ": kinetic energy of the second half over that of the first", kinetic[1] / kinetic[0], 1.05);
-        CHECK_FIGURE(name + ": swing against v / omega", off(furthest[1], swing), 0.1);  // what a kick of a tenth may add
+        CHECK_FIGURE(name + ": kinetic energy of the second half over that of the first", kinetic[1] / kinetic[0],
+                     1.05);
+        CHECK_FIGURE(name + ": swing against v / omega", off(furthest[1], swing),
+                     0.1);  // what a kick of a tenth may add
 
         const double above = 1.05 * limit;
         Dynamics grows(structure, initial_state(*structure), explicit_steps(above, 20000 * above));
@@ -179,7 +200,9 @@ TEST_CASE("explicit: just below the limit a cantilever stays bounded over 20000 
         INFO(name << ": " << hinge::name(grows.verdict()) << ", " << grows.reason() << ", " << most << " m");
         const bool failed = grows.verdict() == Verdict::failed;
         REQUIRE((failed || most > 100 * swing));
-        if (failed) CHECK((grows.reason().find("element ") != std::string::npos || grows.reason().find("node ") != std::string::npos));  // where
+        if (failed)
+            CHECK((grows.reason().find("element ") != std::string::npos ||
+                   grows.reason().find("node ") != std::string::npos));  // where
     }
 }
 
@@ -201,7 +224,8 @@ TEST_CASE("explicit: first bending frequency of a cantilever of 16 elements to 0
     CHECK_FIGURE("frequency", off(2 * pi * 4 / (crossings.back() - crossings.front()), frame.omega()), 5e-3);
 }
 
-TEST_CASE("explicit: a plastic portal under a sudden load dissipates what it does in implicit steps, to 2 %", "[explicit]") {
+TEST_CASE("explicit: a plastic portal under a sudden load dissipates what it does in implicit steps, to 2 %",
+          "[explicit]") {
     // beside the step, the kinds of mass differ: lumped in explicit steps, consistent in implicit ones
     Frame frame;
     frame.material = steel(245e6);
@@ -214,7 +238,8 @@ TEST_CASE("explicit: a plastic portal under a sudden load dissipates what it doe
     const double duration = 0.02, dt = 1e-6;
     const auto with_lumps = lumped(frame), with_all = frame.build();
     REQUIRE(dt < stable_step(*with_lumps).dt);
-    Dynamics fast(with_lumps, initial_state(*with_lumps), explicit_steps(dt, duration)), slow(with_all, initial_state(*with_all), implicit_steps(dt, duration));
+    Dynamics fast(with_lumps, initial_state(*with_lumps), explicit_steps(dt, duration)),
+        slow(with_all, initial_state(*with_all), implicit_steps(dt, duration));
     const double remainder = worst_remainder(fast, 10);
     worst_remainder(slow, 1000);
     REQUIRE(fast.verdict() == Verdict::completed);
@@ -226,20 +251,24 @@ TEST_CASE("explicit: a plastic portal under a sudden load dissipates what it doe
     CHECK_FIGURE("remainder over the work of the load", remainder, 1e-3);
 }
 
-TEST_CASE("explicit: two beams that collide keep the ledger to 0.5 % of the initial energy, by gap and by surface", "[explicit]") {
-    // What the fastest vibrations hold swings by (omega dt / 2)^2 in central differences and comes back: in the longest steps a
-    // run takes of itself the end of the run tells what is lost, in half of them every step
+TEST_CASE("explicit: two beams that collide keep the ledger to 0.5 % of the initial energy, by gap and by surface",
+          "[explicit]") {
+    // What the fastest vibrations hold swings by (omega dt / 2)^2 in central differences and comes back: in the longest
+    // steps a run takes of itself the end of the run tells what is lost, in half of them every step
     for (const auto& [what, rule] : {std::pair{"gap", ContactRule{}}, {"surface", surface()}})
         for (double angle : {90.0, 45.0})
             for (bool half : {false, true}) {
                 const Frame frame = falling_beam(rule, angle, 0.13);
                 const auto structure = lumped(frame);
-                Dynamics run(structure, initial_state(*structure), explicit_steps((half ? 0.5 : 1) * usual_step(stable_step(*structure), structure->model()), 0.03));
+                Dynamics run(
+                    structure, initial_state(*structure),
+                    explicit_steps((half ? 0.5 : 1) * usual_step(stable_step(*structure), structure->model()), 0.03));
                 const double worst = worst_remainder(run, 5);
                 CHECK(run.verdict() == Verdict::completed);
                 CHECK(run.state().contact->counts().bound > 0);
                 char text[64];
-                std::snprintf(text, sizeof text, "%s, %g degrees: remainder %s", what, angle, half ? "at worst, half the step" : "at the end");
+                std::snprintf(text, sizeof text, "%s, %g degrees: remainder %s", what, angle,
+                              half ? "at worst, half the step" : "at the end");
                 CHECK_FIGURE(text, half ? worst : std::abs(run.energy().remainder) / run.energy().initial, 5e-3);
             }
 }
@@ -296,7 +325,9 @@ TEST_CASE("explicit: a break keeps both momenta and gains no energy (1e-12, 1e-1
         Dice dice(seed);
         Frame frame;
         const int hub = frame.node(dice.vector(3));
-        for (int i = 0; i < 4; ++i) frame.member(hub, frame.node(frame.model->nodes()[hub].position + dice(0.5, 1.5) * dice.direction()), dice.direction());
+        for (int i = 0; i < 4; ++i)
+            frame.member(hub, frame.node(frame.model->nodes()[hub].position + dice(0.5, 1.5) * dice.direction()),
+                         dice.direction());
         for (int n = 0; n < 5; ++n) frame.model->set_velocity(n, dice.vector(100), dice.vector(30));
         const auto structure = lumped(frame);
         State state = initial_state(*structure);
@@ -305,7 +336,8 @@ TEST_CASE("explicit: a break keeps both momenta and gains no energy (1e-12, 1e-1
             const double kinetic = kinetic_energy(*structure, state);
             const BreakReport report = break_element(*structure, state, 2 * n + dice.pick(2), 1 + dice.pick(2));
             const Momentum after = momentum(*structure, state);
-            worst = std::max({worst, (after.linear - before.linear).norm() / before.linear.norm(), (after.angular - before.angular).norm() / before.angular.norm()});
+            worst = std::max({worst, (after.linear - before.linear).norm() / before.linear.norm(),
+                              (after.angular - before.angular).norm() / before.angular.norm()});
             worst = std::max(worst, std::abs(kinetic - kinetic_energy(*structure, state) - report.kinetic) / kinetic);
             gained = std::max(gained, -report.kinetic / kinetic);
             lost = std::max(lost, report.kinetic / kinetic);
@@ -316,9 +348,12 @@ TEST_CASE("explicit: a break keeps both momenta and gains no energy (1e-12, 1e-1
     CHECK_FIGURE("kinetic energy gained in a break", gained, 1e-14);
 }
 
-TEST_CASE("explicit: a stub on a pin swings about the pin, in explicit steps and in implicit ones (2e-3: its rotary inertia, r^2/L^2)", "[explicit]") {
-    // inertia c m L^2 about the pin, 1/3 of a rod, 1/2 with half the mass at its end: theta'' = g cos(theta) / (2 c L) from the
-    // horizontal, theta'^2 = g sin(theta) / (c L)
+TEST_CASE(
+    "explicit: a stub on a pin swings about the pin, in explicit steps and in implicit ones (2e-3: its rotary inertia, "
+    "r^2/L^2)",
+    "[explicit]") {
+    // inertia c m L^2 about the pin, 1/3 of a rod, 1/2 with half the mass at its end: theta'' = g cos(theta) / (2 c L)
+    // from the horizontal, theta'^2 = g sin(theta) / (c L)
     constexpr double g = 9.80665, L = 0.5;
     for (bool in_explicit_steps : {true, false}) {
         const std::string name = in_explicit_steps ? "explicit" : "implicit";
@@ -334,14 +369,16 @@ TEST_CASE("explicit: a stub on a pin swings about the pin, in explicit steps and
         break_element(*structure, state, 0, 2);
         const double dt = in_explicit_steps ? 4e-6 : 2e-5, duration = 0.15;
         Dynamics run(structure, state, in_explicit_steps ? explicit_steps(dt, duration) : implicit_steps(dt, duration));
-        CHECK_FIGURE(name + ": angular acceleration at the start", off(run.state().acceleration[pin][4], g / (2 * c * L)), 2e-3);
+        CHECK_FIGURE(name + ": angular acceleration at the start",
+                     off(run.state().acceleration[pin][4], g / (2 * c * L)), 2e-3);
         double worst = 0;
         while (run.advance())
             if (run.steps_done() % 10 == 0) worst = std::max(worst, std::abs(run.energy().remainder));
         REQUIRE(run.verdict() == Verdict::completed);
         const Vec3 along = run.state().rotation[pin] * Vec3::UnitX();
         CHECK(-along.z() > 0.2);
-        CHECK_FIGURE(name + ": angular speed for the height fallen", off(std::pow(run.state().velocity[pin][4], 2), g * -along.z() / (c * L)), 2e-3);
+        CHECK_FIGURE(name + ": angular speed for the height fallen",
+                     off(std::pow(run.state().velocity[pin][4], 2), g * -along.z() / (c * L)), 2e-3);
         CHECK_FIGURE(name + ": remainder over the kinetic energy", worst / run.energy().kinetic, 1e-3);
     }
 }

@@ -7,13 +7,17 @@ using namespace hinge::test;
 
 namespace {
 
-/// A beam of two members, skew in space, in flight with spin `w` about an axis across it; 3000 steps. Largest deviations.
+/// A beam of two members, skew in space, in flight with spin `w` about an axis across it; 3000 steps. Largest
+/// deviations.
 Flight fly(const Vec3& v, double spin, double dt, int steps = 3000) {
     Frame frame;
     const Vec3 along = Vec3(1, 2, -0.5).normalized(), axis = along.unitOrthogonal();
     const auto nodes = straight(frame, Vec3(1, 1, 1), Vec3(1, 1, 1) + along, 1, axis);
-    // stretched as the spin wants it, so that it does not begin by ringing: u' = rho w^2 (L^2/4 - s^2) / (2 E) from the middle
-    for (int n : nodes) frame.model->set_velocity(n, v + spin * axis.cross(frame.model->nodes()[n].position - Vec3(1, 1, 1) - 0.5 * along), spin * axis);
+    // stretched as the spin wants it, so that it does not begin by ringing: u' = rho w^2 (L^2/4 - s^2) / (2 E) from the
+    // middle
+    for (int n : nodes)
+        frame.model->set_velocity(
+            n, v + spin * axis.cross(frame.model->nodes()[n].position - Vec3(1, 1, 1) - 0.5 * along), spin * axis);
     const auto structure = frame.build();
     DynamicSettings s;
     s.dt = dt;
@@ -69,6 +73,7 @@ TEST_CASE("flight: conjugate gradients and the direct solver agree", "[flight]")
         ends[direct] = run.state().displacement;
     }
     double difference = 0, size = 0;
-    for (std::size_t i = 0; i < ends[0].size(); ++i) difference = std::max(difference, (ends[0][i] - ends[1][i]).norm()), size = std::max(size, ends[0][i].norm());
+    for (std::size_t i = 0; i < ends[0].size(); ++i)
+        difference = std::max(difference, (ends[0][i] - ends[1][i]).norm()), size = std::max(size, ends[0][i].norm());
     CHECK_FIGURE("displacements", difference / size, 1e-8);
 }

@@ -15,10 +15,14 @@ struct Star {
         Dice dice(seed);
         Frame frame;
         const int hub = frame.node(dice.vector(3));
-        for (int i = 0; i < arms; ++i) frame.member(hub, frame.node(frame.model->nodes()[hub].position + dice(0.5, 1.5) * dice.direction()), dice.direction());
+        for (int i = 0; i < arms; ++i)
+            frame.member(hub, frame.node(frame.model->nodes()[hub].position + dice(0.5, 1.5) * dice.direction()),
+                         dice.direction());
         const Vec3 v = dice.vector(100), w = dice.vector(30);
         for (int n = 0; n <= arms; ++n)
-            frame.model->set_velocity(n, v + w.cross(frame.model->nodes()[n].position - frame.model->nodes()[hub].position) + dice.vector(2), w + dice.vector(2));
+            frame.model->set_velocity(
+                n, v + w.cross(frame.model->nodes()[n].position - frame.model->nodes()[hub].position) + dice.vector(2),
+                w + dice.vector(2));
         structure = frame.build();
         DynamicSettings s;
         s.dt = 1e-5;
@@ -31,7 +35,8 @@ struct Star {
 };
 
 double momentum_change(const Momentum& a, const Momentum& b) {
-    return std::max({std::abs(b.mass / a.mass - 1), (b.linear - a.linear).norm() / a.linear.norm(), (b.angular - a.angular).norm() / a.angular.norm()});
+    return std::max({std::abs(b.mass / a.mass - 1), (b.linear - a.linear).norm() / a.linear.norm(),
+                     (b.angular - a.angular).norm() / a.angular.norm()});
 }
 
 /// A bar pulled at its end: elastic, or yielding at `yield` Pa.
@@ -54,7 +59,8 @@ DynamicSettings milliseconds(double duration, double dt = 1e-5) {
 
 }  // namespace
 
-TEST_CASE("fracture: mass and both momenta stay what they were through a break, to 1e-12; what it costs is booked", "[fracture]") {
+TEST_CASE("fracture: mass and both momenta stay what they were through a break, to 1e-12; what it costs is booked",
+          "[fracture]") {
     double worst = 0, most_gained = 0, wrong_booking = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         Star star(seed);
@@ -62,12 +68,15 @@ TEST_CASE("fracture: mass and both momenta stay what they were through a break, 
         for (int n = 0; n < 4; ++n) {  // one after the other, several at the hub
             const int element = 2 * n + dice.pick(2), end = 1 + dice.pick(2);
             const Momentum before = momentum(*star.structure, star.state);
-            const double kinetic = kinetic_energy(*star.structure, star.state), booked = star.state.booked.fracture_kinetic;
+            const double kinetic = kinetic_energy(*star.structure, star.state),
+                         booked = star.state.booked.fracture_kinetic;
             const BreakReport report = break_element(*star.structure, star.state, element, end);
             worst = std::max(worst, momentum_change(before, momentum(*star.structure, star.state)));
             const double lost = kinetic - kinetic_energy(*star.structure, star.state);
             most_gained = std::max(most_gained, -report.kinetic / kinetic);
-            wrong_booking = std::max({wrong_booking, std::abs(lost - report.kinetic) / kinetic, std::abs(star.state.booked.fracture_kinetic - booked - report.kinetic) / kinetic});
+            wrong_booking =
+                std::max({wrong_booking, std::abs(lost - report.kinetic) / kinetic,
+                          std::abs(star.state.booked.fracture_kinetic - booked - report.kinetic) / kinetic});
             CHECK(report.elastic >= 0);
             CHECK(star.state.broken[element] == end);
             CHECK(star.state.force[element].isZero(0));
@@ -102,7 +111,8 @@ TEST_CASE("fracture: a body that has broken flies on with its momenta and its en
     while (on.advance()) worst = std::max(worst, std::abs(on.energy().remainder) / on.energy().initial);
     CHECK(on.verdict() == Verdict::completed);
     CHECK_FIGURE("energy remainder over 1000 steps after three breaks", worst, 1e-4);
-    CHECK_FIGURE("momenta over 1000 steps after three breaks", momentum_change(before, momentum(*star.structure, on.state())), 1e-4);
+    CHECK_FIGURE("momenta over 1000 steps after three breaks",
+                 momentum_change(before, momentum(*star.structure, on.state())), 1e-4);
 }
 
 TEST_CASE("fracture: eq 16 breaks a pulled bar at its critical strain, and not below it", "[fracture]") {
@@ -115,7 +125,9 @@ TEST_CASE("fracture: eq 16 breaks a pulled bar at its critical strain, and not b
     while (run.advance()) {
         for (std::size_t i = 0; i < run.state().broken.size(); ++i) {
             broke |= run.state().broken[i] != 0;
-            if (!broke) largest_before = std::max(largest_before, std::abs(run.state().force[i][4]) / run.structure().elements()[i].rigidity.EA);
+            if (!broke)
+                largest_before = std::max(
+                    largest_before, std::abs(run.state().force[i][4]) / run.structure().elements()[i].rigidity.EA);
         }
         if (broke) break;
     }
@@ -142,7 +154,8 @@ TEST_CASE("fracture: tension_only lets compression pass", "[fracture]") {
         frame.model->add_fracture(rule);
         frame.member(a, b);
         frame.load(b, {-1.2 * 612.5e3, 0, 0});
-        Dynamics run(frame.build(), initial_state(*frame.build()), milliseconds(3.9e-4, 1e-6));  // there and back: the wall doubles it
+        Dynamics run(frame.build(), initial_state(*frame.build()),
+                     milliseconds(3.9e-4, 1e-6));  // there and back: the wall doubles it
         while (run.advance()) {}
         CHECK(run.count_members(-1).broken == (tension_only ? 0 : 1));
     }
@@ -165,10 +178,17 @@ TEST_CASE("fracture: a hook equal to the built-in rule gives the same bits", "[f
 
 TEST_CASE("fracture: a hook that raises leaves the last good state", "[fracture]") {
     FractureRule rule;
-    rule.hook = [](const SectionView& s) -> bool { if (s.time > 1e-3) throw std::runtime_error("the script's own mistake"); return false; };
+    rule.hook = [](const SectionView& s) -> bool {
+        if (s.time > 1e-3) throw std::runtime_error("the script's own mistake");
+        return false;
+    };
     Frame frame = pulled_bar(245e6, rule);
     Dynamics run(frame.build(), initial_state(*frame.build()), milliseconds(4e-3));
     std::uint64_t last = 0;
-    CHECK_THROWS_WITH([&] { while (run.advance()) last = hash(run.state()); }(), "the script's own mistake");
+    CHECK_THROWS_WITH(
+        [&] {
+            while (run.advance()) last = hash(run.state());
+        }(),
+        "the script's own mistake");
     CHECK(hash(run.state()) == last);
 }

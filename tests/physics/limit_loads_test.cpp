@@ -1,7 +1,8 @@
-// Limit loads and the way to them (benchmarks.md 11-14): first-order values, so displacement = "small". Two asi-gauss elements a member.
+// Limit loads and the way to them (benchmarks.md 11-14): first-order values, so displacement = "small". Two asi-gauss
+// elements a member.
 //
-// The references are for beams without shear deformation and, in frames, without axial deformation; both are made many thousand
-// times stiffer here, which leaves some 1e-6 of them.
+// The references are for beams without shear deformation and, in frames, without axial deformation; both are made many
+// thousand times stiffer here, which leaves some 1e-6 of them.
 #include <optional>
 
 #include "helpers.h"
@@ -57,7 +58,8 @@ Bench fixed_fixed() {
 Bench portal(double H, double V, bool pinned = false, bool axial_counts = false) {
     Bench b(section_S(1e4, 1e3, axial_counts));
     const std::uint8_t base = pinned ? 0b101111 : 63;
-    const int foot1 = b.foot(0, 0, 0, base), foot2 = b.foot(1, 0, 0, base), top1 = b.node(0, 0, 1), mid = b.node(0.5, 0, 1), top2 = b.node(1, 0, 1);
+    const int foot1 = b.foot(0, 0, 0, base), foot2 = b.foot(1, 0, 0, base), top1 = b.node(0, 0, 1),
+              mid = b.node(0.5, 0, 1), top2 = b.node(1, 0, 1);
     b.member(foot1, top1);
     b.member(foot2, top2);
     b.member(top1, mid);
@@ -81,15 +83,16 @@ double limit_load(const Bench& bench, double beyond) {
     StaticSettings settings;
     settings.steps = 20;
     auto loaded = std::make_shared<Model>(*bench.model);
-    for (const NodalLoad& l : bench.model->loads()) loaded->add_load({l.node, (beyond - 1) * l.force, (beyond - 1) * l.moment, {}});
+    for (const NodalLoad& l : bench.model->loads())
+        loaded->add_load({l.node, (beyond - 1) * l.force, (beyond - 1) * l.moment, {}});
     const auto run = statics(std::make_shared<Structure>(loaded), settings);
     REQUIRE(run->verdict() == Verdict::failed);
     CHECK(run->reason().find("limit load") != std::string::npos);
     return run->state().factor * beyond;
 }
 
-/// The kinks of the load-displacement line: loads at which a hinge forms. Between kinks the line is straight, so each is found by
-/// crossing the straight pieces before and after it.
+/// The kinks of the load-displacement line: loads at which a hinge forms. Between kinks the line is straight, so each
+/// is found by crossing the straight pieces before and after it.
 std::vector<double> hinge_loads(const Bench& bench, double to, int steps) {
     const auto structure = bench.build();
     Statics run(structure, initial_state(*structure), driven(bench.probe, bench.component, to, steps));
@@ -99,7 +102,8 @@ std::vector<double> hinge_loads(const Bench& bench, double to, int steps) {
     REQUIRE(run.verdict() == Verdict::completed);
     std::vector<double> slope, kinks;
     for (std::size_t i = 1; i < u.size(); ++i) slope.push_back((P[i] - P[i - 1]) / (u[i] - u[i - 1]));
-    for (std::size_t i = 1; i + 1 < slope.size(); ++i) {  // step i holds a kink: straight before, straight after, not the same
+    for (std::size_t i = 1; i + 1 < slope.size();
+         ++i) {  // step i holds a kink: straight before, straight after, not the same
         const bool bent = std::abs(slope[i] - slope[i - 1]) > 1e-2 * std::abs(slope[0]);
         if (!bent) continue;
         const double before = slope[i - 1], after = slope[i + 1];
@@ -113,7 +117,9 @@ std::vector<double> hinge_loads(const Bench& bench, double to, int steps) {
 
 }  // namespace
 
-TEST_CASE("11: propped cantilever, the two hinges' loads at their displacements, and the mechanism (0.1 %, issue; exact to 1e-5)") {
+TEST_CASE(
+    "11: propped cantilever, the two hinges' loads at their displacements, and the mechanism (0.1 %, issue; exact to "
+    "1e-5)") {
     const Bench bench = propped();
     CHECK_FIGURE("propped cantilever, P at w = 3.46885 mm", off(load_at(bench, -3.46885e-3, 1), 40.8333e3), 1e-5);
     CHECK_FIGURE("propped cantilever, P at w = 4.45995 mm", off(load_at(bench, -4.45995e-3, 4), 45.9375e3), 1e-5);
@@ -150,7 +156,8 @@ TEST_CASE("13: portal, H = V: four hinges one after the other (0.1 %, issue)") {
     const auto kinks = hinge_loads(portal(1, 1), 60e-3, 2000);
     REQUIRE(kinks.size() == 4);
     const double expected[] = {23.3864e3, 25.6136e3, 27.0640e3, 30.6250e3};
-    for (int i = 0; i < 4; ++i) CHECK_FIGURE("portal H = V, hinge " + std::to_string(i + 1), off(kinks[i], expected[i]), 1e-4);
+    for (int i = 0; i < 4; ++i)
+        CHECK_FIGURE("portal H = V, hinge " + std::to_string(i + 1), off(kinks[i], expected[i]), 1e-4);
 }
 
 TEST_CASE("13: portal, V = 2H and pinned bases (0.1 %, issue)") {
@@ -183,8 +190,10 @@ double cantilever_limit(const Vec3& force, bool by_displacement) {
 TEST_CASE("14: a biaxially bent square cantilever carries Mp/L in any direction (0.1 %, issue)") {
     for (double degrees : {0.0, 17.0, 45.0, 71.0, 90.0, 200.0}) {
         const Vec3 along(0, std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
-        CHECK_FIGURE("cantilever bent towards " + std::to_string(int(degrees)) + " degrees, load control", off(cantilever_limit(Mp * along, false), 1), 1e-4);
-        CHECK_FIGURE("cantilever bent towards " + std::to_string(int(degrees)) + " degrees, plateau", off(cantilever_limit(Mp * along, true), 1), 1e-6);
+        CHECK_FIGURE("cantilever bent towards " + std::to_string(int(degrees)) + " degrees, load control",
+                     off(cantilever_limit(Mp * along, false), 1), 1e-4);
+        CHECK_FIGURE("cantilever bent towards " + std::to_string(int(degrees)) + " degrees, plateau",
+                     off(cantilever_limit(Mp * along, true), 1), 1e-6);
     }
 }
 
@@ -203,13 +212,16 @@ TEST_CASE("14: L-shaped cantilever in plan, bent and twisted at its root (0.1 %,
         b.member(elbow, tip);
         b.load(tip, {0, 0, -1});
         b.probe = tip, b.component = 2;
-        CHECK_FIGURE("L-cantilever, arm " + std::to_string(arm) + ", load control", off(limit_load(b, 1.3 * load), load), 1e-4);
+        CHECK_FIGURE("L-cantilever, arm " + std::to_string(arm) + ", load control",
+                     off(limit_load(b, 1.3 * load), load), 1e-4);
         CHECK_FIGURE("L-cantilever, arm " + std::to_string(arm) + ", plateau", off(load_at(b, -0.5, 100), load), 1e-4);
         CHECK(std::abs(T0 - 5893.78) < 1e-9);
     }
 }
 
-TEST_CASE("asi and conventional elements: asi has the exact limit load with any mesh, the conventional one only from above (0.1 %)") {
+TEST_CASE(
+    "asi and conventional elements: asi has the exact limit load with any mesh, the conventional one only from above "
+    "(0.1 %)") {
     const auto limit = [](Formulation f, int elements) {
         Frame frame(small_displacement(f));
         frame.section = section_S(1e4);
@@ -225,7 +237,8 @@ TEST_CASE("asi and conventional elements: asi has the exact limit load with any 
     for (int n : {1, 2, 4}) {
         CHECK_FIGURE("asi, " + std::to_string(n) + " elements", off(limit(Formulation::asi, n), 1), 1e-6);
         // its hinge sits in the middle of the root element: arm L (1 - 1/(2 n))
-        CHECK_FIGURE("conventional, " + std::to_string(n) + " elements", off(limit(Formulation::conventional, n), 1 / (1 - 0.5 / n)), 1e-6);
+        CHECK_FIGURE("conventional, " + std::to_string(n) + " elements",
+                     off(limit(Formulation::conventional, n), 1 / (1 - 0.5 / n)), 1e-6);
     }
 }
 

@@ -1,4 +1,5 @@
-// The cubic mass of a pair of elements: beams whose frequencies are known, frames against fine meshes, and what a free body keeps.
+// The cubic mass of a pair of elements: beams whose frequencies are known, frames against fine meshes, and what a free
+// body keeps.
 #include <numeric>
 
 #include "helpers.h"
@@ -23,7 +24,7 @@ double lowest(const Frame& frame) {
     return natural_frequencies(*structure, nodes, 0, 1)[0];
 }
 
-constexpr std::uint8_t clamped = 63, in_plane = 0b101010;   // in_plane: moves along x and z, turns about y
+constexpr std::uint8_t clamped = 63, in_plane = 0b101010;  // in_plane: moves along x and z, turns about y
 
 /// Members in a row along x, in the plane x-z.
 Frame row(MassShape mass, int members, int elements, std::uint8_t left, std::uint8_t right) {
@@ -44,7 +45,8 @@ Frame storeys(MassShape mass, int high, int wide, int elements) {
     frame.elements = elements;
     std::vector<std::vector<int>> at(high + 1);
     for (int s = 0; s <= high; ++s)
-        for (int b = 0; b <= wide; ++b) at[s].push_back(s == 0 ? frame.foot(2.0 * b, 0, 0) : frame.foot(2.0 * b, 0, 1.5 * s, in_plane));
+        for (int b = 0; b <= wide; ++b)
+            at[s].push_back(s == 0 ? frame.foot(2.0 * b, 0, 0) : frame.foot(2.0 * b, 0, 1.5 * s, in_plane));
     for (int s = 1; s <= high; ++s)
         for (int b = 0; b <= wide; ++b) {
             frame.member(at[s - 1][b], at[s][b]);
@@ -60,16 +62,19 @@ TEST_CASE("cubic mass: slender beams of two elements a member, where the linear 
     const double cantilever = std::pow(1.8751040687, 2) * c, spans = std::pow(pi / 3, 2) * c;
     const auto error = [](const Frame& frame, double exact) { return lowest(frame) / exact - 1; };
     CHECK_FIGURE("cantilever", std::abs(error(row(MassShape::cubic, 1, 2, clamped, 0), cantilever)), 2.5e-3);
-    CHECK_FIGURE("three members between pins", std::abs(error(row(MassShape::cubic, 3, 2, pinned, pinned), spans)), 1e-3);
+    CHECK_FIGURE("three members between pins", std::abs(error(row(MassShape::cubic, 3, 2, pinned, pinned), spans)),
+                 1e-3);
     CHECK(error(row(MassShape::linear, 1, 2, clamped, 0), cantilever) < -0.03);
     CHECK(error(row(MassShape::linear, 3, 2, pinned, pinned), spans) > 0.03);
-    CHECK_FIGURE("cantilever, four elements", std::abs(error(row(MassShape::cubic, 1, 4, clamped, 0), cantilever)), 1e-3);
+    CHECK_FIGURE("cantilever, four elements", std::abs(error(row(MassShape::cubic, 1, 4, clamped, 0), cantilever)),
+                 1e-3);
 }
 
 TEST_CASE("cubic mass: frames of two elements a member against a fine mesh", "[mass]") {
     for (const auto& [high, wide, limit] : {std::tuple{1, 1, 2e-3}, std::tuple{3, 2, 5e-4}}) {
         const double fine = lowest(storeys(MassShape::linear, high, wide, 32));
-        const double cubic = off(lowest(storeys(MassShape::cubic, high, wide, 2)), fine), linear = off(lowest(storeys(MassShape::linear, high, wide, 2)), fine);
+        const double cubic = off(lowest(storeys(MassShape::cubic, high, wide, 2)), fine),
+                     linear = off(lowest(storeys(MassShape::linear, high, wide, 2)), fine);
         CHECK_FIGURE("sway of " + std::to_string(high) + " storeys", cubic, limit);
         CHECK_FIGURE("the linear mass has more", cubic / linear, 0.5);
     }
@@ -96,7 +101,8 @@ TEST_CASE("cubic mass: a body that bends and tumbles keeps its momenta and its e
         Frame frame(with_mass(mass));
         const auto nodes = straight(frame, {0, 0, 0}, {1, 2, -0.5}, 4);
         const Vec3 across = Vec3(2, -1, 0).normalized();
-        for (std::size_t i = 0; i < nodes.size(); ++i) frame.model->set_velocity(nodes[i], Vec3(5, 1, 0) + (i % 2 == 0 ? 1.0 : -1.0) * across, Vec3(0.5, 1, 2));
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            frame.model->set_velocity(nodes[i], Vec3(5, 1, 0) + (i % 2 == 0 ? 1.0 : -1.0) * across, Vec3(0.5, 1, 2));
         const auto structure = frame.build();
         DynamicSettings s;
         s.dt = dt;
@@ -104,7 +110,8 @@ TEST_CASE("cubic mass: a body that bends and tumbles keeps its momenta and its e
         Dynamics run(structure, initial_state(*structure), s);
         return worst_of_flight(run);
     };
-    const Flight fine = fly(MassShape::cubic, 1e-5), coarse = fly(MassShape::cubic, 4e-5), linear = fly(MassShape::linear, 1e-5);
+    const Flight fine = fly(MassShape::cubic, 1e-5), coarse = fly(MassShape::cubic, 4e-5),
+                 linear = fly(MassShape::linear, 1e-5);
     CHECK_FIGURE("linear momentum", fine.linear, 1e-9);
     CHECK_FIGURE("angular momentum", fine.angular, std::max(1e-6, 3 * linear.angular));
     CHECK_FIGURE("energy", fine.energy, std::max(1e-6, 3 * linear.energy));

@@ -6,7 +6,10 @@ using namespace hinge::test;
 
 namespace {
 
-struct Balance { double worst, plastic; bool monotone; };
+struct Balance {
+    double worst, plastic;
+    bool monotone;
+};
 
 /// SF-1 of benchmarks.md under 12 kN put on at once, for 5 ms.
 Balance sudden_load(double dt, Shift shift) {
@@ -42,6 +45,7 @@ TEST_CASE("plastic ledger: SF-1 under 12 kN at once closes, better with a shorte
     CHECK(fine.worst < 0.2 * coarse.worst);
 }
 
-TEST_CASE("plastic ledger: moving the elastic point with the hinge (the paper's letter) does not close", "[plastic_ledger]") {
+TEST_CASE("plastic ledger: moving the elastic point with the hinge (the paper's letter) does not close",
+          "[plastic_ledger]") {
     CHECK(sudden_load(5e-6, Shift::whole).worst > 100 * sudden_load(5e-6, Shift::plastic).worst);
 }

@@ -1,5 +1,6 @@
-// No memory for Lua: at each allocation of a small script, from the loading of the library on, Lua is refused. Each time the script
-// must end in LUA_ERRMEM, the state must work again once there is memory, and nothing may be left when it is closed.
+// No memory for Lua: at each allocation of a small script, from the loading of the library on, Lua is refused. Each
+// time the script must end in LUA_ERRMEM, the state must work again once there is memory, and nothing may be left when
+// it is closed.
 //
 // Run     build/tests/memory_test
 #include <cstdio>
@@ -15,7 +16,8 @@ namespace {
 long objects = 0;  // alive of what C++ has made with new
 
 void* make(std::size_t size, std::size_t alignment) {
-    void* p = alignment ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment) : std::malloc(size ? size : 1);
+    void* p = alignment ? std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment)
+                        : std::malloc(size ? size : 1);
     if (!p) throw std::bad_alloc();
     ++objects;
     return p;
@@ -31,9 +33,7 @@ void* operator new(std::size_t n) { return make(n, 0); }
 void* operator new(std::size_t n, const std::nothrow_t&) noexcept {
     try {
         return make(n, 0);
-    } catch (const std::bad_alloc&) {
-        return nullptr;
-    }
+    } catch (const std::bad_alloc&) { return nullptr; }
 }
 void* operator new(std::size_t n, std::align_val_t a) { return make(n, std::size_t(a)); }
 void operator delete(void* p) noexcept { drop(p); }
@@ -45,7 +45,8 @@ namespace {
 
 constexpr long never = 1L << 60;
 
-/// Lua's allocator with a host's quota: the requests from `refused` to `until` fail; to shrink and to free always works.
+/// Lua's allocator with a host's quota: the requests from `refused` to `until` fail; to shrink and to free always
+/// works.
 struct Quota {
     long requests = 0, refused = never, until = never;
     long bytes = 0;
@@ -101,14 +102,16 @@ for _, wrong in ipairs { function() model:node { 1 } end, function() return run.
 end
 )";
 
-/// One state, in which the refused-th request of `phase` (0: loading, 1: the script) fails, and with it all that come after or only
-/// the one that Lua makes when it has collected. True if it took fewer.
+/// One state, in which the refused-th request of `phase` (0: loading, 1: the script) fails, and with it all that come
+/// after or only the one that Lua makes when it has collected. True if it took fewer.
 bool refused_at(int phase, long refused, bool for_good, bool& fine) {
     const long objects_before = objects;
     Quota quota;
     bool whole = false;
     const auto complain = [&](const char* what, const char* detail) {
-        if (refused < never) std::printf("%s, request %ld refused: %s (%s)\n", phase ? "script" : "loading", refused, what, detail ? detail : "no text");
+        if (refused < never)
+            std::printf("%s, request %ld refused: %s (%s)\n", phase ? "script" : "loading", refused, what,
+                        detail ? detail : "no text");
         fine = false;
     };
     {
@@ -134,7 +137,9 @@ bool refused_at(int phase, long refused, bool for_good, bool& fine) {
         whole = quota.requests < refused;
         const std::string said = status != LUA_OK && lua_tostring(L, -1) ? lua_tostring(L, -1) : "";
         // require makes a message of its own of a file for which there was no memory
-        if (!whole && status != LUA_ERRMEM && (for_good || status != LUA_OK) && !said.ends_with("\n\tnot enough memory")) complain("no lack of memory", said.c_str());
+        if (!whole && status != LUA_ERRMEM && (for_good || status != LUA_OK) &&
+            !said.ends_with("\n\tnot enough memory"))
+            complain("no lack of memory", said.c_str());
         if (!whole && call(0) != LUA_OK) complain("no loading afterwards", lua_tostring(L, -1));
         if (!whole && call(1) != LUA_OK) complain("no going on afterwards", lua_tostring(L, -1));
         lua_close(L);
@@ -153,7 +158,8 @@ int main() {
         for (const bool for_good : {true, false}) {
             long n = 1;
             while (!refused_at(phase, n, for_good, fine)) ++n;
-            std::printf("%s: refused %s at each of %ld requests\n", phase ? "script" : "loading", for_good ? "for good" : "once", n - 1);
+            std::printf("%s: refused %s at each of %ld requests\n", phase ? "script" : "loading",
+                        for_good ? "for good" : "once", n - 1);
         }
     std::puts(fine ? "memory: nothing lost" : "memory: FAILED");
     return fine ? 0 : 1;

@@ -56,10 +56,8 @@ std::vector<Vec6> forces_of(Bound& b) {
 /// `b` with freedom `k` of node `n` moved by h.
 Bound nudged(const Bound& b, int n, int k, double h) {
     Bound out = b;
-    if (k < 3)
-        out.x[n][k] += h;
-    else
-        out.q[n] = exponential(h * Vec3::Unit(k - 3)) * out.q[n];
+    if (k < 3) out.x[n][k] += h;
+    else out.q[n] = exponential(h * Vec3::Unit(k - 3)) * out.q[n];
     return out;
 }
 
@@ -180,7 +178,7 @@ TEST_CASE("contact: bonds in degenerate positions", "[contact]") {
 
 TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
     for (unsigned seed = 0; seed < 16; ++seed) {
-        const bool arms = seed % 2, stub = seed >= 12;   // a stub: both ends of a bar on one node
+        const bool arms = seed % 2, stub = seed >= 12;  // a stub: both ends of a bar on one node
         Bound b = bound_pair(seed, 0.05, 0.3, 2.0, arms || stub);
         if (stub) {
             // The end keeps its place; node 1, or node 3, is left alone.
@@ -214,6 +212,6 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
 
 TEST_CASE("contact: stiffness of a gap element", "[contact]") {
     CHECK(gap_stiffness(2e8, 2e8, 0.5, 0.1) == Approx(4e8));
-    CHECK(gap_stiffness(2e8, 2e8, 1e-6, 0.1) == Approx(2e9));          // floored
-    CHECK(gap_stiffness(1e8, 1e12, 1, 0.1) == Approx(2e8).epsilon(1e-3));   // the softer bar rules
+    CHECK(gap_stiffness(2e8, 2e8, 1e-6, 0.1) == Approx(2e9));              // floored
+    CHECK(gap_stiffness(1e8, 1e12, 1, 0.1) == Approx(2e8).epsilon(1e-3));  // the softer bar rules
 }

@@ -25,12 +25,14 @@ struct Crash {
         frame.model->add_fracture(limits);
         frame.model->set_gravity({0, 0, -9.80665});
         frame.material = steel(245e6);
-        const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08), b2 = frame.node(0.1, 0.5, 0.08);
+        const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08),
+                  b2 = frame.node(0.1, 0.5, 0.08);
         for (int a : {a1, a2}) frame.model->fix(a, 63);
         frame.member(a1, a2);
         frame.member(b1, b2);
         for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -speed}, Vec3::Zero());
-        structure = std::make_shared<const Structure>(frame.model, in_explicit_steps ? MassKind::lumped : MassKind::consistent);
+        structure =
+            std::make_shared<const Structure>(frame.model, in_explicit_steps ? MassKind::lumped : MassKind::consistent);
         settings.dt = in_explicit_steps ? 1e-5 : 2e-5;
         settings.duration = 0.02;
         settings.beta = in_explicit_steps ? 0 : 0.25;
@@ -96,7 +98,8 @@ TEST_CASE("checkpoint: contents that make no sense are refused, and the run is a
                 return false;
             }
         };
-        for (std::size_t length = 0; length < good.size(); length += 1 + length % 7) REQUIRE_FALSE(attempt(std::string_view(good).substr(0, length)));
+        for (std::size_t length = 0; length < good.size(); length += 1 + length % 7)
+            REQUIRE_FALSE(attempt(std::string_view(good).substr(0, length)));
         CHECK((saved(other) == fresh));
         for (std::size_t i = 0; i < good.size(); ++i)
             for (int change : {0x01, 0x80, 0xff}) {
@@ -142,7 +145,9 @@ TEST_CASE("checkpoint: a node that is gone does not move, and what is held has n
     state.held[gone] = 62;
     CHECK_FALSE(makes_sense(state, *crash.structure));
 
-    const auto bytes_of = [](const std::vector<Vec6>& list) { return std::string(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(Vec6)); };
+    const auto bytes_of = [](const std::vector<Vec6>& list) {
+        return std::string(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(Vec6));
+    };
     const std::string good = saved(run), inverse = bytes_of(Mass(*crash.structure, run.state()).lumped_inverse());
     const auto at = good.find(inverse);
     REQUIRE(at != std::string::npos);
@@ -161,13 +166,15 @@ TEST_CASE("checkpoint: one of another model or other settings is told by its par
     const Checkpoint found = open_checkpoint(bytes, "file");
     Dynamics other = faster.start();
     const std::string before = saved(other);
-    CHECK_THROWS_WITH(resume(other, found, "file"), Catch::Contains("is of another run, with not the same velocities;"));
+    CHECK_THROWS_WITH(resume(other, found, "file"),
+                      Catch::Contains("is of another run, with not the same velocities;"));
     CHECK((saved(other) == before));
     Crash longer(false);
     longer.settings.duration = 0.03;
     longer.settings.turn = 0.02;
     Dynamics third = longer.start();
-    CHECK_THROWS_WITH(resume(third, found, "file"), Catch::Contains("with not the same duration and settings of the run;"));
+    CHECK_THROWS_WITH(resume(third, found, "file"),
+                      Catch::Contains("with not the same duration and settings of the run;"));
     CHECK_THROWS_AS(open_checkpoint(bytes.substr(0, 30), "file"), OutsideError);
     CHECK_THROWS_AS(open_checkpoint("", "file"), OutsideError);
 }

@@ -15,7 +15,8 @@
 using namespace hinge;
 using namespace hinge::contact;
 
-// ------------------------------------------------------------------------------------------------------- the rule at work
+// ------------------------------------------------------------------------------------------------------- the rule at
+// work
 
 TEST_CASE("contact: members crossing at their mid nodes bind up to four element pairs", "[contact]") {
     for (double angle : {90.0, 45.0, 10.0}) {
@@ -25,7 +26,8 @@ TEST_CASE("contact: members crossing at their mid nodes bind up to four element 
         Contact contact{ContactSettings()};
         CHECK(contact.detect(s.bars, false, s.motion(), 1e-6, 0) == 0);
         for (int n = 3; n < 6; ++n) s.x[n].z() -= 0.1;
-        // Halves that point away from each other by more than 106 degrees are too long for eq 18: two of the four at 45 degrees.
+        // Halves that point away from each other by more than 106 degrees are too long for eq 18: two of the four at 45
+        // degrees.
         const std::vector<std::pair<int, int>> all{{0, 2}, {0, 3}, {1, 2}, {1, 3}}, near{{0, 2}, {1, 3}};
         const auto& pairs = angle > 74 ? all : near;
         CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 1e-5) == static_cast<int>(pairs.size()));
@@ -78,10 +80,12 @@ TEST_CASE("contact: bars that part or stay are left alone", "[contact]") {
     }
 }
 
-TEST_CASE("contact: bars that share a node or are joined when first seen never bind, until they have parted", "[contact]") {
+TEST_CASE("contact: bars that share a node or are joined when first seen never bind, until they have parted",
+          "[contact]") {
     // A brace through a brace, in touch; a third bar shares a node with the first.
     Scene s;
-    const int a = s.node({-1, 0, 0}), b = s.node({1, 0, 0}), c = s.node({0, -1, 0.01}), d = s.node({0, 1, 0.01}), e = s.node({1, 0.04, 1});
+    const int a = s.node({-1, 0, 0}), b = s.node({1, 0, 0}), c = s.node({0, -1, 0.01}), d = s.node({0, 1, 0.01}),
+              e = s.node({1, 0.04, 1});
     s.bar(a, b);
     s.bar(c, d);
     s.bar(b, e);
@@ -96,10 +100,10 @@ TEST_CASE("contact: bars that share a node or are joined when first seen never b
         }
         return bound;
     };
-    CHECK(step({0, 0, -10}, 30) == 0);  // through, 20 mm beyond
-    CHECK(step({0, 0, 10}, 40) == 0);   // and back
-    CHECK(step({0, 0, 10}, 60) == 0);   // apart by more than the sum of the half depths
-    CHECK(step({0, 0, -10}, 100) == 1); // now it is contact
+    CHECK(step({0, 0, -10}, 30) == 0);   // through, 20 mm beyond
+    CHECK(step({0, 0, 10}, 40) == 0);    // and back
+    CHECK(step({0, 0, 10}, 60) == 0);    // apart by more than the sum of the half depths
+    CHECK(step({0, 0, -10}, 100) == 1);  // now it is contact
 }
 
 TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touches", "[contact]") {
@@ -137,7 +141,8 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
 }
 
 TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
-    // A swarm of bars with changing velocities. The reference looks at every pair in every step, with nothing kept but the side.
+    // A swarm of bars with changing velocities. The reference looks at every pair in every step, with nothing kept but
+    // the side.
     for (bool letter : {false, true}) {
         Dice dice(letter ? 9 : 10);
         ContactSettings settings;
@@ -174,10 +179,12 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
                     if (is == 2 && !near) is = 1;
                     if (c.distance > touch || c.between.dot(way) > 0) way = c.between.normalized();
                     if (is != 1) continue;
-                    const Moving m{two, {{dt * s.v[2 * i].head<3>(), dt * s.v[2 * i + 1].head<3>()},
-                                         {dt * s.v[2 * j].head<3>(), dt * s.v[2 * j + 1].head<3>()}}};
+                    const Moving m{two,
+                                   {{dt * s.v[2 * i].head<3>(), dt * s.v[2 * i + 1].head<3>()},
+                                    {dt * s.v[2 * j].head<3>(), dt * s.v[2 * j + 1].head<3>()}}};
                     const RuleNumbers numbers{settings.reach, settings.flatness, touch};
-                    const Meeting meeting = letter ? letter_meeting(m, c, way, numbers) : first_meeting(m, c, way, numbers);
+                    const Meeting meeting =
+                        letter ? letter_meeting(m, c, way, numbers) : first_meeting(m, c, way, numbers);
                     if (meeting.found) {
                         is = 3;
                         expected.push_back({i, j});
@@ -206,7 +213,8 @@ TEST_CASE("contact: the order of the bars does not matter", "[contact]") {
     std::swap(shuffled.bars[0], shuffled.bars[2]);
     Contact one{ContactSettings()}, two{ContactSettings()};
     for (int i = 0; i < 300; ++i) {
-        CHECK(one.detect(s.bars, false, s.motion(), 1e-5, i * 1e-5) == two.detect(shuffled.bars, false, shuffled.motion(), 1e-5, i * 1e-5));
+        CHECK(one.detect(s.bars, false, s.motion(), 1e-5, i * 1e-5) ==
+              two.detect(shuffled.bars, false, shuffled.motion(), 1e-5, i * 1e-5));
         s.move(1e-5);
         shuffled.move(1e-5);
     }
@@ -251,7 +259,8 @@ TEST_CASE("contact: to the letter without eq 18, every flat pair that approaches
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
 }
 
-// ----------------------------------------------------------------------------------------------------------- letting go
+// ----------------------------------------------------------------------------------------------------------- letting
+// go
 
 namespace {
 
@@ -295,8 +304,8 @@ TEST_CASE("contact: cut at the binding time, whatever the bond carries", "[conta
 TEST_CASE("contact: held until the bars part and the energy is low", "[contact]") {
     SECTION("not while pressing on, at the bottom of a swing of the energy") {
         Held held;
-        held.at(0.1e-3, -3e-3);                    // pressed in
-        CHECK(held.at(0.6e-3, -2e-3) == 0);        // coming back: falling
+        held.at(0.1e-3, -3e-3);              // pressed in
+        CHECK(held.at(0.6e-3, -2e-3) == 0);  // coming back: falling
         CHECK(held.at(0.7e-3, -0.5e-3) == 0);
         const double out = held.at(0.8e-3, 1e-3);  // past the rest position, outwards, rising again: let go
         CHECK(held.contact.idle());
@@ -334,7 +343,8 @@ TEST_CASE("contact: held until the bars part and the energy is low", "[contact]"
     }
 }
 
-TEST_CASE("contact: after a release a pair binds again only when it approaches, seen from the side it came from", "[contact]") {
+TEST_CASE("contact: after a release a pair binds again only when it approaches, seen from the side it came from",
+          "[contact]") {
     ContactSettings settings;
     settings.hold_until_parting = false;
     for (double z : {-2e-3, 2e-4}) {  // let go after it has passed through a little, or not
@@ -354,7 +364,8 @@ TEST_CASE("contact: after a release a pair binds again only when it approaches, 
 }
 
 TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "[contact]") {
-    // Each node of the falling member is a mass; the lower member does not move. Small explicit steps: nothing but the bond.
+    // Each node of the falling member is a mass; the lower member does not move. Small explicit steps: nothing but the
+    // bond.
     for (bool hold : {true, false}) {
         ContactSettings settings;
         settings.hold_until_parting = hold;
@@ -382,7 +393,8 @@ TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "
             worst = std::max(worst, std::abs(energy / begin - 1));
             lowest = std::min(lowest, closest_points(s.x[0], s.x[1], s.x[2], s.x[3]).between.z());
         }
-        INFO("hold " << hold << ", let go " << let_go / begin << ", lowest " << lowest << ", bound " << contact.counts().bound);
+        INFO("hold " << hold << ", let go " << let_go / begin << ", lowest " << lowest << ", bound "
+                     << contact.counts().bound);
         CHECK(contact.counts().bound > 0);
         CHECK(contact.idle());
         CHECK(worst < 0.02);
@@ -409,7 +421,8 @@ TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact
     CHECK(held.contact.bonds().back().side.z() == Approx(1));
 }
 
-// -------------------------------------------------------------------------------------------------------------- snapshots
+// --------------------------------------------------------------------------------------------------------------
+// snapshots
 
 namespace {
 
@@ -468,7 +481,9 @@ TEST_CASE("contact: a copy and a saved record continue with the same bits", "[co
     }
 }
 
-TEST_CASE("contact: a step that is taken back leaves every byte as it was, and the next one goes on as if it had not been", "[contact]") {
+TEST_CASE(
+    "contact: a step that is taken back leaves every byte as it was, and the next one goes on as if it had not been",
+    "[contact]") {
     for (const ContactRuleKind rule : {ContactRuleKind::gap, ContactRuleKind::surface}) {
         ContactSettings settings;
         settings.rule = rule;

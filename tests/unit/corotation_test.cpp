@@ -1,4 +1,5 @@
-// The frame that moves with the element: no strain from rigid motion, forces in equilibrium, one element or eight with the same bits.
+// The frame that moves with the element: no strain from rigid motion, forces in equilibrium, one element or eight with
+// the same bits.
 #include "beam/corotation.h"
 
 #include <cstring>
@@ -61,7 +62,8 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
             const Mat3 R = exponential(turn).toRotationMatrix();  // the positions by Eigen, the rotations by the engine
             for (Vec3& x : b.x) x = (R * (x - about) + about + shift).eval();
             for (Quat& q : b.q) q = turned(turn, q);
-            if (step % 7 == 0) {  // back to where numbers are small: what is tested is rotation, not the size of coordinates
+            if (step % 7 ==
+                0) {  // back to where numbers are small: what is tested is rotation, not the size of coordinates
                 b.x[1] -= b.x[0];
                 b.x[0].setZero();
             }
@@ -107,7 +109,8 @@ TEST_CASE("a rotation about any axis comes back as its rotation vector (1e-12), 
     for (int trial = 0; trial < 2000; ++trial) {
         const Vec3 v = dice.direction() * (trial % 4 ? dice(0, 3) : dice(0, 0.3));
         const Quat frame = dice.turn();
-        const Triad<double> f = turned_triad(quad(frame), quad(Quat::Identity())), n = turned_triad(quad(frame * exponential(v)), quad(Quat::Identity()));
+        const Triad<double> f = turned_triad(quad(frame), quad(Quat::Identity())),
+                            n = turned_triad(quad(frame * exponential(v)), quad(Quat::Identity()));
         worst = std::max(worst, (eigen(relative_rotation(f, n)) - v).norm());
     }
     CHECK_FIGURE("rotation vector of exp(v), rad", worst, 1e-12);
@@ -128,7 +131,9 @@ TEST_CASE("one element or eight at once: the same bits, also where one lane leav
         for (int i = 0; i < lane_count; ++i) {
             const Vec3 c = bar[i].x[1] - bar[i].x[0];
             chord.x[i] = c.x(), chord.y[i] = c.y(), chord.z[i] = c.z();
-            const auto set = [&](Quadruple<Lanes>& to, const Quat& q) { to.w[i] = q.w(), to.x[i] = q.x(), to.y[i] = q.y(), to.z[i] = q.z(); };
+            const auto set = [&](Quadruple<Lanes>& to, const Quat& q) {
+                to.w[i] = q.w(), to.x[i] = q.x(), to.y[i] = q.y(), to.z[i] = q.z();
+            };
             set(q1, bar[i].q[0]), set(q2, bar[i].q[1]), set(axes, bar[i].axes);
             L[i] = bar[i].L;
             for (int c6 = 0; c6 < 6; ++c6) P[c6][i] = p[i][c6];
@@ -141,10 +146,15 @@ TEST_CASE("one element or eight at once: the same bits, also where one lane leav
             double d1[6];
             deformation(place1, bar[i].L, d1);
             const NodalForces<double> f1 = nodal_forces(place1, p[i]);
-            const double one[18] = {d1[0], d1[1], d1[2], d1[3], d1[4], d1[5], f1.force[0].x, f1.force[0].y, f1.force[0].z, f1.force[1].x, f1.force[1].y, f1.force[1].z,
-                                    f1.moment[0].x, f1.moment[0].y, f1.moment[0].z, f1.moment[1].x, f1.moment[1].y, f1.moment[1].z};
-            const double eight[18] = {d[0][i], d[1][i], d[2][i], d[3][i], d[4][i], d[5][i], f8.force[0].x[i], f8.force[0].y[i], f8.force[0].z[i], f8.force[1].x[i], f8.force[1].y[i], f8.force[1].z[i],
-                                      f8.moment[0].x[i], f8.moment[0].y[i], f8.moment[0].z[i], f8.moment[1].x[i], f8.moment[1].y[i], f8.moment[1].z[i]};
+            const double one[18] = {d1[0],          d1[1],          d1[2],          d1[3],          d1[4],
+                                    d1[5],          f1.force[0].x,  f1.force[0].y,  f1.force[0].z,  f1.force[1].x,
+                                    f1.force[1].y,  f1.force[1].z,  f1.moment[0].x, f1.moment[0].y, f1.moment[0].z,
+                                    f1.moment[1].x, f1.moment[1].y, f1.moment[1].z};
+            const double eight[18] = {d[0][i],           d[1][i],           d[2][i],           d[3][i],
+                                      d[4][i],           d[5][i],           f8.force[0].x[i],  f8.force[0].y[i],
+                                      f8.force[0].z[i],  f8.force[1].x[i],  f8.force[1].y[i],  f8.force[1].z[i],
+                                      f8.moment[0].x[i], f8.moment[0].y[i], f8.moment[0].z[i], f8.moment[1].x[i],
+                                      f8.moment[1].y[i], f8.moment[1].z[i]};
             REQUIRE(std::memcmp(one, eight, sizeof one) == 0);
         }
     }
@@ -159,7 +169,8 @@ TEST_CASE("nodal forces of a deformed element are in equilibrium: forces and mom
         for (double& v : p) v = dice(-1e4, 1e4);
         const Placement<double> place = b.placement();
         const NodalForces<double> f = nodal_forces(place, p);
-        const Vec3 chord = b.x[1] - b.x[0], f1 = eigen(f.force[0]), f2 = eigen(f.force[1]), m1 = eigen(f.moment[0]), m2 = eigen(f.moment[1]);
+        const Vec3 chord = b.x[1] - b.x[0], f1 = eigen(f.force[0]), f2 = eigen(f.force[1]), m1 = eigen(f.moment[0]),
+                   m2 = eigen(f.moment[1]);
         const double size = f2.norm() * chord.norm() + m1.norm() + m2.norm();
         worst = std::max({worst, (f1 + f2).norm() / f2.norm(), (m1 + m2 + chord.cross(f2)).norm() / size});
     }
@@ -183,7 +194,8 @@ TEST_CASE("nodal forces do the work of p on d: f . du = p . dd (1e-7: a differen
                 c.q[i] = exponential(by * dt) * c.q[i];
                 return c.deformation();
             };
-            const double by_d = p.dot(moved(h) - moved(-h)) / (2 * h), by_nodes = eigen(f.force[i]).dot(du) + eigen(f.moment[i]).dot(dt);
+            const double by_d = p.dot(moved(h) - moved(-h)) / (2 * h),
+                         by_nodes = eigen(f.force[i]).dot(du) + eigen(f.moment[i]).dot(dt);
             worst = std::max(worst, std::abs(by_d - by_nodes) / (1 + p.norm() / b.L));
         }
     }

@@ -24,14 +24,16 @@ double searched_distance(const Vec3& a0, const Vec3& a1, const Vec3& b0, const V
     double low = 0, high = 1;
     for (int i = 0; i < 200; ++i) {
         const double third = (high - low) / 3;
-        (to_b(low + third) < to_b(high - third) ? high : low) += to_b(low + third) < to_b(high - third) ? -third : third;
+        (to_b(low + third) < to_b(high - third) ? high : low) +=
+            to_b(low + third) < to_b(high - third) ? -third : third;
     }
     return std::min({to_b(0), to_b(1), to_b(0.5 * (low + high))});
 }
 
 }  // namespace
 
-// ---------------------------------------------------------------------------------------------------------------- segments
+// ----------------------------------------------------------------------------------------------------------------
+// segments
 
 TEST_CASE("contact: closest points of two segments in every named position", "[contact]") {
     struct Case {
@@ -48,7 +50,15 @@ TEST_CASE("contact: closest points of two segments in every named position", "[c
         {"corner", {0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, 1, 1, 0, Nearness::end_to_end},
         {"collinear, apart", {0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1.5, 0, 0}, 0.5, 1, 1, Nearness::end_to_end},
         {"collinear, overlapping", {0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {2.5, 0, 0}, 0, 0.75, 0.125, Nearness::alongside},
-        {"collinear, one inside the other", {0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0, 0.375, 0.5, Nearness::alongside},
+        {"collinear, one inside the other",
+         {0, 0, 0},
+         {4, 0, 0},
+         {1, 0, 0},
+         {2, 0, 0},
+         0,
+         0.375,
+         0.5,
+         Nearness::alongside},
         {"coincident", {0, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, 0, 0.5, 0.5, Nearness::alongside},
         {"coincident, opposite", {0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 0, 0}, 0, 0.5, 0.5, Nearness::alongside},
         {"parallel, abreast", {0, 0, 0}, {2, 0, 0}, {0, 0, 3}, {2, 0, 3}, 3, 0.5, 0.5, Nearness::alongside},
@@ -76,9 +86,10 @@ TEST_CASE("contact: closest points agree with a search, however the segments lie
     for (int i = 0; i < 400; ++i) {
         const Vec3 a0 = dice.vector(1), a1 = a0 + dice(0.1, 3) * dice.direction();
         Vec3 b0 = dice.vector(1), d = dice(0.1, 3) * dice.direction();
-        if (i % 4 == 1) d = dice(-2, 2) * (a1 - a0);                                                    // parallel
-        if (i % 4 == 2) d = dice(-2, 2) * (a1 - a0) + std::pow(10, dice(-12, -2)) * dice.direction();   // nearly parallel
-        if (i % 8 == 3) b0 = a0 + dice(-0.5, 1.5) * (a1 - a0), d = dice(-2, 2) * (a1 - a0);             // collinear
+        if (i % 4 == 1) d = dice(-2, 2) * (a1 - a0);  // parallel
+        if (i % 4 == 2)
+            d = dice(-2, 2) * (a1 - a0) + std::pow(10, dice(-12, -2)) * dice.direction();    // nearly parallel
+        if (i % 8 == 3) b0 = a0 + dice(-0.5, 1.5) * (a1 - a0), d = dice(-2, 2) * (a1 - a0);  // collinear
         const Vec3 b1 = b0 + d;
         const Closest found = closest_points(a0, a1, b0, b1), swapped = closest_points(b0, b1, a0, a1);
         const double expected = searched_distance(a0, a1, b0, b1);
@@ -101,9 +112,11 @@ TEST_CASE("contact: nearly parallel segments that cross have the distance of the
     }
 }
 
-// ------------------------------------------------------------------------------------------------------------ eqs 17 to 19
+// ------------------------------------------------------------------------------------------------------------ eqs 17
+// to 19
 
-TEST_CASE("contact: eq 17 is six times the tetrahedron's volume, as printed and between any points of the axes", "[contact]") {
+TEST_CASE("contact: eq 17 is six times the tetrahedron's volume, as printed and between any points of the axes",
+          "[contact]") {
     Dice dice(2);
     for (int i = 0; i < 50; ++i) {
         const Two two{{dice.vector(2), dice.vector(2)}, {dice.vector(2), dice.vector(2)}};
@@ -137,7 +150,9 @@ TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
     // Rounding must not keep parallel bars from being flat, even with no tolerance at all.
     CHECK(flat({{{0.1, 0.2, 0.3}, {1.1, 2.2, 3.3}}, {{0.7, 0.9, 0.4}, {1.7, 2.9, 3.4}}}, 0));
     // End on, two bars of length 1 reach eq 18 only when they overlap by a tenth of their lengths' sum.
-    const auto end_on = [](double overlap) { return Two{{{0, 0, 0}, {1, 0, 0}}, {{1 - overlap, 0, 0}, {2 - overlap, 0, 0}}}; };
+    const auto end_on = [](double overlap) {
+        return Two{{{0, 0, 0}, {1, 0, 0}}, {{1 - overlap, 0, 0}, {2 - overlap, 0, 0}}};
+    };
     CHECK_FALSE(within_reach(end_on(0.199), 1.8));
     CHECK(within_reach(end_on(0.201), 1.8));
 }
@@ -186,7 +201,8 @@ TEST_CASE("contact: spans of a cubic between two values agree with sampling", "[
     CHECK(spans[0].to == Approx(0.5));
 }
 
-// --------------------------------------------------------------------------------------------------------- swept over a step
+// --------------------------------------------------------------------------------------------------------- swept over
+// a step
 
 namespace {
 
@@ -207,7 +223,8 @@ Instant instant(const Moving& m, double tau, const Vec3& side, double reach) {
 /// A meeting found must be one by the definitions.
 bool sound(const Moving& m, const Meeting& meeting, const Vec3& side, const RuleNumbers& r) {
     const Instant now = instant(m, meeting.tau, side, r.reach);
-    return std::abs(now.f) <= r.alpha * (1 + 1e-6) + 1e-12 && now.distance <= r.touch * (1 + 1e-6) && now.beyond <= 1e-9 && now.rate > 0;
+    return std::abs(now.f) <= r.alpha * (1 + 1e-6) + 1e-12 && now.distance <= r.touch * (1 + 1e-6) &&
+           now.beyond <= 1e-9 && now.rate > 0;
 }
 
 /// The first instant of many that is clearly a meeting; 2 if there is none. Grazes do not count.
@@ -219,8 +236,8 @@ double sampled(const Moving& m, const Vec3& side, const RuleNumbers& r, int samp
         const Instant now = instant(m, tau, side, r.reach);
         const bool flat_now = std::abs(now.f) <= r.alpha * (1 - 1e-6) || (now.f < 0) != (before.f < 0);
         for (const Instant& at : {before, now})
-            if (flat_now && at.distance <= 0.97 * r.touch - bound / samples && at.beyond <= -1e-6 - 8 * bound / samples &&
-                at.rate > 1e-2 * bound)
+            if (flat_now && at.distance <= 0.97 * r.touch - bound / samples &&
+                at.beyond <= -1e-6 - 8 * bound / samples && at.rate > 1e-2 * bound)
                 return tau;
         before = now;
     }
@@ -236,12 +253,14 @@ TEST_CASE("contact: bars that pass through each other within a step are found ev
         for (double speed : {50.0, 122.0, 300.0, 1000.0})
             for (double dt : {1e-5, 1e-4, 1e-3})
                 for (int k = 0; k < 40; ++k) {
-                    // Crossing at chosen places of both axes at a chosen moment, from a random direction, turning a little.
+                    // Crossing at chosen places of both axes at a chosen moment, from a random direction, turning a
+                    // little.
                     const Quat all = dice.turn(pi);
                     const double rad = angle * pi / 180, la = dice(0.3, 2), lb = la * dice(0.6, 1.6);
                     const Vec3 da = all * Vec3(la, 0, 0), db = all * (lb * Vec3(std::cos(rad), std::sin(rad), 0));
                     const Vec3 way = all * Vec3(dice(-0.5, 0.5), dice(-0.5, 0.5), 1).normalized();
-                    const double s = dice(0.1, 0.9), t = dice(0.1, 0.9), when = dice(0.05, 0.95), radius = dice(0.02, 0.2);
+                    const double s = dice(0.1, 0.9), t = dice(0.1, 0.9), when = dice(0.05, 0.95),
+                                 radius = dice(0.02, 0.2);
                     const Vec3 at = dice.vector(10);
                     Moving m;
                     const Vec3 shared = dice.vector(20) * dt;
@@ -272,9 +291,9 @@ TEST_CASE("contact: the sweep agrees with fine sub-sampling of the step", "[cont
         const double la = dice(0.3, 2), lb = dice(0.3, 2), stride = std::pow(10, dice(-3, 0));
         const Vec3 da = la * dice.direction();
         Vec3 db = lb * dice.direction();
-        if (k % 5 == 1) db = lb / la * da;                                              // parallel
-        if (k % 5 == 2) db = lb / la * (da + 0.02 * la * dice.direction());             // nearly parallel
-        if (k % 5 == 3) db -= da * da.dot(db) / (la * la) * dice(0, 1);                 // rather square
+        if (k % 5 == 1) db = lb / la * da;                                   // parallel
+        if (k % 5 == 2) db = lb / la * (da + 0.02 * la * dice.direction());  // nearly parallel
+        if (k % 5 == 3) db -= da * da.dot(db) / (la * la) * dice(0, 1);      // rather square
         const double radius = dice(0.02, 0.2);
         const Vec3 near = dice(-0.2, 1.2) * da + (radius * 2 + dice(0, 1) * stride) * dice.direction();
         Moving m;
@@ -354,7 +373,8 @@ TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
 }
 
 TEST_CASE("contact: to the letter, a step that jumps over the window misses", "[contact]") {
-    // |f| changes by l1 l2 v dt = 0.25 m^2 * 0.5 mm a step; the window is 2 * 1.2 mm wide at 50 m/s, and 0.5 m/s steps land in it.
+    // |f| changes by l1 l2 v dt = 0.25 m^2 * 0.5 mm a step; the window is 2 * 1.2 mm wide at 50 m/s, and 0.5 m/s steps
+    // land in it.
     const auto steps_to_bind = [](double speed, double dt, bool letter) {
         Scene s = crossing(speed, 0.25);
         ContactSettings settings;
@@ -368,11 +388,12 @@ TEST_CASE("contact: to the letter, a step that jumps over the window misses", "[
     };
     CHECK(steps_to_bind(50, 1e-5, true) > 0);
     CHECK(steps_to_bind(50, 1e-5, false) > 0);
-    CHECK(steps_to_bind(1000, 3.5e-5, true) == -1);   // 35 mm a step: 0.25, 0.215, ... 0.005, -0.03
-    CHECK(steps_to_bind(1000, 3.5e-5, false) == 7);   // found in the step that crosses
+    CHECK(steps_to_bind(1000, 3.5e-5, true) == -1);  // 35 mm a step: 0.25, 0.215, ... 0.005, -0.03
+    CHECK(steps_to_bind(1000, 3.5e-5, false) == 7);  // found in the step that crosses
 }
 
-// ------------------------------------------------------------------------------------------------------------- broad phase
+// ------------------------------------------------------------------------------------------------------------- broad
+// phase
 
 TEST_CASE("contact: boxes beyond all bounds, or of what is not a number, meet every other", "[contact]") {
     const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
@@ -391,22 +412,24 @@ TEST_CASE("contact: overlapping boxes agree with testing every pair", "[contact]
         std::vector<Box> boxes(round < 3 ? round : 120);
         for (Box& box : boxes) {
             const Vec3 low = dice.vector(1).cwiseProduct(Vec3(round % 3 == 0 ? 0 : 3, 1, round % 2 ? 8 : 0.1));
-            const Vec3 high = low + (round % 5 ? dice(0, 0.6) : 0) * Vec3::Ones() + (dice.vector(0.3) + 0.3 * Vec3::Ones());
+            const Vec3 high =
+                low + (round % 5 ? dice(0, 0.6) : 0) * Vec3::Ones() + (dice.vector(0.3) + 0.3 * Vec3::Ones());
             box = Box(low, high);
             CHECK((box.low.cast<double>().array() <= low.array()).all());
             CHECK((box.high.cast<double>().array() >= high.array()).all());
         }
         if (boxes.size() > 10) {
-            boxes[5] = boxes[4];                       // the same box twice
-            boxes[7].low = boxes[6].high;              // touching in a corner
+            boxes[5] = boxes[4];           // the same box twice
+            boxes[7].low = boxes[6].high;  // touching in a corner
             boxes[7].high = boxes[7].low + Eigen::Vector3f::Ones();
-            boxes[9].high = boxes[9].low;              // a point
+            boxes[9].high = boxes[9].low;  // a point
         }
         std::vector<IndexPair> expected;
         const auto wanted = [&](int a, int b) { return round % 4 != 0 || (a + b) % 3 != 0; };
         for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
             for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j)
-                if (wanted(i, j) && (boxes[i].low.array() <= boxes[j].high.array()).all() && (boxes[j].low.array() <= boxes[i].high.array()).all())
+                if (wanted(i, j) && (boxes[i].low.array() <= boxes[j].high.array()).all() &&
+                    (boxes[j].low.array() <= boxes[i].high.array()).all())
                     expected.push_back({i, j});
         CHECK(overlapping(boxes, wanted) == expected);
     }

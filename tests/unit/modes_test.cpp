@@ -1,4 +1,5 @@
-// Natural vibration and rigid motions: against a dense eigenvalue solver, and against beams whose frequencies are known in closed form.
+// Natural vibration and rigid motions: against a dense eigenvalue solver, and against beams whose frequencies are known
+// in closed form.
 #include <Eigen/Eigenvalues>
 #include <numeric>
 
@@ -24,7 +25,8 @@ std::vector<double> frequencies(const Structure& structure, int count) {
 /// How far the `count` lowest are from those of a dense solver, the worst of them.
 double off_dense(const Structure& structure, int count) {
     const int rigid = int(free_motions(structure, all_nodes(structure)).size());
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(dense(structure, 0, 1), dense(structure, 1, 0), Eigen::EigenvaluesOnly);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+        dense(structure, 0, 1), dense(structure, 1, 0), Eigen::EigenvaluesOnly);
     const auto found = frequencies(structure, count);
     REQUIRE(int(found.size()) == count);
     double worst = 0;
@@ -46,37 +48,47 @@ constexpr std::uint8_t clamped = 63, free_end = 0, pinned = 0b001111, roller = 0
 }  // namespace
 
 TEST_CASE("the frequencies are those of a dense solver", "[modes]") {
-    CHECK_FIGURE("space frame, 10 lowest, some of them equal", off_dense(*SpaceFrame({}, 0, infinite).build(), 10), 1e-8);
-    CHECK_FIGURE("a bar with two elements, as many as there are", off_dense(*bar(1, 0.1, 2, clamped, free_end), 12), 1e-6);
-    CHECK_FIGURE("the same in flight, but for its six rigid motions", off_dense(*bar(1, 0.1, 4, free_end, free_end), 6), 1e-6);
+    CHECK_FIGURE("space frame, 10 lowest, some of them equal", off_dense(*SpaceFrame({}, 0, infinite).build(), 10),
+                 1e-8);
+    CHECK_FIGURE("a bar with two elements, as many as there are", off_dense(*bar(1, 0.1, 2, clamped, free_end), 12),
+                 1e-6);
+    CHECK_FIGURE("the same in flight, but for its six rigid motions", off_dense(*bar(1, 0.1, 4, free_end, free_end), 6),
+                 1e-6);
     CHECK_FIGURE("pinned at one point: three rigid motions", off_dense(*bar(1, 0.1, 4, 0b000111, free_end), 6), 1e-6);
     CHECK(frequencies(*bar(1, 0.1, 2, clamped, clamped), 10).size() == 6);  // fewer freedoms than asked for
 }
 
-// Euler and Bernoulli's beam. The mass moves in straight lines between the nodes, the stiffness is exact for loads at them: errors
-// with the square of an element's length. One member of two elements, the default, is 4 % slow where it is clamped at one end and 66 %
-// fast between two pins.
+// Euler and Bernoulli's beam. The mass moves in straight lines between the nodes, the stiffness is exact for loads at
+// them: errors with the square of an element's length. One member of two elements, the default, is 4 % slow where it is
+// clamped at one end and 66 % fast between two pins.
 TEST_CASE("slender beams: Euler-Bernoulli, with the square of an element's length", "[modes]") {
     const double L = 1, b = 0.01, c = std::sqrt(206e9 / 7850 * b * b / 12);
-    const struct { std::uint8_t left, right; double root, two; } cases[] = {{clamped, free_end, 1.8751040687, -0.0408}, {pinned, roller, pi, 0.6602}};
+    const struct {
+        std::uint8_t left, right;
+        double root, two;
+    } cases[] = {{clamped, free_end, 1.8751040687, -0.0408}, {pinned, roller, pi, 0.6602}};
     for (const auto& k : cases) {
         const double exact = k.root * k.root / (L * L) * c;
         double last = 0;
         for (int n = 2; n <= 64; n *= 2) {
             const double error = frequencies(*bar(L, b, n, k.left, k.right), 1)[0] / exact - 1;
             if (n == 2) CHECK_FIGURE("two elements", std::abs(error - k.two), 1e-3);
-            if (n == 8 || n == 16) CHECK_FIGURE("a quarter of it with elements half as long", off(last / error, 4), 0.15);
+            if (n == 8 || n == 16)
+                CHECK_FIGURE("a quarter of it with elements half as long", off(last / error, 4), 0.15);
             if (n == 64) CHECK_FIGURE("64 elements", std::abs(error), 1e-3);
             last = error;
         }
     }
 }
 
-// Timoshenko, simply supported: rho I w^4 / (k G A) rho A - w^2 (rho A + rho I q^2 + rho A E I q^2 / (k G A)) + E I q^4 = 0, q = n pi / L.
+// Timoshenko, simply supported: rho I w^4 / (k G A) rho A - w^2 (rho A + rho I q^2 + rho A E I q^2 / (k G A)) + E I q^4
+// = 0, q = n pi / L.
 TEST_CASE("a stocky beam: Timoshenko's frequencies", "[modes]") {
-    const double L = 1, b = 0.2, E = 206e9, rho = 7850, A = b * b, I = A * A / 12, kGA = E / 2.6 * 5 / 6 * A, q = pi / L;
+    const double L = 1, b = 0.2, E = 206e9, rho = 7850, A = b * b, I = A * A / 12, kGA = E / 2.6 * 5 / 6 * A,
+                 q = pi / L;
     const double s = rho * I * rho * A / kGA, t = rho * A + rho * I * q * q + rho * A * E * I * q * q / kGA;
-    const double exact = std::sqrt((t - std::sqrt(t * t - 4 * s * E * I * std::pow(q, 4))) / (2 * s)), slender = q * q * std::sqrt(E * I / (rho * A));
+    const double exact = std::sqrt((t - std::sqrt(t * t - 4 * s * E * I * std::pow(q, 4))) / (2 * s)),
+                 slender = q * q * std::sqrt(E * I / (rho * A));
     const double found = frequencies(*bar(L, b, 64, pinned, roller), 1)[0];
     CHECK_FIGURE("Timoshenko", off(found, exact), 1e-3);
     CHECK(off(found, slender) > 0.04);

@@ -46,19 +46,23 @@ std::string said(Call call) {
 }
 
 std::string write(const std::string& path, const Still& still) {
-    return said([&](char* e, int room) { return load<hinge_write_still>("hinge_write_still")(path.c_str(), still, e, room); });
+    return said(
+        [&](char* e, int room) { return load<hinge_write_still>("hinge_write_still")(path.c_str(), still, e, room); });
 }
 
 std::string read(const std::string& path, Still& still) {
-    return said([&](char* e, int room) { return load<hinge_read_still>("hinge_read_still")(path.c_str(), still, e, room); });
+    return said(
+        [&](char* e, int room) { return load<hinge_read_still>("hinge_read_still")(path.c_str(), still, e, room); });
 }
 
 std::string render(const std::string& path, const Still& still, const View& view) {
-    return said([&](char* e, int room) { return load<hinge_render>("hinge_render")(path.c_str(), still, view, e, room); });
+    return said(
+        [&](char* e, int room) { return load<hinge_render>("hinge_render")(path.c_str(), still, view, e, room); });
 }
 
 std::string plot(const std::string& path, const Plot& what, int width, int height) {
-    return said([&](char* e, int room) { return load<hinge_plot>("hinge_plot")(path.c_str(), what, width, height, e, room); });
+    return said(
+        [&](char* e, int room) { return load<hinge_plot>("hinge_plot")(path.c_str(), what, width, height, e, room); });
 }
 
 class Folder {
@@ -143,7 +147,9 @@ struct Image {
 
     std::size_t colours() const { return std::set<Rgb>(pixels.begin(), pixels.end()).size(); }
     template <class Test>
-    auto count(Test test) const { return std::count_if(pixels.begin(), pixels.end(), test); }
+    auto count(Test test) const {
+        return std::count_if(pixels.begin(), pixels.end(), test);
+    }
 };
 
 /// A PNG of 8-bit RGB. Inflated by the zlib that VTK has loaded, so that the tests link nothing for it.
@@ -228,7 +234,8 @@ TEST_CASE("the collection lists times and files", "[output]") {
 TEST_CASE("what cannot be written or read is said, with what to do", "[output]") {
     const Folder folder;
     Still still = portal(1);
-    CHECK_THAT(write(folder / "none/a.vtp", still), Catch::Contains("No such file or directory") && Catch::Contains("make the folder"));
+    CHECK_THAT(write(folder / "none/a.vtp", still),
+               Catch::Contains("No such file or directory") && Catch::Contains("make the folder"));
     fs::create_directory(folder / "taken");
     CHECK_THAT(write(folder / "taken", still), Catch::Contains("folder of that name is in the way"));
     CHECK(folder.files() == 1);
@@ -311,7 +318,8 @@ TEST_CASE("a view that makes no sense is refused", "[output]") {
     View view;
     SECTION("group") {
         view.only_groups = {"colums"};
-        CHECK_THAT(render(folder / "a.png", portal(1), view), Catch::Contains("\"colums\"") && Catch::Contains("columns, beams"));
+        CHECK_THAT(render(folder / "a.png", portal(1), view),
+                   Catch::Contains("\"colums\"") && Catch::Contains("columns, beams"));
     }
     SECTION("direction") {
         view.from = {0, 0, 0};

@@ -1,5 +1,5 @@
-// What a step solves with: M by itself, the operator by conjugate gradients, the team of threads. Each against dense matrices
-// or the same thing done by one.
+// What a step solves with: M by itself, the operator by conjugate gradients, the team of threads. Each against dense
+// matrices or the same thing done by one.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <atomic>
@@ -20,8 +20,8 @@ ModelOptions any_number_of_elements() {
     return o;
 }
 
-/// A triangle of members of 3, 2 and 1 elements on a post of 4, with an arm of 2 and one of 1 that end free. Node 1 may not
-/// move along x nor turn about z; the post's foot is held.
+/// A triangle of members of 3, 2 and 1 elements on a post of 4, with an arm of 2 and one of 1 that end free. Node 1 may
+/// not move along x nor turn about z; the post's foot is held.
 struct Odd : Frame {
     int corner[3], foot, free_end[2];
     Odd() : Frame(any_number_of_elements()) {
@@ -32,7 +32,8 @@ struct Odd : Frame {
         foot = foot_of({0, 0, 0}, 63);
         free_end[0] = node(-0.8, 0.1, 1.1);
         free_end[1] = node(0.4, 1.6, 1.0);
-        const int ends[6][2] = {{corner[0], corner[1]}, {corner[1], corner[2]}, {corner[2], corner[0]}, {foot, corner[0]}, {corner[0], free_end[0]}, {corner[2], free_end[1]}};
+        const int ends[6][2] = {{corner[0], corner[1]}, {corner[1], corner[2]},   {corner[2], corner[0]},
+                                {foot, corner[0]},      {corner[0], free_end[0]}, {corner[2], free_end[1]}};
         const int counts[6] = {3, 2, 1, 4, 2, 1};
         for (int i = 0; i < 6; ++i) {
             elements = counts[i];
@@ -43,7 +44,9 @@ struct Odd : Frame {
 };
 
 /// Each freedom measured by the square root of A's diagonal: N and N m are alike then.
-double scaled_norm(const Eigen::VectorXd& v, const Eigen::MatrixXd& A) { return (v.array() / A.diagonal().array().sqrt()).matrix().norm(); }
+double scaled_norm(const Eigen::VectorXd& v, const Eigen::MatrixXd& A) {
+    return (v.array() / A.diagonal().array().sqrt()).matrix().norm();
+}
 
 std::vector<int> free_freedoms(const std::vector<std::uint8_t>& held) {
     std::vector<int> free;
@@ -64,9 +67,11 @@ std::vector<int> all_elements(const Structure& structure) {
     return all;
 }
 
-// ---- M ----------------------------------------------------------------------------------------------------------------
+// ---- M
+// ----------------------------------------------------------------------------------------------------------------
 
-/// M of all nodes as a dense matrix, of a structure that has been turned by Q as a whole; `end[e]`: 0, or where e is broken.
+/// M of all nodes as a dense matrix, of a structure that has been turned by Q as a whole; `end[e]`: 0, or where e is
+/// broken.
 Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std::vector<int>& end) {
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6 * structure.position().size(), 6 * structure.position().size());
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
@@ -75,7 +80,8 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
         if (end[i]) {
             const int carrier = e.node[end[i] == 2 ? 0 : 1];
             const Vec3 span = (end[i] == 2 ? 1 : -1) * (Q * e.chord);
-            const beam::Stub s = structure.lumped() ? beam::lumped_stub(e.rigidity, span) : beam::rigid_stub(e.rigidity, span, axes);
+            const beam::Stub s =
+                structure.lumped() ? beam::lumped_stub(e.rigidity, span) : beam::rigid_stub(e.rigidity, span, axes);
             M.block<6, 6>(6 * carrier, 6 * carrier) += beam::hung_mass(s.mass, s.moment, s.inertia);
             continue;
         }
@@ -110,7 +116,8 @@ double mass_error(const Structure& structure, const State& state, Mass& mass, co
     return scaled_norm(part * all(free) - right, part) / scaled_norm(right, part);
 }
 
-// ---- the operator -------------------------------------------------------------------------------------------------------
+// ---- the operator
+// -------------------------------------------------------------------------------------------------------
 
 Mat12 spring(Dice& dice, double size) {  // semidefinite: of rank 9
     Eigen::Matrix<double, 12, 9> F;
@@ -124,7 +131,8 @@ Mat12 spring(Dice& dice, double size) {  // semidefinite: of rank 9
 struct Dense {
     Eigen::MatrixXd A;
     std::vector<int> free;
-    Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings, const std::vector<int>& removed, int hung_node, const Mat6& hung) {
+    Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings,
+          const std::vector<int>& removed, int hung_node, const Mat6& hung) {
         Team alone;
         Operator parts(structure, alone, 1, k, false, Keeping::direct);
         parts.build(all_elements(structure), state, pose_of(state), {});
@@ -189,10 +197,15 @@ struct Solving {
     }
 };
 
-// beta dt^2 of 10 us, in which an axial wave comes a part of the way through an element, so that inertia rules; and of 1 ms
+// beta dt^2 of 10 us, in which an axial wave comes a part of the way through an element, so that inertia rules; and of
+// 1 ms
 constexpr double short_step = 0.25 * 1e-5 * 1e-5, long_step = 0.25 * 1e-3 * 1e-3;
 
-struct Way { Keeping keeping; double k, limit; const char* name; };
+struct Way {
+    Keeping keeping;
+    double k, limit;
+    const char* name;
+};
 // single precision: 6e-8 of each entry, and not much more of the answer where inertia rules A
 constexpr Way ways[] = {{Keeping::iterative, short_step, 1e-9, "double, short step"},
                         {Keeping::iterative, long_step, 1e-9, "double, long step"},
@@ -200,7 +213,10 @@ constexpr Way ways[] = {{Keeping::iterative, short_step, 1e-9, "double, short st
 
 }  // namespace
 
-TEST_CASE("solver: M by itself is undone, consistent and lumped, with stubs and with held freedoms (1e-10: its tolerance is 1e-13)", "[solver]") {
+TEST_CASE(
+    "solver: M by itself is undone, consistent and lumped, with stubs and with held freedoms (1e-10: its tolerance is "
+    "1e-13)",
+    "[solver]") {
     for (MassKind kind : {MassKind::consistent, MassKind::lumped}) {
         const std::string name = kind == MassKind::lumped ? "lumped" : "consistent";
         const Odd frame;
@@ -222,14 +238,19 @@ TEST_CASE("solver: M by itself is undone, consistent and lumped, with stubs and 
         REQUIRE(at_joint >= 0);
         REQUIRE(at_partly_held >= 0);
         REQUIRE(inside >= 0);
-        const auto carried_by = [&](int element, int node) { return structure.elements()[element].node[0] == node ? 2 : 1; };
-        const std::pair<int, int> breaks[] = {{at_joint, carried_by(at_joint, frame.corner[2])}, {inside, 1}, {at_partly_held, carried_by(at_partly_held, frame.corner[1])}};
+        const auto carried_by = [&](int element, int node) {
+            return structure.elements()[element].node[0] == node ? 2 : 1;
+        };
+        const std::pair<int, int> breaks[] = {{at_joint, carried_by(at_joint, frame.corner[2])},
+                                              {inside, 1},
+                                              {at_partly_held, carried_by(at_partly_held, frame.corner[1])}};
         for (const auto& [element, where] : breaks) {
             break_element(structure, state, element, where);
             end[element] = where;
             mass.renew({element}, state, pose_of(state));
             const Eigen::MatrixXd M = dense_mass(structure, Q, end);
-            CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken", mass_error(structure, state, mass, M, 2), 1e-10);
+            CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken",
+                         mass_error(structure, state, mass, M, 2), 1e-10);
             Mass anew(structure, state);
             CHECK_FIGURE(name + " M, made anew", mass_error(structure, state, anew, M, 3), 1e-10);
         }
@@ -241,14 +262,19 @@ TEST_CASE("solver: M by itself is undone, consistent and lumped, with stubs and 
         turned.held = state.held;
         if (kind == MassKind::lumped) {
             mass.turn_stubs(turned, pose_of(turned));
-            CHECK_FIGURE("lumped M, stubs turned alone", mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
+            CHECK_FIGURE("lumped M, stubs turned alone",
+                         mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }
         mass.renew(all_elements(structure), turned, pose_of(turned));
-        CHECK_FIGURE(name + " M, all turned", mass_error(structure, turned, mass, dense_mass(structure, other, end), 5), 1e-10);
+        CHECK_FIGURE(name + " M, all turned", mass_error(structure, turned, mass, dense_mass(structure, other, end), 5),
+                     1e-10);
     }
 }
 
-TEST_CASE("solver: a stub weighs what its element does when that moves as a rigid body, consistent and lumped (1e-14: rounding)", "[solver]") {
+TEST_CASE(
+    "solver: a stub weighs what its element does when that moves as a rigid body, consistent and lumped (1e-14: "
+    "rounding)",
+    "[solver]") {
     const Odd frame;
     const Structure structure(frame.model);
     const Element& e = structure.elements()[1];
@@ -256,15 +282,19 @@ TEST_CASE("solver: a stub weighs what its element does when that moves as a rigi
     Eigen::Matrix<double, 12, 6> follow = Eigen::Matrix<double, 12, 6>::Zero();  // both nodes as the first one bids
     for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
     follow.block<3, 3>(6, 3) = -skew(e.chord);
-    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {{"consistent", {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
-                                                                          {"lumped", {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_stub(e.rigidity, e.chord)}}};
+    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {
+        {"consistent",
+         {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
+        {"lumped", {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_stub(e.rigidity, e.chord)}}};
     for (const auto& [name, both] : kinds) {
-        const Mat6 element = follow.transpose() * both.first * follow, stub = beam::hung_mass(both.second.mass, both.second.moment, both.second.inertia);
+        const Mat6 element = follow.transpose() * both.first * follow,
+                   stub = beam::hung_mass(both.second.mass, both.second.moment, both.second.inertia);
         CHECK_FIGURE(std::string("stub, ") + name, (element - stub).norm() / element.norm(), 1e-14);
     }
 }
 
-TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a freedom is held (1e-14: rounding)", "[solver]") {
+TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a freedom is held (1e-14: rounding)",
+          "[solver]") {
     const Odd frame;
     const Structure structure(frame.model, MassKind::lumped);
     const State state = initial_state(structure);
@@ -279,20 +309,25 @@ TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a f
     CHECK_FIGURE("lumped inverse", worst, 1e-14);
 }
 
-TEST_CASE("solver: conjugate gradients give what dense factors give, on a frame with an odd cycle (1e-9 double, 1e-6 single)", "[solver]") {
+TEST_CASE(
+    "solver: conjugate gradients give what dense factors give, on a frame with an odd cycle (1e-9 double, 1e-6 single)",
+    "[solver]") {
     for (const Way& way : ways) {
         Solving s;
         auto op = s.fresh(way.keeping, way.k);
         const auto b = right_side(s.state, 5);
         const auto x = answer(*op, b);
-        CHECK_FIGURE(std::string("no couplings, ") + way.name, Dense(*s.structure, s.state, way.k, {}, {}, -1, {}).error(b, x), way.limit);
+        CHECK_FIGURE(std::string("no couplings, ") + way.name,
+                     Dense(*s.structure, s.state, way.k, {}, {}, -1, {}).error(b, x), way.limit);
         for (std::size_t i = 0; i < x.size(); ++i)
             for (int c = 0; c < 6; ++c)
                 if (s.state.held[i] >> c & 1) CHECK(x[i][c] == 0);
     }
 }
 
-TEST_CASE("solver: couplings between inner nodes and between joints, as they come, change and go (1e-9 double, 1e-6 single)", "[solver]") {
+TEST_CASE(
+    "solver: couplings between inner nodes and between joints, as they come, change and go (1e-9 double, 1e-6 single)",
+    "[solver]") {
     for (const Way& way : ways) {
         Solving s;
         auto op = s.fresh(way.keeping, way.k);
@@ -306,7 +341,11 @@ TEST_CASE("solver: couplings between inner nodes and between joints, as they com
             {"the same nodes, another spring", {{s.inner(0), s.inner(4), spring(s.dice, stiff)}}},
             {"two joints", {{joint, other, spring(s.dice, stiff)}}},
             {"a free end and a node held in part", {{s.frame.free_end[1], held_in_part, spring(s.dice, stiff)}}},
-            {"all of them at once, two on one node", {{s.inner(1), s.inner(3), spring(s.dice, stiff)}, {joint, other, spring(s.dice, stiff)}, {joint, s.inner(6), spring(s.dice, stiff)}, {s.frame.free_end[0], s.inner(5), spring(s.dice, stiff)}}},
+            {"all of them at once, two on one node",
+             {{s.inner(1), s.inner(3), spring(s.dice, stiff)},
+              {joint, other, spring(s.dice, stiff)},
+              {joint, s.inner(6), spring(s.dice, stiff)},
+              {s.frame.free_end[0], s.inner(5), spring(s.dice, stiff)}}},
             {"one of them left", {{joint, s.inner(6), spring(s.dice, stiff)}}},
         };
         for (const auto& [name, couplings] : sets) {
@@ -324,7 +363,8 @@ TEST_CASE("solver: couplings between inner nodes and between joints, as they com
     }
 }
 
-TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled (1e-9 double, 1e-6 single)", "[solver]") {
+TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled (1e-9 double, 1e-6 single)",
+          "[solver]") {
     for (const Way& way : ways) {
         Solving s;
         auto op = s.fresh(way.keeping, way.k);
@@ -343,9 +383,12 @@ TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled
         REQUIRE(last >= 0);
         op->remove(inside);
         removed.push_back(inside);
-        CHECK_FIGURE(std::string("removed beside a coupled node, ") + way.name, Dense(*s.structure, s.state, way.k, couplings, removed, -1, {}).error(b, answer(*op, b)), way.limit);
+        CHECK_FIGURE(std::string("removed beside a coupled node, ") + way.name,
+                     Dense(*s.structure, s.state, way.k, couplings, removed, -1, {}).error(b, answer(*op, b)),
+                     way.limit);
         op->set_couplings({});
-        CHECK_FIGURE(std::string("coupling gone, ") + way.name, Dense(*s.structure, s.state, way.k, {}, removed, -1, {}).error(b, answer(*op, b)), way.limit);
+        CHECK_FIGURE(std::string("coupling gone, ") + way.name,
+                     Dense(*s.structure, s.state, way.k, {}, removed, -1, {}).error(b, answer(*op, b)), way.limit);
 
         // the last element of an arm breaks: a stub on the node before, and its end leaves the solve
         op->remove(last);
@@ -360,7 +403,8 @@ TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled
         const auto b2 = right_side(s.state, 8);
         const auto x = answer(*op, b2);
         CHECK(x[s.frame.free_end[0]].isZero(0));
-        CHECK_FIGURE(std::string("a stub in its place, ") + way.name, Dense(*s.structure, s.state, way.k, {}, removed, carrier, hung).error(b2, x), way.limit);
+        CHECK_FIGURE(std::string("a stub in its place, ") + way.name,
+                     Dense(*s.structure, s.state, way.k, {}, removed, carrier, hung).error(b2, x), way.limit);
     }
 }
 
@@ -379,7 +423,8 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
     const State state = initial_state(*structure);
     const auto b = right_side(state, 9);
     Dice dice(32);
-    const std::vector<Coupling> couplings = {{grid[3][3], grid[20][20], spring(dice, 1e8)}, {1700, 1900, spring(dice, 1e8)}};
+    const std::vector<Coupling> couplings = {{grid[3][3], grid[20][20], spring(dice, 1e8)},
+                                             {1700, 1900, spring(dice, 1e8)}};
     for (Keeping keeping : {Keeping::iterative, Keeping::narrow}) {
         Eigen::VectorXd first;
         for (int threads : {1, 2, 3}) {
@@ -408,17 +453,22 @@ TEST_CASE("solver: a team does each index once, in the same pieces for any numbe
                     ++pieces[piece];
                     for (int i = first; i < end; ++i) ++times[i];
                 });
-                const auto once = [](const auto& v) { return std::all_of(v.begin(), v.end(), [](int n) { return n == 1; }); };
+                const auto once = [](const auto& v) {
+                    return std::all_of(v.begin(), v.end(), [](int n) { return n == 1; });
+                };
                 CHECK((wrong == 0 && once(times) && once(pieces)));
             }
     }
 }
 
-TEST_CASE("solver: a team's sums have the same bits for any number of threads, one after the other and many times", "[solver]") {
+TEST_CASE("solver: a team's sums have the same bits for any number of threads, one after the other and many times",
+          "[solver]") {
     Dice dice(41);
     std::vector<double> numbers(100000);
     for (double& x : numbers) x = dice(-1, 1) * std::pow(10, dice(-8, 8));  // so that the order shows
-    const auto some = [&](int first, int end) { return std::accumulate(numbers.begin() + first, numbers.begin() + end, 0.0); };
+    const auto some = [&](int first, int end) {
+        return std::accumulate(numbers.begin() + first, numbers.begin() + end, 0.0);
+    };
     Team alone;
     const double reference = alone.sum(int(numbers.size()), 100, some);
     CHECK(reference != std::accumulate(numbers.begin(), numbers.end(), 0.0));  // the order does show

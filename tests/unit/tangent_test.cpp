@@ -36,12 +36,17 @@ struct Sample {
     Quat axes;
     Nodes start, now;
     Stiffness k;
-    YieldSurface yield;   // none: elastic
+    YieldSurface yield;  // none: elastic
     double sections[2] = {-1, 1};
     bool large;
 
     Sample(Dice& dice, bool large_displacement, double deform) : large(large_displacement) {
-        c.EIx = dice(50, 200); c.EIy = dice(50, 200); c.EA = dice(5e3, 2e4); c.GJ = dice(50, 200); c.GAx = dice(2e3, 5e3); c.GAy = dice(2e3, 5e3);
+        c.EIx = dice(50, 200);
+        c.EIy = dice(50, 200);
+        c.EA = dice(5e3, 2e4);
+        c.GJ = dice(50, 200);
+        c.GAx = dice(2e3, 5e3);
+        c.GAy = dice(2e3, 5e3);
         L = dice(0.8, 1.6);
         s = dice(-1, 1);
         axes = dice.turn();
@@ -62,7 +67,8 @@ struct Sample {
         const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
         const Vec3 chord = large ? Vec3(n.x[1] - n.x[0]) : Vec3(start.x[1] - start.x[0]);
         const Quat none = Quat::Identity();
-        return place<double>({chord.x(), chord.y(), chord.z()}, quad(large ? n.q[0] : none), quad(large ? n.q[1] : none), quad(axes));
+        return place<double>({chord.x(), chord.y(), chord.z()}, quad(large ? n.q[0] : none),
+                             quad(large ? n.q[1] : none), quad(axes));
     }
     Vec6 deformation_of(const Nodes& n) const {
         Vec6 d;
@@ -71,7 +77,8 @@ struct Sample {
         } else {
             const Mat3 to_local = axes.toRotationMatrix().transpose();
             Vec12 u;
-            u << to_local * (n.x[0] - start.x[0]), to_local * n.turn[0], to_local * (n.x[1] - start.x[1]), to_local * n.turn[1];
+            u << to_local * (n.x[0] - start.x[0]), to_local * n.turn[0], to_local * (n.x[1] - start.x[1]),
+                to_local * n.turn[1];
             d = linear_deformation(L) * u;
         }
         return d;
@@ -155,13 +162,24 @@ void compare(bool large, bool plastic, double deform, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("small displacement, elastic: tangent against finite differences (1e-6, issue)") { compare(false, false, 0.2, "small, elastic"); }
-TEST_CASE("small displacement, plastic at one end and at both (1e-6, issue)") { compare(false, true, 0.4, "small, plastic"); }
-TEST_CASE("large displacement, elastic, end rotations near zero (1e-6, issue)") { compare(true, false, 0.01, "large, elastic, small strain"); }
-TEST_CASE("large displacement, elastic, end rotations to 1 rad (1e-6, issue)") { compare(true, false, 0.6, "large, elastic"); }
-TEST_CASE("large displacement, plastic at one end and at both (1e-6, issue)") { compare(true, true, 0.4, "large, plastic"); }
+TEST_CASE("small displacement, elastic: tangent against finite differences (1e-6, issue)") {
+    compare(false, false, 0.2, "small, elastic");
+}
+TEST_CASE("small displacement, plastic at one end and at both (1e-6, issue)") {
+    compare(false, true, 0.4, "small, plastic");
+}
+TEST_CASE("large displacement, elastic, end rotations near zero (1e-6, issue)") {
+    compare(true, false, 0.01, "large, elastic, small strain");
+}
+TEST_CASE("large displacement, elastic, end rotations to 1 rad (1e-6, issue)") {
+    compare(true, false, 0.6, "large, elastic");
+}
+TEST_CASE("large displacement, plastic at one end and at both (1e-6, issue)") {
+    compare(true, true, 0.4, "large, plastic");
+}
 
-TEST_CASE("the elastic tangent without initial stress is symmetric and leaves rigid motions free (1e-12, 1e-11: rounding)") {
+TEST_CASE(
+    "the elastic tangent without initial stress is symmetric and leaves rigid motions free (1e-12, 1e-11: rounding)") {
     Dice dice(13);
     for (int trial = 0; trial < 50; ++trial) {
         const Sample sample(dice, true, 0.3);

@@ -1,5 +1,5 @@
-// The element against closed forms: K = L B^T D B, the pair of asi-gauss elements as an exact Timoshenko member, and how far off
-// midpoint integration is.
+// The element against closed forms: K = L B^T D B, the pair of asi-gauss elements as an exact Timoshenko member, and
+// how far off midpoint integration is.
 #include <Eigen/LU>
 
 #include "beam/timoshenko.h"
@@ -46,8 +46,9 @@ struct Skew : Frame {
         axes.col(1) = along.cross(axes.col(0));
     }
 
-    /// Flexibility of the free end, local axes, 6 x 6: [u v w tx ty tz] from [Fx Fy Fz Mx My Mz]. `held`: the end that is held.
-    /// `midpoint_elements`: 0 for the closed form; n for midpoint integration, whose bending part is short by L (Mb - Ma)^2 / (12 n^2 EI).
+    /// Flexibility of the free end, local axes, 6 x 6: [u v w tx ty tz] from [Fx Fy Fz Mx My Mz]. `held`: the end that
+    /// is held. `midpoint_elements`: 0 for the closed form; n for midpoint integration, whose bending part is short by
+    /// L (Mb - Ma)^2 / (12 n^2 EI).
     Mat6 flexibility(int held, int midpoint_elements) const {
         const double E = material->E, G = material->G, EIx = E * oblong->Ix, EIy = E * oblong->Iy;
         const double part = midpoint_elements ? 1 - 0.25 / (midpoint_elements * midpoint_elements) : 1;
@@ -133,7 +134,9 @@ TEST_CASE("the solution of k(s) d = p is its inverse (1e-9: k is badly condition
     CHECK_FIGURE("k.solve(k d) = d", worst, 1e-9);
 }
 
-TEST_CASE("two asi-gauss elements are the closed-form Timoshenko member: all six freedoms at both ends, skew in space (1e-9, issue)") {
+TEST_CASE(
+    "two asi-gauss elements are the closed-form Timoshenko member: all six freedoms at both ends, skew in space (1e-9, "
+    "issue)") {
     for (int held : {0, 1})
         for (int count : {2, 4, 6}) {
             const Skew member(Formulation::asi_gauss, count, held);
@@ -178,11 +181,14 @@ TEST_CASE("two asi-gauss elements condensed to their ends are the closed-form 12
     CHECK(without > 1e-3);  // midpoint integration is not exact
 }
 
-TEST_CASE("midpoint integration, cantilever: the bending part of the tip deflection is short by 1/(4 n^2) (1e-9, closed form)") {
+TEST_CASE(
+    "midpoint integration, cantilever: the bending part of the tip deflection is short by 1/(4 n^2) (1e-9, closed "
+    "form)") {
     for (Formulation f : {Formulation::conventional, Formulation::asi})
         for (int count : {1, 2, 3, 4, 8}) {
             const Skew member(f, count, 0);
-            CHECK_FIGURE(std::string(f == Formulation::asi ? "asi" : "conventional") + ", cantilever of " + std::to_string(count) + " elements",
+            CHECK_FIGURE(std::string(f == Formulation::asi ? "asi" : "conventional") + ", cantilever of " +
+                             std::to_string(count) + " elements",
                          difference(member.measured(0), member.flexibility(0, count), member.L), 1e-9);
         }
 }
@@ -196,29 +202,37 @@ TEST_CASE("midpoint integration, sway member: the bending part is short by 1/n^2
             frame.member(a, b);
             frame.load(b, {1000, 0, 0});
             const auto run = statics(frame.build());
-            const double L = 1.2, EI = frame.material->E * frame.section->Ix, GA = frame.material->G * frame.section->shear_area_x;
+            const double L = 1.2, EI = frame.material->E * frame.section->Ix,
+                         GA = frame.material->G * frame.section->shear_area_x;
             const double u = 1000 * (L * L * L / (12 * EI) * (1 - 1.0 / (count * count)) + L / GA);
-            CHECK_FIGURE(std::string(f == Formulation::asi ? "asi" : "conventional") + ", sway member of " + std::to_string(count) + " elements",
+            CHECK_FIGURE(std::string(f == Formulation::asi ? "asi" : "conventional") + ", sway member of " +
+                             std::to_string(count) + " elements",
                          off(run->displacement(b)[0], u), 1e-9);
         }
 }
 
-TEST_CASE("midpoint integration, end moments Ma and Mb: the flexibility is short by L (Mb - Ma)^2 / (12 n^2 EI) (1e-9, closed form)") {
+TEST_CASE(
+    "midpoint integration, end moments Ma and Mb: the flexibility is short by L (Mb - Ma)^2 / (12 n^2 EI) (1e-9, "
+    "closed form)") {
     Dice dice(5);
     for (int count : {1, 2, 4, 8})
         for (int trial = 0; trial < 3; ++trial) {
-            const double L = 0.9, Ma = dice(-1, 1) * 1000, Mb = dice(-1, 1) * 1000;  // as the section's moments at the two ends
+            const double L = 0.9, Ma = dice(-1, 1) * 1000,
+                         Mb = dice(-1, 1) * 1000;  // as the section's moments at the two ends
             Frame frame(small_displacement(Formulation::conventional));
             frame.elements = count;
-            const int a = frame.foot(0, 0, 0, 0b001111), b = frame.foot(L, 0, 0, 0b000111);  // turns about z; held against torsion at a
+            const int a = frame.foot(0, 0, 0, 0b001111),
+                      b = frame.foot(L, 0, 0, 0b000111);  // turns about z; held against torsion at a
             frame.member(a, b);
             frame.load(a, Vec3::Zero(), {0, 0, -Ma});
             frame.load(b, Vec3::Zero(), {0, 0, Mb});
             const auto run = statics(frame.build());
-            const double EI = frame.material->E * frame.section->Iy, GA = frame.material->G * frame.section->shear_area_x;
+            const double EI = frame.material->E * frame.section->Iy,
+                         GA = frame.material->G * frame.section->shear_area_x;
             const double twice_energy = Mb * run->displacement(b)[5] - Ma * run->displacement(a)[5];
             const double exact = L / (3 * EI) * (Ma * Ma + Ma * Mb + Mb * Mb) + (Mb - Ma) * (Mb - Ma) / (L * GA);
-            CHECK_FIGURE("end moments, " + std::to_string(count) + " elements", off(twice_energy, exact - L * (Mb - Ma) * (Mb - Ma) / (12 * count * count * EI)), 1e-9);
+            CHECK_FIGURE("end moments, " + std::to_string(count) + " elements",
+                         off(twice_energy, exact - L * (Mb - Ma) * (Mb - Ma) / (12 * count * count * EI)), 1e-9);
         }
 }
 

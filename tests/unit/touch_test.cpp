@@ -1,4 +1,5 @@
-// Touches (rule `surface`): forces against the derivative of their energy, balance, tangent, friction, what a step misses.
+// Touches (rule `surface`): forces against the derivative of their energy, balance, tangent, friction, what a step
+// misses.
 #include <algorithm>
 
 #include "contact/touch.h"
@@ -18,7 +19,8 @@ struct Pressed {
 
     Pressed(Dice& dice, Nearness kind, bool stub, double friction = 0) {
         const Quat all = dice.turn();
-        const double angle = kind == Nearness::crossing ? dice(0.3, 1.2) : dice(0.7, 1.2), at = kind == Nearness::crossing ? 0.2 : 1.0;
+        const double angle = kind == Nearness::crossing ? dice(0.3, 1.2) : dice(0.7, 1.2),
+                     at = kind == Nearness::crossing ? 0.2 : 1.0;
         const Vec3 along(std::cos(angle), std::sin(angle), dice(-0.05, 0.05)), middle(0.1, 0, 0.045);
         const Vec3 b1 = kind == Nearness::crossing ? Vec3(middle - at * along) : Vec3(middle + 0.01 * along);
         const Vec3 place[4] = {{-0.5, 0, 0}, {0.6, 0.02, 0}, b1, middle + 0.8 * along};
@@ -141,14 +143,16 @@ TEST_CASE("touch: bars whose axes have passed each other are pushed back to thei
 }
 
 TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back", "[touch]") {
-    // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it does not
+    // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it
+    // does not
     const double m = 2, k = 1e6, v0 = 3, dt = 0.4 / std::sqrt(k / m);
     const auto bounce = [&](double start, bool mend) {
         double x = start, v = -v0, f = 0;  // overlap g = -x
         for (int step = 0; step < 40; ++step) {
             // average acceleration, linear in the new force
             const bool press = x + dt * v < 0;
-            const double to = press ? (x + dt * v + 0.25 * dt * dt / m * f) / (1 + 0.25 * dt * dt * k / m) : x + dt * v + 0.25 * dt * dt / m * f;
+            const double to = press ? (x + dt * v + 0.25 * dt * dt / m * f) / (1 + 0.25 * dt * dt * k / m)
+                                    : x + dt * v + 0.25 * dt * dt / m * f;
             const double force = press ? -k * to : 0;
             v += 0.5 * dt / m * (f + force);
             Touch touch;

@@ -21,12 +21,17 @@ Trial random_trial(Dice& dice, bool midpoint = false) {
     Trial t;
     Rigidity c;
     const double b = dice(0.02, 0.5), E = 206e9, G = E / 2.6, stress = dice(200e6, 400e6), h = b * dice(0.5, 1);
-    c.EIx = E * b * h * h * h / 12; c.EIy = E * h * b * b * b / 12; c.EA = E * b * h; c.GJ = G * 0.14 * b * h * h * h;
+    c.EIx = E * b * h * h * h / 12;
+    c.EIy = E * h * b * b * b / 12;
+    c.EA = E * b * h;
+    c.GJ = G * 0.14 * b * h * h * h;
     c.GAx = c.GAy = G * b * h * 5 / 6;
     t.k = stiffness(c, b * dice(3, 40), midpoint ? 0 : dice(-1, 1));
-    const double limit[4] = {stress * b * h * h / 4, stress * h * b * b / 4, stress * b * h, stress / std::sqrt(3.0) * b * h * h / 3};
+    const double limit[4] = {stress * b * h * h / 4, stress * h * b * b / 4, stress * b * h,
+                             stress / std::sqrt(3.0) * b * h * h / 3};
     t.w = {1 / (limit[0] * limit[0]), 1 / (limit[1] * limit[1]), 1 / (limit[2] * limit[2]), 1 / (limit[3] * limit[3])};
-    // from hardly yielding to far outside; some components left out at random, so that corners of the surface are met too
+    // from hardly yielding to far outside; some components left out at random, so that corners of the surface are met
+    // too
     const double size = std::exp(dice(-1, 3));
     for (int i = 0; i < 6; ++i) t.p[i] = dice.pick(4) ? size * dice(-1, 1) * limit[i < 4 ? i / 2 : i - 2] : 0;
     return t;
@@ -54,7 +59,8 @@ TEST_CASE("1e5 random returns, both ends: on the surface, nearest point, never n
         const double before = std::max(yield_function(t.p, -1, t.w), yield_function(t.p, 1, t.w));
         if (before <= 1) {  // elastic: nothing happens
             ++none;
-            REQUIRE((flow.p == t.p && flow.plastic.isZero() && flow.dissipation == 0 && flow.lambda[0] == 0 && flow.lambda[1] == 0));
+            REQUIRE((flow.p == t.p && flow.plastic.isZero() && flow.dissipation == 0 && flow.lambda[0] == 0 &&
+                     flow.lambda[1] == 0));
             continue;
         }
         ++(flow.lambda[0] > 0 && flow.lambda[1] > 0 ? both : one);
@@ -66,10 +72,11 @@ TEST_CASE("1e5 random returns, both ends: on the surface, nearest point, never n
             beyond = std::max(beyond, f - 1);
             plastic += flow.lambda[i] * yield_gradient(flow.p, ends[i], t.w);
         }
-        // Nearest in the energy norm: the way back is k times the gradients, with multipliers that are not negative. The surface
-        // is convex, so there is one such point.
+        // Nearest in the energy norm: the way back is k times the gradients, with multipliers that are not negative.
+        // The surface is convex, so there is one such point.
         const double size = size_of(t.p, t.w);
-        off_normal = std::max({off_normal, size_of(t.p - t.k.times(plastic) - flow.p, t.w) / size, (plastic - flow.plastic).norm() / plastic.norm()});
+        off_normal = std::max({off_normal, size_of(t.p - t.k.times(plastic) - flow.p, t.w) / size,
+                               (plastic - flow.plastic).norm() / plastic.norm()});
         least_dissipation = std::min(least_dissipation, flow.dissipation);
         REQUIRE(flow.dissipation == Approx(flow.p.dot(plastic)));
     }
@@ -93,7 +100,8 @@ TEST_CASE("no other admissible state is nearer to the trial in the energy norm (
         for (int other = 0; other < 10; ++other) {
             Vec6 q = flow.p;
             const double step = std::exp(dice(-8, 1));
-            for (int i = 0; i < 6; ++i) q[i] += step * dice(-1, 1) / std::sqrt(i < 2 ? t.w.x : i < 4 ? t.w.y : i == 4 ? t.w.n : t.w.z);
+            for (int i = 0; i < 6; ++i)
+                q[i] += step * dice(-1, 1) / std::sqrt(i < 2 ? t.w.x : i < 4 ? t.w.y : i == 4 ? t.w.n : t.w.z);
             const double f = std::max(yield_function(q, -1, t.w), yield_function(q, 1, t.w));
             if (f > 1) q /= std::sqrt(f);  // brought in
             worst = std::max(worst, (here - distance(q)) / std::max(here, t.p.dot(t.k.solve(t.p)) * 1e-6));
@@ -129,8 +137,9 @@ TEST_CASE("eq 14: each resultant alone yields at its fully plastic value, at its
     CHECK(f(3, 4, 1) == Approx(1));
     CHECK(f(4, -5, 0.3) == Approx(1));
     CHECK(f(5, 6, -0.7) == Approx(1));
-    CHECK((Vec6() << 1, 2, 3, 4, 5, 6).finished().dot(yield_gradient((Vec6() << 1, 2, 3, 4, 5, 6).finished(), 0.4, w)) ==
-          Approx(2 * yield_function((Vec6() << 1, 2, 3, 4, 5, 6).finished(), 0.4, w)));  // quadratic: p . df/dp = 2 f
+    CHECK(
+        (Vec6() << 1, 2, 3, 4, 5, 6).finished().dot(yield_gradient((Vec6() << 1, 2, 3, 4, 5, 6).finished(), 0.4, w)) ==
+        Approx(2 * yield_function((Vec6() << 1, 2, 3, 4, 5, 6).finished(), 0.4, w)));  // quadratic: p . df/dp = 2 f
 }
 
 TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") {
@@ -158,7 +167,7 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") 
             std::vector<Yielding> yielding;
             const auto nodal = [&](std::vector<Vec6>& force) {
                 Team alone;
-    Sweep sweep(*structure, alone, false);
+                Sweep sweep(*structure, alone, false);
                 sweep.take_up(state);
                 std::vector<Vec6> at(state.displacement.size(), Vec6::Zero());
                 sweep.run(state, pose_of(state), at, force, yielding);
@@ -175,10 +184,12 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") 
                 const double s[] = {-1, 1, 0, dice(-1, 1)};
                 const beam::Stiffness k = stiffness_now(*structure, state, int(e));
                 move_point(*structure, state, int(e), s[trial % 4]);
-                if (trial % 4 < 2) CHECK(off(stiffness_now(*structure, state, int(e)).x11, k.x11) > 0.1);  // it did move
+                if (trial % 4 < 2)
+                    CHECK(off(stiffness_now(*structure, state, int(e)).x11, k.x11) > 0.1);  // it did move
             }
             const std::vector<Vec6> after = nodal(state.force);
-            for (std::size_t i = 0; i < after.size(); ++i) worst = std::max(worst, (after[i] - before[i]).cwiseQuotient(size).cwiseAbs().maxCoeff());
+            for (std::size_t i = 0; i < after.size(); ++i)
+                worst = std::max(worst, (after[i] - before[i]).cwiseQuotient(size).cwiseAbs().maxCoeff());
             for (std::size_t e = 0; e < force_before.size(); ++e)
                 worst = std::max(worst, size_of(state.force[e] - force_before[e], structure->elements()[e].yield));
         }
@@ -203,7 +214,8 @@ const double Mp = 7656.25;
 
 }  // namespace
 
-TEST_CASE("a hinge takes the point to the far end (eq 6) and its partner's to the middle; the limit load is Mp/L (1e-9)") {
+TEST_CASE(
+    "a hinge takes the point to the far end (eq 6) and its partner's to the middle; the limit load is Mp/L (1e-9)") {
     const auto structure = cantilever(Shift::whole);
     Statics run(structure, initial_state(*structure), driven(1, 2, -0.04, 100));
     REQUIRE(run.advance());
@@ -217,14 +229,17 @@ TEST_CASE("a hinge takes the point to the far end (eq 6) and its partner's to th
     CHECK_FIGURE("plastic moment at the root, point shifted", off(run.state().factor * 1000, Mp), 1e-9);
 }
 
-TEST_CASE("with Shift::plastic the elastic points stay: the plastic turn is what the deflection has over the elastic one (1e-6)") {
+TEST_CASE(
+    "with Shift::plastic the elastic points stay: the plastic turn is what the deflection has over the elastic one "
+    "(1e-6)") {
     const auto run = statics(cantilever(Shift::plastic), driven(1, 2, -0.04, 100));
     CHECK(run->state().hinge[0] == hinge_at_1);
     CHECK(run->state().point[0] == gauss_point);
     CHECK(run->state().point[1] == -gauss_point);
     CHECK_FIGURE("plastic moment at the root, points that stay", off(run->state().factor * 1000, Mp), 1e-9);
     const double elastic = Mp * 3.112854e-6;  // benchmarks.md 10
-    CHECK_FIGURE("plastic turn of the root", off(run->state().plastic[0].head<4>().cwiseAbs().maxCoeff(), 0.04 - elastic), 1e-6);
+    CHECK_FIGURE("plastic turn of the root",
+                 off(run->state().plastic[0].head<4>().cwiseAbs().maxCoeff(), 0.04 - elastic), 1e-6);
 }
 
 TEST_CASE("unloading takes the points back, and the forces are continuous when they go and come (dynamics)") {
@@ -246,7 +261,8 @@ TEST_CASE("unloading takes the points back, and the forces are continuous when t
         // p = k(s) (d - d_p) holds with the point where it is now
         for (int e = 0; e < 2; ++e) {
             const Vec6 d = element_deformation(*structure, e, pose_of(now)) - now.plastic[e];
-            worst = std::max(worst, size_of(stiffness_now(*structure, now, e).times(d) - now.force[e], structure->elements()[e].yield));
+            worst = std::max(worst, size_of(stiffness_now(*structure, now, e).times(d) - now.force[e],
+                                            structure->elements()[e].yield));
         }
         before = now;
     }
@@ -254,8 +270,9 @@ TEST_CASE("unloading takes the points back, and the forces are continuous when t
     CHECK(away >= 1);
     CHECK(back >= 1);
     CHECK(away - back <= 1);
-    // The forces of a step are those at its last solve; the correction after it moves them by a part of a step's change, and k(s)
-    // of a shifted point is some hundred times stiffer than k of the Gauss point (0.006 at this dt, falling with its square).
+    // The forces of a step are those at its last solve; the correction after it moves them by a part of a step's
+    // change, and k(s) of a shifted point is some hundred times stiffer than k of the Gauss point (0.006 at this dt,
+    // falling with its square).
     CHECK_FIGURE("k(s) (d - d_p) against p, over the plastic resultants", worst, 2e-2);
 }
 
