@@ -206,8 +206,8 @@ inline StaticSettings driven(int node, int component, double value, int steps) {
 inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, double stiffness_factor,
                              std::vector<int>* freedoms = nullptr) {
     const State state = initial_state(structure);
-    Team alone;
-    Operator op(structure, alone, mass_factor, stiffness_factor, false, Keeping::direct);
+    ThreadPool alone;
+    EffectiveStiffness op(structure, alone, mass_factor, stiffness_factor, false, Keeping::direct);
     std::vector<int> all;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) all.push_back(int(i));
     op.build(all, state, pose_of(state), {});

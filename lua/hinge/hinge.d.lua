@@ -551,10 +551,10 @@ function run:momentum() end
 function run:count(options) end
 
 ---The structure as it is now, for pictures.
----@return hinge.still
-function run:still() end
+---@return hinge.snapshot
+function run:snapshot() end
 
----@class hinge.still
+---@class hinge.snapshot
 
 -- Ground motion -------------------------------------------------------------------------------------------------------
 

@@ -60,27 +60,27 @@ end
 function Job:frame(run)
   must_be_run("job:frame", run)
   if self.frames_failed then return end
-  self.frames_failed = not try(self, "frames", core.write_frame, run:still())
+  self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
 
 --- Draws the structure as it is now into a PNG picture in the output folder.
 function Job:picture(run, view, filename)
   must_be_run("job:picture", run)
   view = check.options("job:picture", view, view_rules)
-  try(self, filename, core.write_picture, run:still(), view, picture_path("job:picture", self, filename))
+  try(self, filename, core.write_picture, run:snapshot(), view, picture_path("job:picture", self, filename))
 end
 
---- Draws stills side by side into one PNG picture: { { run or still, view }, ... }, `columns` in a row.
-function Job:strip(stills, columns, filename)
-  check.value("job:strip", "stills", stills, { "table" })
+--- Draws snapshots side by side into one PNG picture: { { run or snapshot, view }, ... }, `columns` in a row.
+function Job:strip(snapshots, columns, filename)
+  check.value("job:strip", "snapshots", snapshots, { "table" })
   check.value("job:strip", "columns", columns, { "number", whole = true, above = 0 })
   local pictures, views = {}, {}
-  for i, item in ipairs(stills) do
+  for i, item in ipairs(snapshots) do
     must_be_run("job:strip", item[1])
-    pictures[i] = item[1].still and item[1]:still() or item[1]
+    pictures[i] = item[1].snapshot and item[1]:snapshot() or item[1]
     views[i] = check.options("job:strip", item[2], view_rules)
   end
-  if #pictures == 0 then check.fail("job:strip: stills is empty; must be { { run:still(), view }, ... }") end
+  if #pictures == 0 then check.fail("job:strip: snapshots is empty; must be { { run:snapshot(), view }, ... }") end
   try(self, filename, core.write_strip, pictures, views, columns, picture_path("job:strip", self, filename))
 end
 

@@ -31,12 +31,12 @@ function job:picture(run, view, filename) end
 ---@field title? string
 ---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show, so that several pictures share one view
 
----Draws stills side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for all; the
+---Draws snapshots side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for all; the
 ---whole may have at most 8192 pixels a side.
----@param stills { [1]: hinge.run|hinge.still, [2]?: hinge.view }[]
----@param columns integer stills in a row
+---@param snapshots { [1]: hinge.run|hinge.snapshot, [2]?: hinge.view }[]
+---@param columns integer snapshots in a row
 ---@param filename string plain name ending in .png
-function job:strip(stills, columns, filename) end
+function job:strip(snapshots, columns, filename) end
 
 ---Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture can
 ---be drawn, that is noted and the run goes on.

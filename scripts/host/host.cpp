@@ -55,7 +55,8 @@ const char script[] = R"(
 local hinge = require "hinge"
 local rule = ...
 local steel = hinge.material { E = 206e9, G = 79e9, density = 7850 }
-local bar = hinge.section.general { area = 25e-4, shear_area_x = 21e-4, shear_area_y = 21e-4, Ix = 5.2e-7, Iy = 5.2e-7, J = 8.8e-7 }
+local bar = hinge.section.general { area = 25e-4, shear_area_x = 21e-4, shear_area_y = 21e-4, Ix = 5.2e-7,
+    Iy = 5.2e-7, J = 8.8e-7 }
 local model = hinge.model()
 local foot, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
 model:fix(foot)

@@ -17,21 +17,21 @@ local impact = require "hinge.models.ten_storey_impact"
 local paper  = require "hinge.paper"
 
 local script = debug.getinfo(1, "S").source:sub(2)
-local view   = { -10, 34, 2, 30, 0, 40 } -- m, the same for all stills of figure 17
-local stills = { 0, 2e-3, 5e-3, 10e-3, 25e-3, 50e-3, 100e-3, 150e-3, 240e-3 } -- s after first contact
+local view   = { -10, 34, 2, 30, 0, 40 } -- m, the same for all snapshots of figure 17
+local snapshots = { 0, 2e-3, 5e-3, 10e-3, 25e-3, 50e-3, 100e-3, 150e-3, 240e-3 } -- s after first contact
 
 local function mega(joules) return ("%.2f"):format(joules / 1e6) end
 local function ms(seconds) return seconds < 0 and "-" or ("%.2f"):format(1e3 * seconds) end
 
--- Pictures of one run: what is left of the upper five storeys (figure 18) and, of Case I, a strip of stills (figure 17).
+-- Pictures of one run: what is left of the upper five storeys (figure 18) and, of Case I, a strip of snapshots (figure 17).
 local function pictures(p, job, case)
   return function(run, frame, watch)
     local strip = {}
     return function(step)
-      local after, due = watch.touched and run.time - watch.touched, stills[#strip + 1]
+      local after, due = watch.touched and run.time - watch.touched, snapshots[#strip + 1]
       if case == "I" and after and due and after >= due - p.dt / 2 then
         local title = ("Case I, %.0f ms after contact"):format(1e3 * after)
-        strip[#strip + 1] = { run:still(), { title = title, box = view, width = 800, height = 800 } }
+        strip[#strip + 1] = { run:snapshot(), { title = title, box = view, width = 800, height = 800 } }
       end
       if step.index < run.planned_steps then return end
       if #strip > 0 then job:strip(strip, 3, "fig17_stills.png") end

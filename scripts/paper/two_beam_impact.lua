@@ -7,7 +7,7 @@
 -- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, to the
 --         letter 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut loses 9 to 89 %.
 --         The remainder falls with the square of the step, and is 70 times less by surfaces with beta 1/4
---         fig14_*.png: energies over time; fig15.png: stills; remainder_over_dt.png
+--         fig14_*.png: energies over time; fig15.png: snapshots; remainder_over_dt.png
 --
 -- The paper's figure 13 is lost: sizes, distance and material are *reconstructed*, and parameters.
 local hinge = require "hinge"
@@ -75,14 +75,14 @@ local function figure_14(job, title, key, ledger)
     ("fig14_%s.png"):format(key))
 end
 
--- Figure 15: stills of the collision by surfaces, in ms after the free beam starts.
-local function stills(p, job)
+-- Figure 15: snapshots of the collision by surfaces, in ms after the free beam starts.
+local function snapshots(p, job)
   local shown, due = {}, { 0, 4.2, 5, 6, 8, 11 }
   local half = p.length / 2
   return function(run)
     local at = due[#shown + 1]
     if not at or 1e3 * run.time < at then return end
-    shown[#shown + 1] = { run:still(), { width = 640, height = 400, from = { -1, -1.4, 0.4 }, box = { -half, half, -half, half, -0.1, 0.25 },
+    shown[#shown + 1] = { run:snapshot(), { width = 640, height = 400, from = { -1, -1.4, 0.4 }, box = { -half, half, -half, half, -0.1, 0.25 },
       title = ("Fig. 15, %.1f ms"):format(1e3 * run.time) } }
     if #shown == #due then job:strip(shown, 3, "fig15.png") end
   end
@@ -147,7 +147,7 @@ return hinge.scenario {
   run = function(p, job)
     local rows, result = {}, { rules = {} }
     for i, way in ipairs(rules) do
-      local r = collide(p, way.rule, nil, i == 1 and stills(p, job) or nil)
+      local r = collide(p, way.rule, nil, i == 1 and snapshots(p, job) or nil)
       figure_14(job, way.title, way.key, r.ledger)
       rows[i] = { way.title, r.bound, percent(r.worst), percent(math.max(0, r.let_go)), percent(r.kinetic), percent(r.elastic) }
       r.ledger = nil

@@ -71,12 +71,12 @@ inline Inertia lumped_inertia(const Rigidity& c, double L) {
 
 /// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes`
 /// likewise.
-struct Stub {
+struct RigidOffset {
     double mass;
     Vec3 moment;   ///< kg m
     Mat3 inertia;  ///< about the node, kg m^2
 };
-inline Stub rigid_stub(const Rigidity& c, const Vec3& span, const Mat3& axes) {
+inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3& axes) {
     const double L = span.norm(), m = c.rhoA * L;
     const Mat3 J = L * (axes * rotary_inertia(c).asDiagonal() * axes.transpose());
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
@@ -84,7 +84,7 @@ inline Stub rigid_stub(const Rigidity& c, const Vec3& span, const Mat3& axes) {
 
 /// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's
 /// masses did would gain energy as it takes over their angular momentum.
-inline Stub lumped_stub(const Rigidity& c, const Vec3& span) {
+inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
     const double L = span.norm(), m = c.rhoA * L;
     return {m, 0.5 * m * span,
             (c.rhoIx + c.rhoIy) * L * Mat3::Identity() +
@@ -92,7 +92,7 @@ inline Stub lumped_stub(const Rigidity& c, const Vec3& span) {
 }
 
 /// Mass of a rigid body hung on a node, 6 x 6 in space, for first moment and inertia in space.
-inline Mat6 hung_mass(double mass, const Vec3& moment, const Mat3& inertia) {
+inline Mat6 offset_mass_matrix(double mass, const Vec3& moment, const Mat3& inertia) {
     Mat6 M;
     M << mass * Mat3::Identity(), -skew(moment), skew(moment), inertia;
     return M;

@@ -39,13 +39,13 @@ bool share_node(const Bar& a, const Bar& b) {
 
 double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
 
-LetGo held_by(const Bond& bond) {
-    LetGo held{bond.energy, false, {}, {}, {}};
+Released held_by(const Tie& tie) {
+    Released held{tie.energy, false, {}, {}, {}};
     for (int i = 0; i < 4; ++i) {
-        const double at = bond.at[i / 2], share = i % 2 == 0 ? 1 - at : at;
-        held.end[i] = bond.end[i];
-        held.force[i] = bond.force[i];
-        held.opening[i] = (i < 2 ? -share : share) * bond.side_now;
+        const double at = tie.at[i / 2], share = i % 2 == 0 ? 1 - at : at;
+        held.end[i] = tie.end[i];
+        held.force[i] = tie.force[i];
+        held.opening[i] = (i < 2 ? -share : share) * tie.side_now;
     }
     return held;
 }
@@ -76,7 +76,7 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     if (first_sight || !sleep || travelled_ - listed_at_ + foreseen > margin_)
         list_pairs(bars, motion, foreseen, first_sight, rule_of);
 
-    end_touches();
+    end_surface_contacts();
     nearest_ = {};
     int bound = 0;
     const double horizon = sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
@@ -195,8 +195,8 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
             look_at_[i] = never;
         }
     };
-    for (const Bond& bond : bonds_) mark(bond.element);
-    for (const Touch& touch : touches_) mark(touch.element);
+    for (const Tie& tie : ties_) mark(tie.element);
+    for (const SurfaceContact& touch : surface_contacts_) mark(touch.element);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
@@ -265,25 +265,25 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
 void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting,
                    double time) {
     pair.state = PairState::bound;
-    Bond bond;
-    bond.element[0] = a.element;
-    bond.element[1] = b.element;
-    bond.rule = pair.rule;
-    bond.since = time;
-    bond.side = bond.side_now = meeting.direction;
-    bond.at[0] = meeting.s;
-    bond.at[1] = meeting.t;
+    Tie tie;
+    tie.element[0] = a.element;
+    tie.element[1] = b.element;
+    tie.rule = pair.rule;
+    tie.since = time;
+    tie.side = tie.side_now = meeting.direction;
+    tie.at[0] = meeting.s;
+    tie.at[1] = meeting.t;
     Vec3 at[4];
     for (int i = 0; i < 4; ++i) {
-        bond.end[i] = i < 2 ? a.end(i) : b.end(i - 2);
-        at[i] = point(bond.end[i], motion);
+        tie.end[i] = i < 2 ? a.end(i) : b.end(i - 2);
+        at[i] = point(tie.end[i], motion);
     }
     const double shortest = rules_[pair.rule].shortest_gap * 0.5 * (length(at[0], at[1]) + length(at[2], at[3]));
     for (int g = 0; g < 4; ++g) {
-        bond.gap[g].rest = at[gap_b(g)] - at[gap_a(g)];
-        bond.gap[g].stiffness = gap_stiffness(a.stiffness, b.stiffness, bond.gap[g].rest.norm(), shortest);
+        tie.gap[g].rest = at[gap_b(g)] - at[gap_a(g)];
+        tie.gap[g].stiffness = gap_stiffness(a.stiffness, b.stiffness, tie.gap[g].rest.norm(), shortest);
     }
-    bonds_.push_back(bond);
+    ties_.push_back(tie);
     ++counts_.bound;
 }
 
@@ -309,15 +309,15 @@ void Contact::set_free(const int element[2], const Vec3& side) {
     }
 }
 
-void Contact::end_bond(const Bond& bond) {
-    counts_.energy_let_go += bond.energy;
-    events_.push_back({now_, {bond.element[0], bond.element[1]}, false});
-    set_free(bond.element, bond.side_now);
+void Contact::end_tie(const Tie& tie) {
+    counts_.energy_released += tie.energy;
+    events_.push_back({now_, {tie.element[0], tie.element[1]}, false});
+    set_free(tie.element, tie.side_now);
 }
 
 void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two) {
     pair.state = PairState::bound;
-    Touch touch;
+    SurfaceContact touch;
     const Bar* bars[2] = {&a, &b};
     for (int i = 0; i < 2; ++i) {
         touch.element[i] = bars[i]->element;
@@ -328,18 +328,18 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
     touch.stiffness =
         rule.stiffness > 0
             ? rule.stiffness
-            : touch_stiffness(a.stiffness, b.stiffness, 0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])),
-                              pair.touch);
+            : surface_stiffness(a.stiffness, b.stiffness,
+                                0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
     touch.friction = rule.friction;
     touch.side_before = pair.side;
     contact::look(touch, motion.position, motion.rotation);
     contact::settle(touch, motion.position, motion.rotation);
-    touches_.push_back(touch);
+    surface_contacts_.push_back(touch);
 }
 
 // Pairs that have parted are free again.
-void Contact::end_touches() {
-    std::erase_if(touches_, [&](const Touch& touch) {
+void Contact::end_surface_contacts() {
+    std::erase_if(surface_contacts_, [&](const SurfaceContact& touch) {
         if (touch.overlap_before > 0) return false;
         set_free(touch.element, touch.side_before);
         return true;
@@ -350,7 +350,7 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
                                  const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
     now_ = time;
     Settled out;
-    for (Touch& touch : touches_) {
+    for (SurfaceContact& touch : surface_contacts_) {
         const bool before = touch.overlap_before > 0, now = touch.overlap > 0;
         if (before != now) {
             out.missed = true;
@@ -367,17 +367,17 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
 double Contact::drop(int element) {
     double energy = 0;
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < bonds_.size(); ++i) {
-        const Bond& bond = bonds_[i];
-        if (bond.element[0] == element || bond.element[1] == element) {
-            energy += bond.energy;
+    for (std::size_t i = 0; i < ties_.size(); ++i) {
+        const Tie& tie = ties_[i];
+        if (tie.element[0] == element || tie.element[1] == element) {
+            energy += tie.energy;
             ++counts_.dropped;
-            end_bond(bond);
+            end_tie(tie);
         } else {
-            bonds_[kept++] = bonds_[i];
+            ties_[kept++] = ties_[i];
         }
     }
-    bonds_.resize(kept);
+    ties_.resize(kept);
     stored_ -= energy;
     return energy;
 }
@@ -385,7 +385,7 @@ double Contact::drop(int element) {
 // Element by element, as a bar's ends change places when it breaks at its first one.
 void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
                       const std::vector<Quat>& rotation) {
-    for (Touch& touch : touches_) {
+    for (SurfaceContact& touch : surface_contacts_) {
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
                 if (bar.element == touch.element[i]) touch.end[2 * i] = bar.end(0), touch.end[2 * i + 1] = bar.end(1);
@@ -396,38 +396,38 @@ void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& pos
     }
 }
 
-double Contact::release(double time, std::vector<LetGo>* let_go) {
+double Contact::release(double time, std::vector<Released>* released) {
     now_ = time;
     double energy = 0;
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < bonds_.size(); ++i) {
-        Bond& bond = bonds_[i];
-        const ContactSettings& rule = rules_[bond.rule];
-        const double age = (time - bond.since) / rule.binding_time;
-        bond.energy_peak = std::max(bond.energy_peak, bond.energy);
+    for (std::size_t i = 0; i < ties_.size(); ++i) {
+        Tie& tie = ties_[i];
+        const ContactSettings& rule = rules_[tie.rule];
+        const double age = (time - tie.since) / rule.binding_time;
+        tie.energy_peak = std::max(tie.energy_peak, tie.energy);
         bool due = age >= 1 - 1e-9;
         if (due && rule.hold_until_parting && age < rule.longest_hold) {
             // At the bottom of a swing, a low one, and not while the bars still press on towards the other side.
-            const bool turned = bond.falling && bond.energy >= bond.energy_before;
-            const bool low = bond.energy <= rule.parting_energy * bond.energy_peak;
-            const bool spent = bond.energy <= 1e-3 * bond.energy_peak;
-            const bool closing = bond.opening < bond.opening_before;
+            const bool turned = tie.falling && tie.energy >= tie.energy_before;
+            const bool low = tie.energy <= rule.parting_energy * tie.energy_peak;
+            const bool spent = tie.energy <= 1e-3 * tie.energy_peak;
+            const bool closing = tie.opening < tie.opening_before;
             due = ((turned && low) || spent) && !closing;
         }
-        bond.falling = bond.energy < bond.energy_before;
-        bond.energy_before = bond.energy;
-        bond.opening_before = bond.opening;
+        tie.falling = tie.energy < tie.energy_before;
+        tie.energy_before = tie.energy;
+        tie.opening_before = tie.opening;
         if (due) {
-            energy += bond.energy;
+            energy += tie.energy;
             ++counts_.released;
-            end_bond(bond);
-            if (let_go) let_go->push_back(held_by(bond)), let_go->back().springs_back = rule.hold_until_parting;
+            end_tie(tie);
+            if (released) released->push_back(held_by(tie)), released->back().springs_back = rule.hold_until_parting;
         } else {
-            if (kept != i) bonds_[kept] = bond;
+            if (kept != i) ties_[kept] = tie;
             ++kept;
         }
     }
-    bonds_.resize(kept);
+    ties_.resize(kept);
     stored_ -= energy;
     return energy;
 }
@@ -435,19 +435,19 @@ double Contact::release(double time, std::vector<LetGo>* let_go) {
 void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                                   std::vector<Vec6>& force) {
     stored_ = 0;
-    for (Bond& bond : bonds_) {
-        add_bond_forces(bond, position, rotation, force);
-        stored_ += bond.energy;
+    for (Tie& tie : ties_) {
+        add_tie_forces(tie, position, rotation, force);
+        stored_ += tie.energy;
     }
-    for (Touch& touch : touches_) {
+    for (SurfaceContact& touch : surface_contacts_) {
         contact::look(touch, position, rotation);
-        add_touch_forces(touch, rotation, force);
+        add_contact_forces(touch, rotation, force);
         stored_ += touch.energy;
     }
 }
 
 bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
-    return std::any_of(touches_.begin(), touches_.end(), [&](Touch touch) {
+    return std::any_of(surface_contacts_.begin(), surface_contacts_.end(), [&](SurfaceContact touch) {
         const bool before = touch.overlap > 0;
         const Vec3 slip = touch.slip;
         contact::look(touch, position, rotation);
@@ -457,8 +457,8 @@ bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Qua
 
 void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                             const AddStiffness& add) const {
-    for (const Bond& bond : bonds_) add_bond_stiffness(bond, position, rotation, add);
-    for (const Touch& touch : touches_) add_touch_stiffness(touch, rotation, add);
+    for (const Tie& tie : ties_) add_tie_stiffness(tie, position, rotation, add);
+    for (const SurfaceContact& touch : surface_contacts_) add_contact_stiffness(touch, rotation, add);
 }
 
 }  // namespace hinge::contact

@@ -2,7 +2,7 @@
 //
 // Rule `surface`: bars that are closer than the sum of their half depths press on each other (touch.h). Rule `gap` (eqs
 // 17-19, figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are bound by
-// four gap elements, node to node, for a binding time (gap_rule.h says when, bond.h how). broad_phase.h: which pairs
+// four gap elements, node to node, for a binding time (gap_rule.h says when, tie.h how). broad_phase.h: which pairs
 // are worth a look.
 #pragma once
 
@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "contact/bond.h"
+#include "contact/tie.h"
 #include "contact/segments.h"
-#include "contact/touch.h"
+#include "contact/surface_contact.h"
 #include "core/types.h"
 
 namespace hinge::contact {
@@ -48,7 +48,7 @@ struct ContactSettings {
     bool sleep = true;  ///< pairs are looked at when they could have met; false: all of them, at every step
 
     // surface
-    double stiffness = 0;  ///< N/m; 0: of the two members, see touch_stiffness
+    double stiffness = 0;  ///< N/m; 0: of the two members, see surface_stiffness
     double friction = 0;   ///< Coulomb's coefficient
 
     // gap
@@ -59,15 +59,15 @@ struct ContactSettings {
     double binding_time = 0.5e-3;  ///< s (the paper's value)
     bool letter = false;  ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
                           ///< step, and the axes must also come within the sum of the half depths
-    bool hold_until_parting = true;  ///< after its binding time a bond stays until the bars part and its stored energy
+    bool hold_until_parting = true;  ///< after its binding time a tie stays until the bars part and its stored energy
                                      ///< is at a low minimum, and what is left springs back as an impulse; false: cut
                                      ///< at the binding time, what it stores is gone
     double parting_energy =
         0.1;  ///< how low: part of the most it has stored. Two elastic beams (fig 13; 26 variants of speed, angle,
-              ///< offset and support) had on average 40 % of their energy in bonds cut at 0.5 ms, 28 % at the
+              ///< offset and support) had on average 40 % of their energy in ties cut at 0.5 ms, 28 % at the
               ///< first minimum whatever its height, 13 / 5.5 % at 0.2 / 0.1 of the peak; below that they stick
-    double longest_hold = 20;  ///< binding times after which a bond is let go whatever it carries: 10 ms is longer than
-                               ///< such an impact lasts; 40 changed nothing, with 10 some bonds were cut while full
+    double longest_hold = 20;  ///< binding times after which a tie is released whatever it carries: 10 ms is longer
+                               ///< than such an impact lasts; 40 changed nothing, with 10 some ties were cut while full
     double shortest_gap =
         0.5;  ///< of the mean length of the two elements: gap elements shorter than this are as stiff as
               ///< this, half an element, so that no gap brings in a frequency above the elements' own
@@ -84,13 +84,13 @@ struct ContactSettings {
 using PairRule = std::function<int(int element_a, int element_b)>;
 
 struct ContactCounts {
-    long bound = 0, released = 0, dropped = 0;  ///< bonds made, or touches begun; let go; lost with a broken element
+    long bound = 0, released = 0, dropped = 0;  ///< ties made, or touches begun; released; lost with a broken element
     long pair_tests = 0, list_builds = 0;
-    double energy_let_go = 0;  ///< J, stored in bonds when they were released or dropped
+    double energy_released = 0;  ///< J, stored in ties when they were released or dropped
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.bound, s.released, s.dropped, s.pair_tests, s.list_builds, s.energy_let_go);
+        a(s.bound, s.released, s.dropped, s.pair_tests, s.list_builds, s.energy_released);
     }
 };
 
@@ -104,7 +104,7 @@ struct Nearest {
 struct ContactEvent {
     double time;  ///< s; when bound, the moment of contact within the step
     int element[2];
-    bool bound;  ///< else let go
+    bool bound;  ///< else released
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -112,8 +112,8 @@ struct ContactEvent {
     }
 };
 
-/// What a bond that was let go still held.
-struct LetGo {
+/// What a tie that was released still held.
+struct Released {
     double energy = 0;          ///< J
     bool springs_back = false;  ///< hold_until_parting
     End end[4];
@@ -121,10 +121,10 @@ struct LetGo {
     Vec3 opening[4];  ///< how its two bars' distance grows with a motion of each end
 };
 
-/// Finds pairs, binds them or lets them press, carries the forces, lets go. Copying it copies all its state.
+/// Finds pairs, binds them or lets them press, carries the forces, releases. Copying it copies all its state.
 ///
 /// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step
-/// has ended, release and settle; drop for what broke. A step that may be undone begins with remember. A bond starts
+/// has ended, release and settle; drop for what broke. A step that may be undone begins with remember. A tie starts
 /// without force, but ends with one: an integrator that carries accelerations from step to step must find them anew
 /// after a release or a drop, or it goes on pulling for half a step.
 class Contact {
@@ -143,17 +143,17 @@ public:
     int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
                const PairRule& rule_of = {});
 
-    /// Forgets the bonds of an element (it broke; its nodes are no longer what they were). Returns the energy let go,
+    /// Forgets the ties of an element (it broke; its nodes are no longer what they were). Returns the energy released,
     /// J.
     double drop(int element);
 
-    /// Elements broke: touches go on with the stubs, which lie where the elements lay. Nothing is let go.
+    /// Elements broke: touches go on with the stubs, which lie where the elements lay. Nothing is released.
     void hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
     /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it
-    /// compares the energies with those of the call before. Returns the energy let go, J; `let_go` gets what each bond
-    /// held.
-    double release(double time, std::vector<LetGo>* let_go = nullptr);
+    /// compares the energies with those of the call before. Returns the energy released, J; `released` gets what each
+    /// tie held.
+    double release(double time, std::vector<Released>* released = nullptr);
 
     /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step
     /// missed (touch.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
@@ -164,7 +164,7 @@ public:
     Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                    std::vector<Vec6>& impulse);
 
-    /// Adds the forces of bonds and touches to `force` (what resists: + dU/du), and stores the energies.
+    /// Adds the forces of ties and touches to `force` (what resists: + dU/du), and stores the energies.
     void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                              std::vector<Vec6>& force);
 
@@ -172,16 +172,18 @@ public:
     /// pressed does not, or the other way round; or friction has become another by more than 1 % of the pressure.
     bool unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const;
 
-    /// The stiffness of every bond where the nodes are, and of every touch as it was at the last add_internal_forces.
+    /// The stiffness of every tie where the nodes are, and of every touch as it was at the last add_internal_forces.
     void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                        const AddStiffness& add) const;
 
     double stored_energy() const { return stored_; }  ///< J, as of the last add_internal_forces
-    bool idle() const { return bonds_.empty() && touches_.empty(); }
+    bool idle() const { return ties_.empty() && surface_contacts_.empty(); }
     const std::vector<ContactSettings>& rules() const { return rules_; }
     const ContactCounts& counts() const { return counts_; }
-    const std::vector<Bond>& bonds() const { return bonds_; }       ///< in the order in which they were made
-    const std::vector<Touch>& touches() const { return touches_; }  ///< pairs that touch, or might in this step
+    const std::vector<Tie>& ties() const { return ties_; }  ///< in the order in which they were made
+    const std::vector<SurfaceContact>& surface_contacts() const {
+        return surface_contacts_;
+    }                                                    ///< pairs that touch, or might in this step
     const Nearest& nearest() const { return nearest_; }  ///< in the last detect; {-1, -1}: none was looked at
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
@@ -198,8 +200,8 @@ public:
     /// All that the bits of later steps depend on (core/archive.h).
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.rules_, s.counts_, s.bonds_, s.touches_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_, s.listed_at_,
-          s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.look_at_);
+        a(s.rules_, s.counts_, s.ties_, s.surface_contacts_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_,
+          s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.look_at_);
     }
     /// Whether what was read can be the state of a structure with so many nodes, elements and bars: nothing refers
     /// beyond them.
@@ -208,7 +210,7 @@ public:
 private:
     enum class PairState : int {
         free,   ///< may bind
-        bound,  ///< by a bond, or with a touch to watch
+        bound,  ///< by a tie, or with a touch to watch
         joined  ///< touched when first seen: a joint, or members that cross in one; free once they have parted
     };
     struct Candidate {
@@ -242,8 +244,8 @@ private:
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
     void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
     void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two);
-    void end_bond(const Bond& bond);
-    void end_touches();
+    void end_tie(const Tie& tie);
+    void end_surface_contacts();
     void set_free(const int element[2], const Vec3& side);
     Candidate* find(const int element[2], std::size_t* place);
     void note_pair(std::size_t place);
@@ -251,8 +253,8 @@ private:
 
     std::vector<ContactSettings> rules_;
     ContactCounts counts_;
-    std::vector<Bond> bonds_;
-    std::vector<Touch> touches_;
+    std::vector<Tie> ties_;
+    std::vector<SurfaceContact> surface_contacts_;
     Nearest nearest_;
     double stored_ = 0;  ///< J, as of the last add_internal_forces
     std::vector<ContactEvent> events_;
@@ -272,13 +274,13 @@ private:
 
     // For a step that is undone: of the pairs, which are many, those that it changed, unless it made their list anew.
     auto all_but_pairs() {
-        return std::tie(rules_, counts_, bonds_, touches_, nearest_, stored_, events_, seen_, now_, travelled_,
+        return std::tie(rules_, counts_, ties_, surface_contacts_, nearest_, stored_, events_, seen_, now_, travelled_,
                         listed_at_, margin_, nodes_, last_, arms_);
     }
     struct Before {
-        std::tuple<std::vector<ContactSettings>, ContactCounts, std::vector<Bond>, std::vector<Touch>, Nearest, double,
-                   std::vector<ContactEvent>, bool, double, double, double, double, std::vector<int>, std::vector<Vec3>,
-                   std::vector<ArmEnd>>
+        std::tuple<std::vector<ContactSettings>, ContactCounts, std::vector<Tie>, std::vector<SurfaceContact>, Nearest,
+                   double, std::vector<ContactEvent>, bool, double, double, double, double, std::vector<int>,
+                   std::vector<Vec3>, std::vector<ArmEnd>>
             all_but_pairs;
         struct Changed {
             std::size_t place;

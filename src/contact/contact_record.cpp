@@ -45,8 +45,9 @@ bool Contact::makes_sense(int nodes, int elements, int bars) const {
            std::all_of(nodes_.begin(), nodes_.end(), node) &&
            std::all_of(arms_.begin(), arms_.end(), [&](const ArmEnd& arm) { return node(arm.end.node); }) &&
            std::all_of(events_.begin(), events_.end(), pair) &&
-           std::all_of(bonds_.begin(), bonds_.end(), [&](const Bond& b) { return pair(b) && ends(b) && rule(b); }) &&
-           std::all_of(touches_.begin(), touches_.end(), [&](const Touch& t) { return pair(t) && ends(t); }) &&
+           std::all_of(ties_.begin(), ties_.end(), [&](const Tie& b) { return pair(b) && ends(b) && rule(b); }) &&
+           std::all_of(surface_contacts_.begin(), surface_contacts_.end(),
+                       [&](const SurfaceContact& t) { return pair(t) && ends(t); }) &&
            std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) {
                return pair(c) && rule(c) && within(c.bar[0], bars) && within(c.bar[1], bars) && within(int(c.state), 3);
            });

@@ -60,7 +60,7 @@ Cubic flatness_over(const Moving& moving) {
 
 namespace {
 
-// Parts of [0, 1] on which p is monotone: their borders, 0 and 1 included. Returns the number of borders.
+// ElementMatrices of [0, 1] on which p is monotone: their borders, 0 and 1 included. Returns the number of borders.
 int monotone_borders(const Cubic& p, double border[4]) {
     int n = 0;
     border[n++] = 0;
@@ -134,7 +134,7 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& si
     const double touch = numbers.touch, bound = moving.closing_bound();
     if (begin.distance - bound > touch) return {};
 
-    // A pair that was within touch already may have passed through a little without a bond (or when a bond was let go).
+    // A pair that was within touch already may have passed through a little without a tie (or when a tie was released).
     // There f has a side, the sign of the common normal along `side`, and everything beyond the band of eq 19 on the
     // far side counts as flat too. In one plane (normal and side at a right angle) f tells no side, and the band has
     // two.

@@ -11,11 +11,11 @@
 
 #include "core/errors.h"
 #include "output/draw_plot.h"
-#include "output/draw_still.h"
+#include "output/draw_snapshot.h"
 #include "output/picture.h"
 #include "output/plot.h"
 #include "output/quiet_vtk.h"
-#include "output/still_file.h"
+#include "output/snapshot_file.h"
 #include "output/whole_file.h"
 
 #define HINGE_EXPORT __attribute__((visibility("default")))
@@ -66,8 +66,8 @@ std::string given(const char* path) {
 // In a namespace because the global names are taken by the types of these functions.
 extern "C" {
 
-HINGE_EXPORT int hinge_write_still(const char* path, const Still& still, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), encode_still(still)); });
+HINGE_EXPORT int hinge_write_snapshot(const char* path, const Snapshot& snapshot, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), encode_snapshot(snapshot)); });
 }
 
 HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* times, const char* const* files,
@@ -75,21 +75,21 @@ HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* t
     return guarded(error, room, [&] { write_whole_file(given(path), encode_collection(n, times, files)); });
 }
 
-HINGE_EXPORT int hinge_read_still(const char* path, Still& still, char* error, int room) {
-    return guarded(error, room, [&] { still = decode_still(read_whole_file(given(path)), path); });
+HINGE_EXPORT int hinge_read_snapshot(const char* path, Snapshot& snapshot, char* error, int room) {
+    return guarded(error, room, [&] { snapshot = decode_snapshot(read_whole_file(given(path)), path); });
 }
 
-HINGE_EXPORT int hinge_render(const char* path, const Still& still, const View& view, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), draw_still(still, view)); });
+HINGE_EXPORT int hinge_render(const char* path, const Snapshot& snapshot, const View& view, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), draw_snapshot(snapshot, view)); });
 }
 
-HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Still* const* stills, const View* views, int columns,
-                                    char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, stills, views, columns)); });
+HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* const* snapshots, const View* views,
+                                    int columns, char* error, int room) {
+    return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, snapshots, views, columns)); });
 }
 
-HINGE_EXPORT int hinge_frame_box(const Still& still, const View& view, double box[6], char* error, int room) {
-    return guarded(error, room, [&] { std::ranges::copy(frame_box(still, view), box); });
+HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, double box[6], char* error, int room) {
+    return guarded(error, room, [&] { std::ranges::copy(frame_box(snapshot, view), box); });
 }
 
 HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {

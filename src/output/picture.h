@@ -17,17 +17,17 @@ enum class BarState : std::uint8_t { elastic = 0, yielded = 1, broken = 2 };
 
 /// One element as drawn: a straight bar. A broken element runs from its node to a virtual node (paper, section 2.3).
 struct Bar {
-    int point[2];  ///< indices into Still::points
+    int point[2];  ///< indices into Snapshot::points
     double yield;  ///< f_y of eq 14, 0 to 1 (larger of the two ends)
     BarState state;
-    int group;     ///< index into Still::groups: the member's first group; -1 if it has none
+    int group;     ///< index into Snapshot::groups: the member's first group; -1 if it has none
     int member;    ///< declared member, counted from 1
     int element;   ///< element, counted from 1
     double width;  ///< drawn and contact width of the member, m
 };
 
 /// A structure at one instant.
-struct Still {
+struct Snapshot {
     double time = 0;                            ///< s
     std::vector<std::array<double, 3>> points;  ///< m
     std::vector<std::uint8_t> is_virtual;  ///< per point: 1 for the virtual node of a broken element; empty: none is
@@ -44,7 +44,7 @@ struct View {
     double above = -1e300;                 ///< draw only bars with both ends above this height, m
     std::vector<std::string> only_groups;  ///< empty: all groups
     std::string title;
-    /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this still without its stray
+    /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this snapshot without its stray
     /// fragments. A film needs one box for all its frames, or the camera moves: join those of hinge_frame_box.
     std::optional<std::array<double, 6>> box;
 };
@@ -56,19 +56,19 @@ struct View {
 extern "C" {
 /// Writes `still` as binary VTP: points, lines, cell arrays f_y, group, state, member, element, width; aside, then
 /// renamed.
-using hinge_write_still = int (*)(const char* path, const hinge::output::Still& still, char* error, int room);
+using hinge_write_snapshot = int (*)(const char* path, const hinge::output::Snapshot& snapshot, char* error, int room);
 /// Writes the ParaView collection of n frames (times in s, file names relative to the collection).
 using hinge_write_collection = int (*)(const char* path, int n, const double* times, const char* const* files,
                                        char* error, int room);
-/// Reads a VTP written by hinge_write_still.
-using hinge_read_still = int (*)(const char* path, hinge::output::Still& still, char* error, int room);
+/// Reads a VTP written by hinge_write_snapshot.
+using hinge_read_snapshot = int (*)(const char* path, hinge::output::Snapshot& snapshot, char* error, int room);
 /// Draws `still` into a PNG; works without a display when Xvfb is installed, else says in one line how to get it.
-using hinge_render = int (*)(const char* path, const hinge::output::Still& still, const hinge::output::View& view,
+using hinge_render = int (*)(const char* path, const hinge::output::Snapshot& snapshot, const hinge::output::View& view,
                              char* error, int room);
-/// Draws n stills side by side into one PNG, `columns` in a row, each of the first view's size.
-using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Still* const* stills,
+/// Draws n snapshots side by side into one PNG, `columns` in a row, each of the first view's size.
+using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Snapshot* const* snapshots,
                                    const hinge::output::View* views, int columns, char* error, int room);
-/// The box hinge_render would fit to this still: for View::box. An empty picture gives xmin > xmax.
-using hinge_frame_box = int (*)(const hinge::output::Still& still, const hinge::output::View& view, double box[6],
+/// The box hinge_render would fit to this snapshot: for View::box. An empty picture gives xmin > xmax.
+using hinge_frame_box = int (*)(const hinge::output::Snapshot& snapshot, const hinge::output::View& view, double box[6],
                                 char* error, int room);
 }

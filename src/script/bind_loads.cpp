@@ -93,7 +93,7 @@ std::function<Vec3(double)> read_acting(Options& o, const char* field, const cha
         const auto own = model.lock();
         if (const auto record = own ? stepping_run(*own) : nullptr) {
             push<RunBox>(L, record);
-            hold_anchor(L, *own);
+            hold_registry(L, *own);
         } else {
             lua_pushnil(L);
         }

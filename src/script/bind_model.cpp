@@ -51,7 +51,7 @@ int model(lua_State* L) {
     auto model = std::make_shared<ScriptModel>(m);
     model->ask("model", where(L));
     push<ModelBox>(L, model);
-    hold_anchor(L, *model);
+    hold_registry(L, *model);
     return 1;
 }
 

@@ -311,7 +311,7 @@ int close_model(lua_State* L) {
     const std::string place = where(L);
     m->closed_at = place.empty() ? "an unknown line" : place;
     static_cast<Model&>(*m) = Model(m->options());
-    push_anchor(L, *m);
+    push_registry(L, *m);
     lua_pushnil(L);
     lua_setfield(L, -2, "latest");
     return 0;

@@ -7,23 +7,23 @@
 #include "core/files.h"
 #include "output/plot.h"
 #include "script/plan.h"
-#include "script/still.h"
+#include "script/snapshot.h"
 
 namespace hinge::script {
 
 using Json = nlohmann::ordered_json;
 
-output::Still make_still(const Run& run) {
+output::Snapshot make_snapshot(const Run& run) {
     const Structure& structure = run.structure();
     const State& state = run.state();
-    output::Still still;
-    still.time = state.time;
-    still.groups = structure.model().groups();
+    output::Snapshot snapshot;
+    snapshot.time = state.time;
+    snapshot.groups = structure.model().groups();
     for (std::size_t i = 0; i < structure.position().size(); ++i) {
         const Vec3 x = structure.position()[i] + state.displacement[i];
-        still.points.push_back({x.x(), x.y(), x.z()});
+        snapshot.points.push_back({x.x(), x.y(), x.z()});
     }
-    still.is_virtual.assign(still.points.size(), 0);
+    snapshot.is_virtual.assign(snapshot.points.size(), 0);
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
         const auto& groups = structure.model().members()[e.member].groups;
@@ -40,15 +40,15 @@ output::Still make_still(const Run& run) {
         bar.width = 2 * e.radius;
         if (state.broken[i]) {
             const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
-            const Vec3 end =
-                structure.position()[carrier] + state.displacement[carrier] + state.rotation[carrier] * state.stub[i];
-            bar.point[side] = int(still.points.size());
-            still.points.push_back({end.x(), end.y(), end.z()});
-            still.is_virtual.push_back(1);
+            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
+                             state.rotation[carrier] * state.offset_arm[i];
+            bar.point[side] = int(snapshot.points.size());
+            snapshot.points.push_back({end.x(), end.y(), end.z()});
+            snapshot.is_virtual.push_back(1);
         }
-        still.bars.push_back(bar);
+        snapshot.bars.push_back(bar);
     }
-    return still;
+    return snapshot;
 }
 
 namespace {
@@ -90,9 +90,9 @@ void prepare_folder(const Context& c, const std::string& file) {
 
 namespace {
 
-const StillBox& still_argument(lua_State* L, int index, const char* function) {
-    if (auto* s = find<StillBox>(L, index)) return *s;
-    throw InputError(std::string(function) + ": takes a still made by run:still(), got " + show(L, index));
+const SnapshotBox& snapshot_argument(lua_State* L, int index, const char* function) {
+    if (auto* s = find<SnapshotBox>(L, index)) return *s;
+    throw InputError(std::string(function) + ": takes a snapshot made by run:snapshot(), got " + show(L, index));
 }
 
 /// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is
@@ -123,19 +123,19 @@ int planning(lua_State* L) {
     return 1;
 }
 
-/// core.write_frame(still): adds it to frames.pvd in the output folder.
+/// core.write_frame(snapshot): adds it to frames.pvd in the output folder.
 int write_frame(lua_State* L) {
-    const output::Still& still = still_argument(L, 1, "write_frame").value;
+    const output::Snapshot& snapshot = snapshot_argument(L, 1, "write_frame").value;
     const auto c = context(L);
     const std::string folder = c->out_dir.empty() ? "." : c->out_dir;
     prepare_folder(*c, folder + "/frames/");
     auto& frames = c->frames;
     char file[48], error[512] = "";
     std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
-    must_work(picture_function<hinge_write_still>(*c, "hinge_write_still")((folder + "/" + file).c_str(), still, error,
-                                                                           sizeof error),
+    must_work(picture_function<hinge_write_snapshot>(*c, "hinge_write_snapshot")((folder + "/" + file).c_str(),
+                                                                                 snapshot, error, sizeof error),
               error);
-    frames.push_back({still.time, file});
+    frames.push_back({snapshot.time, file});
     std::vector<double> times;
     std::vector<const char*> files;
     for (const auto& [t, f] : frames) times.push_back(t), files.push_back(f.c_str());
@@ -145,7 +145,7 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-output::View read_view(lua_State* L, int index, output::Still& still, const StillBox& box) {
+output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, const SnapshotBox& box) {
     const Structure& structure = *box.structure;
     Options o(L, index, "picture", true);
     output::View view;
@@ -173,7 +173,7 @@ output::View read_view(lua_State* L, int index, output::Still& still, const Stil
                                             &structure.model()));
             lua_pop(L, 1);
         }
-        std::erase_if(still.bars, [&](const output::Bar& b) {
+        std::erase_if(snapshot.bars, [&](const output::Bar& b) {
             return std::none_of(wanted.begin(), wanted.end(),
                                 [&](int g) { return structure.in_group(b.element - 1, g); });
         });
@@ -183,38 +183,38 @@ output::View read_view(lua_State* L, int index, output::Still& still, const Stil
     return view;
 }
 
-/// core.write_picture(still, view, path)
+/// core.write_picture(snapshot, view, path)
 int write_picture(lua_State* L) {
-    const StillBox& box = still_argument(L, 1, "write_picture");
+    const SnapshotBox& box = snapshot_argument(L, 1, "write_picture");
     if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
-    output::Still still = box.value;
-    const output::View view = read_view(L, 2, still, box);
+    output::Snapshot snapshot = box.value;
+    const output::View view = read_view(L, 2, snapshot, box);
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(
-        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), still, view, error, sizeof error),
+        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), snapshot, view, error, sizeof error),
         error);
     return 0;
 }
 
-/// core.write_strip(stills, views, columns, path): as many views as stills
+/// core.write_strip(snapshots, views, columns, path): as many views as snapshots
 int write_strip(lua_State* L) {
     const char* file = luaL_checkstring(L, 4);  // these raise: nothing may be pending yet
     const int columns = int(luaL_checkinteger(L, 3));
     const std::string path = file;
-    std::vector<output::Still> stills;
+    std::vector<output::Snapshot> snapshots;
     std::vector<output::View> views;
     for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
         lua_rawgeti(L, 1, i);
         lua_rawgeti(L, 2, i);
-        const StillBox& box = still_argument(L, lua_absindex(L, -2), "write_strip");
-        stills.push_back(box.value);
-        views.push_back(read_view(L, lua_absindex(L, -1), stills.back(), box));
+        const SnapshotBox& box = snapshot_argument(L, lua_absindex(L, -2), "write_strip");
+        snapshots.push_back(box.value);
+        views.push_back(read_view(L, lua_absindex(L, -1), snapshots.back(), box));
         lua_pop(L, 2);
     }
-    std::vector<const output::Still*> list;
-    for (const output::Still& s : stills) list.push_back(&s);
+    std::vector<const output::Snapshot*> list;
+    for (const output::Snapshot& s : snapshots) list.push_back(&s);
     prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
@@ -286,30 +286,30 @@ int write_plot(lua_State* L) {
 int pieces(lua_State* L) {
     const Run& run = *run_argument(L, 1, "pieces: the run")->run;
     const Structure& structure = run.structure();
-    const output::Still still = make_still(run);
-    std::vector<double> mass(still.points.size(), 0);
+    const output::Snapshot snapshot = make_snapshot(run);
+    std::vector<double> mass(snapshot.points.size(), 0);
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
         for (int end : {0, 1})
             if (!run.state().broken[i]) mass[e.node[end]] += structure.inertia(int(i)).weight(end);
     }
-    for (std::size_t i = 0; i < run.state().hung.size(); ++i) mass[i] += run.state().hung[i].mass;
+    for (std::size_t i = 0; i < run.state().offset_mass.size(); ++i) mass[i] += run.state().offset_mass[i].mass;
     const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };
     const auto number = [&](const char* name, double v) { lua_pushnumber(L, v), lua_setfield(L, -2, name); };
     const auto whole = [&](const char* name, lua_Integer v) { lua_pushinteger(L, v), lua_setfield(L, -2, name); };
     lua_createtable(L, 0, 2);
-    lua_createtable(L, int(still.points.size()), 0);
-    for (std::size_t i = 0; i < still.points.size(); ++i) {
+    lua_createtable(L, int(snapshot.points.size()), 0);
+    for (std::size_t i = 0; i < snapshot.points.size(); ++i) {
         lua_createtable(L, 0, 6);
-        number("x", still.points[i][0]), number("y", still.points[i][1]), number("z", still.points[i][2]);
+        number("x", snapshot.points[i][0]), number("y", snapshot.points[i][1]), number("z", snapshot.points[i][2]);
         number("mass", mass[i]);
-        flag("virtual", still.is_virtual[i]), flag("gone", i < run.state().gone.size() && run.state().gone[i]);
+        flag("virtual", snapshot.is_virtual[i]), flag("gone", i < run.state().gone.size() && run.state().gone[i]);
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
     lua_setfield(L, -2, "nodes");
-    lua_createtable(L, int(still.bars.size()), 0);
-    for (std::size_t i = 0; i < still.bars.size(); ++i) {
-        const output::Bar& bar = still.bars[i];
+    lua_createtable(L, int(snapshot.bars.size()), 0);
+    for (std::size_t i = 0; i < snapshot.bars.size(); ++i) {
+        const output::Bar& bar = snapshot.bars[i];
         lua_createtable(L, 0, 6);
         whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member),
             whole("element", bar.element);
@@ -324,12 +324,13 @@ int pieces(lua_State* L) {
 int render_file(lua_State* L) {
     const char *from = luaL_checkstring(L, 1), *to = luaL_checkstring(L, 2);
     char error[512] = "";
-    output::Still still;
+    output::Snapshot snapshot;
     const auto c = context(L);
-    must_work(picture_function<hinge_read_still>(*c, "hinge_read_still")(from, still, error, sizeof error), error);
+    must_work(picture_function<hinge_read_snapshot>(*c, "hinge_read_snapshot")(from, snapshot, error, sizeof error),
+              error);
     output::View view;
     if (lua_type(L, 3) == LUA_TSTRING) view.title = lua_tostring(L, 3);
-    must_work(picture_function<hinge_render>(*c, "hinge_render")(to, still, view, error, sizeof error), error);
+    must_work(picture_function<hinge_render>(*c, "hinge_render")(to, snapshot, view, error, sizeof error), error);
     return 0;
 }
 

@@ -19,7 +19,7 @@ const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const st
 }
 
 std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model) {
-    push_anchor(L, model);
+    push_registry(L, model);
     lua_getfield(L, -1, "latest");
     const auto* box = find<RunBox>(L, -1);
     lua_pop(L, 2);

@@ -5,7 +5,7 @@
 #include "script/check.h"
 #include "script/plan.h"
 #include "script/recording.h"
-#include "script/still.h"
+#include "script/snapshot.h"
 
 namespace hinge::script {
 
@@ -32,8 +32,8 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
             else c->described += model, std::printf("%s\n", model.c_str());
         }
     push<RunBox>(L, record);
-    hold_anchor(L, *record->model);
-    push_anchor(L, *record->model);
+    hold_registry(L, *record->model);
+    push_registry(L, *record->model);
     lua_pushvalue(L, -2);
     lua_setfield(L, -2, "latest");
     lua_pop(L, 1);
@@ -161,10 +161,10 @@ int run_momentum(lua_State* L) {
     return 1;
 }
 
-int run_still(lua_State* L) {
-    const auto& record = self<RunBox>(L, "run:still").value;
+int run_snapshot(lua_State* L) {
+    const auto& record = self<RunBox>(L, "run:snapshot").value;
     const auto& run = record->run;
-    push<StillBox>(L, make_still(*run), run->share_structure(), record->model);
+    push<SnapshotBox>(L, make_snapshot(*run), run->share_structure(), record->model);
     tell_collector(L, 200 * run->structure().elements().size());
     return 1;
 }
@@ -221,7 +221,9 @@ int fields(lua_State* L) {
     } else if (key == "counts") {
         const auto* d = dynamic_cast<const Dynamics*>(&run);
         const auto* s = dynamic_cast<const Statics*>(&run);
-        const Operator::Counts c = d ? d->operator_counts() : s ? s->operator_counts() : Operator::Counts{};
+        const EffectiveStiffness::Counts c = d   ? d->solver_counts()
+                                             : s ? s->solver_counts()
+                                                 : EffectiveStiffness::Counts{};
         lua_createtable(L, 0, 8);
         lua_pushinteger(L, c.built), lua_setfield(L, -2, "element_builds");
         lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
@@ -322,11 +324,11 @@ int probe_text(lua_State* L) {
 
 void open_run(lua_State* L) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    static const luaL_Reg methods[] = {{"steps", guarded<steps>},     {"step", guarded<step>},
-                                       {"finish", guarded<finish>},   {"stop", guarded<stop>},
-                                       {"probe", guarded<probe>},     {"on_step", guarded<on_step>},
-                                       {"count", guarded<count>},     {"momentum", guarded<run_momentum>},
-                                       {"still", guarded<run_still>}, {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"steps", guarded<steps>},           {"step", guarded<step>},
+                                       {"finish", guarded<finish>},         {"stop", guarded<stop>},
+                                       {"probe", guarded<probe>},           {"on_step", guarded<on_step>},
+                                       {"count", guarded<count>},           {"momentum", guarded<run_momentum>},
+                                       {"snapshot", guarded<run_snapshot>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
     name_fields(
@@ -334,7 +336,7 @@ void open_run(lua_State* L) {
         {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder",
          "contacts", "stages", "effects", "wall_seconds", "fastest", "dt", "hash", "counts", "wakings", "probes"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
-    make_metatable(L, StillBox::lua_name, none, nullptr, collect<StillBox>, nullptr, nullptr);
+    make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }
 
 }  // namespace hinge::script

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "model/doubts.h"
+#include "model/warnings.h"
 #include "sim/bodies.h"
 #include "sim/modes.h"
 
@@ -92,7 +92,7 @@ Waves shortest_waves(const Structure& structure) {
     return least;
 }
 
-std::string told(const Doubt& d) {
+std::string told(const Warning& d) {
     std::string where = d.asked_at;
     if (d.more > 0)
         where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
@@ -123,7 +123,7 @@ std::string checked_run(const RunRecord& record) {
 
 std::string checked_model(const RunRecord& record) {
     const Structure& s = record.run->structure();
-    std::vector<Doubt> list = doubts(s.model());
+    std::vector<Warning> list = warnings(s.model());
     std::string text;
     std::vector<Piece> bodies = bodies_of(s);
     std::stable_sort(bodies.begin(), bodies.end(),
@@ -159,7 +159,7 @@ std::string checked_model(const RunRecord& record) {
                             "a blow is smeared over more than a member; give dt = 'auto', or less, where that matters",
                             record.asked_at});
     }
-    for (const Doubt& d : list) text += told(d);
+    for (const Warning& d : list) text += told(d);
     return text + (list.empty() ? "  no warnings\n" : "");
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "script/anchor.h"
+#include "script/model_registry.h"
 #include "sim/dynamics.h"
 #include "sim/statics.h"
 
@@ -192,11 +192,11 @@ void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int nu
         lua_pop(L, 1);
         push<T>(L, model, number, std::forward<More>(more)...);
         lua_pushvalue(L, -3);
-        lua_setiuservalue(L, -2, 1);  // as hold_anchor does
+        lua_setiuservalue(L, -2, 1);  // as hold_registry does
         lua_pushvalue(L, -1);
         lua_rawseti(L, -3, number + 1);
     }
-    lua_replace(L, -3);  // the anchor
+    lua_replace(L, -3);  // the registry
     lua_pop(L, 1);
 }
 void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);

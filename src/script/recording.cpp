@@ -83,7 +83,7 @@ void add_row(RunRecord& r) {
 /// When elements broke and nodes lost their last one. What a run starts with broken, broke before it.
 void note_what_went(RunRecord& r) {
     const State& s = r.run->state();
-    if (s.stub.empty() || (r.started && r.run->breaks() == r.breaks_noted)) return;
+    if (s.offset_arm.empty() || (r.started && r.run->breaks() == r.breaks_noted)) return;
     r.breaks_noted = r.run->breaks();
     const double now = r.started ? s.time : -std::numeric_limits<double>::infinity();
     r.broken_at.resize(s.broken.size(), std::nan(""));
@@ -135,7 +135,7 @@ void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     for (const LuaFunction& f : std::vector<LuaFunction>(record->on_step)) {  // one may add another
         f.push(L);
         push<RunBox>(L, record);
-        hold_anchor(L, *record->model);
+        hold_registry(L, *record->model);
         call_hook(L, f, 1, 0,
                   "run:on_step after step " + std::to_string(record->run->steps_done()) + ", which is done");
     }

@@ -32,9 +32,9 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
 
 }  // namespace
 
-Mat6 hung_in_space(const HungMass& h, const Quat& rotation) {
+Mat6 offset_mass_in_space(const OffsetMass& h, const Quat& rotation) {
     const Mat3 R = rotation.toRotationMatrix();
-    return beam::hung_mass(h.mass, R * h.moment, R * h.inertia * R.transpose());
+    return beam::offset_mass_matrix(h.mass, R * h.moment, R * h.inertia * R.transpose());
 }
 
 Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
@@ -50,11 +50,12 @@ double kinetic_energy(const Structure& structure, const State& state, int index,
            m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
 }
 
-double kinetic_energy_of_stubs(const State& state) {
+double kinetic_energy_of_offset_masses(const State& state) {
     double energy = 0;
-    for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (state.hung[i].mass > 0)
-            energy += 0.5 * state.velocity[i].dot(hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i]);
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
+        if (state.offset_mass[i].mass > 0)
+            energy += 0.5 * state.velocity[i].dot(offset_mass_in_space(state.offset_mass[i], state.rotation[i]) *
+                                                  state.velocity[i]);
     return energy;
 }
 
@@ -62,7 +63,7 @@ double kinetic_energy(const Structure& structure, const State& state) {
     double energy = 0;
     for (std::size_t i = 0; i < structure.elements().size(); ++i)
         if (!state.broken[i]) energy += kinetic_energy(structure, state, int(i), frame(structure, state, int(i)));
-    return energy + kinetic_energy_of_stubs(state);
+    return energy + kinetic_energy_of_offset_masses(state);
 }
 
 Momentum momentum(const Structure& structure, const State& state) {
@@ -77,12 +78,12 @@ Momentum momentum(const Structure& structure, const State& state) {
                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
         total.mass += e.rigidity.rhoA * e.length;
     }
-    for (std::size_t i = 0; i < state.hung.size(); ++i) {
-        if (state.hung[i].mass == 0) continue;
-        const Vec6 p = hung_in_space(state.hung[i], state.rotation[i]) * state.velocity[i];
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
+        if (state.offset_mass[i].mass == 0) continue;
+        const Vec6 p = offset_mass_in_space(state.offset_mass[i], state.rotation[i]) * state.velocity[i];
         h.head<3>() += p.head<3>();
         h.tail<3>() += p.tail<3>() + (structure.position()[i] + state.displacement[i]).cross(Vec3(p.head<3>()));
-        total.mass += state.hung[i].mass;
+        total.mass += state.offset_mass[i].mass;
     }
     total.linear = h.head<3>();
     total.angular = h.tail<3>();
@@ -107,32 +108,32 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
 
     state.broken[index] = std::int8_t(end);
     state.force[index].setZero();
-    if (state.hung.empty()) state.hung.assign(structure.position().size(), {});
+    if (state.offset_mass.empty()) state.offset_mass.assign(structure.position().size(), {});
     const Vec3 span = where(freed) - where(carrier);
     const double stretch = e.length / span.norm();
     beam::Rigidity same_mass = e.rigidity;
     same_mass.rhoA *= stretch;
     same_mass.rhoIx *= stretch;
     same_mass.rhoIy *= stretch;
-    const beam::Stub stub =
-        structure.lumped() ? beam::lumped_stub(same_mass, span) : beam::rigid_stub(same_mass, span, axes);
-    const Mat6 stub_mass = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
+    const beam::RigidOffset stub =
+        structure.lumped() ? beam::lumped_rigid_offset(same_mass, span) : beam::rigid_offset(same_mass, span, axes);
+    const Mat6 offset_mass = beam::offset_mass_matrix(stub.mass, stub.moment, stub.inertia);
 
     // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's
     // velocity
-    const Vec6 at_carrier = stub_mass * state.velocity[carrier];
+    const Vec6 at_carrier = offset_mass * state.velocity[carrier];
     impulse[carrier] += carried - at_carrier;
     report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);
 
-    HungMass& h = state.hung[carrier];
+    OffsetMass& h = state.offset_mass[carrier];
     const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
-    if (state.stub.empty()) state.stub.assign(structure.elements().size(), Vec3::Zero());
-    state.stub[index] = back * span;
+    if (state.offset_arm.empty()) state.offset_arm.assign(structure.elements().size(), Vec3::Zero());
+    state.offset_arm[index] = back * span;
     h.mass += stub.mass;
     h.moment += back * stub.moment;
     h.inertia += back * stub.inertia * back.transpose();
 
-    bool alone = state.hung[freed].mass == 0;
+    bool alone = state.offset_mass[freed].mass == 0;
     for (int other : structure.elements_at(freed)) alone &= state.broken[other] != 0;
     if (alone) {
         report.orphaned = true;
@@ -141,8 +142,8 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
         state.velocity[freed].setZero();
         state.acceleration[freed].setZero();
     }
-    state.booked.fracture_elastic += report.elastic;
-    state.booked.fracture_kinetic += report.kinetic;
+    state.accumulated.fracture_elastic += report.elastic;
+    state.accumulated.fracture_kinetic += report.kinetic;
     return report;
 }
 
@@ -150,8 +151,8 @@ double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
     for (std::size_t i = 0; i < impulse.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
-                state.booked.work -= impulse[i][c] * state.velocity[i][c];
-                state.booked.fracture_kinetic -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated.work -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated.fracture_kinetic -= impulse[i][c] * state.velocity[i][c];
                 impulse[i][c] = 0;
             }
     std::vector<Vec6> change;
@@ -161,7 +162,7 @@ double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
         cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
         state.velocity[i] += change[i];
     }
-    state.booked.fracture_kinetic += cost;
+    state.accumulated.fracture_kinetic += cost;
     return cost;
 }
 

@@ -7,7 +7,7 @@
 namespace hinge {
 
 struct BreakReport {
-    double elastic = 0;     ///< strain energy let go, J
+    double elastic = 0;     ///< strain energy released, J
     double kinetic = 0;     ///< kinetic energy lost as the stub is made to move as one with that node, J
     int carrier = -1;       ///< that node
     bool orphaned = false;  ///< the node at the broken end has nothing left and leaves the solve
@@ -36,10 +36,10 @@ Momentum momentum(const Structure& structure, const State& state);
 double kinetic_energy(const Structure& structure, const State& state);
 double kinetic_energy(const Structure& structure, const State& state, int element,
                       const Mat3& axes);  ///< of one whole element, its axes in columns
-double kinetic_energy_of_stubs(const State& state);
+double kinetic_energy_of_offset_masses(const State& state);
 
 /// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
-Mat6 hung_in_space(const HungMass& hung, const Quat& rotation);
+Mat6 offset_mass_in_space(const OffsetMass& hung, const Quat& rotation);
 
 /// A state's nodes as a pose.
 Pose pose_of(const State& state);

@@ -28,7 +28,7 @@ Mat6 get(const Number* from) {
 }  // namespace
 
 template <class Number>
-Condensed<Number>::Condensed(const Structure& structure, Team& team) : structure_(structure), team_(team) {
+Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {
     const int n = int(structure.position().size());
     which_.assign(n, -1);
     const auto at = [&](int node) { return structure.elements_at(node); };
@@ -178,7 +178,7 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
 }
 
 template <class Number>
-void Condensed<Number>::renew_between(Between& m, const Parts& parts) const {
+void Condensed<Number>::renew_between(Between& m, const ElementMatrices& parts) const {
     const Mat6 inverse = inverse_by_halves(parts.own(m.node));
     put(m.inverse, inverse);
     for (int s = 0; s < m.count; ++s)
@@ -187,7 +187,7 @@ void Condensed<Number>::renew_between(Between& m, const Parts& parts) const {
 }
 
 template <class Number>
-void Condensed<Number>::renew_row(int place, const Parts& parts) {
+void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
     const int node = order_[place], begin = first_[place];
     Mat6 own = parts.own(node);
     for (int k = 1; k < first_[place + 1] - begin; ++k) {
@@ -224,7 +224,7 @@ void Condensed<Number>::renew_inverse(int place) {
 }
 
 template <class Number>
-void Condensed<Number>::renew(const std::vector<int>& nodes, const Parts& parts) {
+void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatrices& parts) {
     std::vector<int> rows, taken_out;
     for (int i : nodes) {
         if (place_[i] >= 0) rows.push_back(place_[i]);
@@ -235,10 +235,10 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const Parts& parts)
     }
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    team_.share(int(taken_out.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(taken_out.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_between(between_[taken_out[i]], parts);
     });
-    team_.share(int(rows.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
     });
 }
@@ -246,7 +246,7 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const Parts& parts)
 /// r: the right side without the nodes between.
 template <class Number>
 void Condensed<Number>::reduce(const double* right) {
-    team_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(staying_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const int p = staying_[i];
             Wide sum = load_six(right + 6 * order_[p]);
@@ -261,11 +261,11 @@ void Condensed<Number>::reduce(const double* right) {
 
 template <class Number>
 void Condensed<Number>::solve_back(const double* right, double* x) const {
-    team_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(staying_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
             std::memcpy(x + 6 * order_[staying_[i]], &x_[stride * staying_[i]], 6 * sizeof(double));
     });
-    team_.share(int(going_.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(going_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Between& m = between_[going_[i]];
             Wide v = times(m.inverse, right + 6 * m.node);
@@ -278,7 +278,7 @@ void Condensed<Number>::solve_back(const double* right, double* x) const {
 /// On the red nodes: x takes its part of the last d, and the new d is what keeps their rows zero.
 template <class Number>
 void Condensed<Number>::follow(double alpha) {
-    team_.share(int(red_.size()), piece, [&](int first, int end, int) {
+    pool_.share(int(red_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const int p = red_[i];
             store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
@@ -295,7 +295,7 @@ void Condensed<Number>::follow(double alpha) {
 /// q = S d on the black nodes; returns d . q.
 template <class Number>
 double Condensed<Number>::multiply() {
-    double dot = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+    double dot = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
         Wide product{};
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
@@ -330,7 +330,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     std::fill(x_.begin(), x_.end(), 0.0);
     std::fill(d_.begin(), d_.end(), 0.0);
     for (int p : red_) store(&x_[stride * p], times(&inverse_[36 * std::size_t(p)], &r_[stride * p]));
-    double rho = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+    double rho = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
         Wide product{};
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
@@ -352,7 +352,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         const double dq = multiply();
         if (!(dq > 0)) return report.converged = false, report;
         const double alpha = rho / dq;
-        const double next = team_.sum(int(black_.size()), piece, [&](int first, int end) {
+        const double next = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
             Wide product{};
             for (int i = first; i < end; ++i) {
                 const int p = black_[i];
@@ -365,7 +365,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         const double beta = next / rho;
         rho = next;
         before = alpha;
-        team_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
+        pool_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
             for (int i = first; i < end; ++i)
                 store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
         });

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/large_pages.h"
-#include "core/team.h"
-#include "sim/parts.h"
+#include "core/thread_pool.h"
+#include "sim/element_matrices.h"
 
 namespace hinge {
 
@@ -42,7 +42,7 @@ struct Coupling {
 template <class Number>
 class Condensed {
 public:
-    Condensed(const Structure& structure, Team& team);
+    Condensed(const Structure& structure, ThreadPool& pool);
 
     /// These couplings, with what is held taken out. Their nodes stay, whatever else they are; nodes whose rows must be
     /// renewed for it are added to `changed`.
@@ -50,7 +50,7 @@ public:
     /// Passes over these nodes, whose right side is zero and which nothing couples to others.
     void leave_out(const std::vector<int>& resting);
     /// Renews what depends on the blocks of these nodes (each once, rising).
-    void renew(const std::vector<int>& nodes, const Parts& parts);
+    void renew(const std::vector<int>& nodes, const ElementMatrices& parts);
     /// A x = right by preconditioned conjugate gradients from x = 0; six numbers a node.
     SolveReport solve(const double* right, double* x, const SolverSettings& settings);
 
@@ -67,8 +67,8 @@ private:
 
     void paint();
     void lay_out();
-    void renew_between(Between& m, const Parts& parts) const;
-    void renew_row(int place, const Parts& parts);
+    void renew_between(Between& m, const ElementMatrices& parts) const;
+    void renew_row(int place, const ElementMatrices& parts);
     void renew_inverse(int place);
     void reduce(const double* right);
     void solve_back(const double* right, double* x) const;
@@ -78,7 +78,7 @@ private:
     bool takes_part(int node) const { return resting_.empty() || resting_[node] < 0; }
 
     const Structure& structure_;
-    Team& team_;
+    ThreadPool& pool_;
     LargeVector<Between> between_;
     std::vector<int> which_;      ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;  ///< of each place, while it is not coupled

@@ -90,7 +90,7 @@ void Dynamics::take_step() {
 
 // ---- stages ------------------------------------------------------------------------------------------------------
 
-/// After something broke or was let go: the acceleration anew.
+/// After something broke or was released: the acceleration anew.
 void Dynamics::restart() {
     if (!restart_) return;
     find_acceleration();
@@ -116,8 +116,8 @@ void Dynamics::predict() {
         return move_to_increment(0, int(increment_.size()));
     }
     const bool keep =
-        operator_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
-    team_.share(int(increment_.size()), some_nodes, [&](int first, int end, int) {
+        effective_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
+    pool_.share(int(increment_.size()), some_nodes, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Lanes v = load_row<6>(state_.velocity[i].data()), a = load_row<6>(state_.acceleration[i].data());
             const Lanes step = dt * v + (0.5 * dt * dt) * a;
@@ -136,11 +136,11 @@ void Dynamics::recover() {
     for (Vec6& n : nodal_) n.setZero();
     sweep_.run(state_, trial_, nodal_, force_, yielding_);
     if (from_rest_ && iteration_ == 0) yielding_ = hinges_;  // nothing has moved yet: what flowed is taken to flow on
-    if (built::fracture && !state_.hung.empty()) add_hung_inertia();
+    if (built::fracture && !state_.offset_mass.empty()) add_hung_inertia();
     if (in_contact()) {
         place_contact(trial_.displacement);
         state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
-        if (!state_.contact->touches().empty()) renew_couplings(trial_.rotation);
+        if (!state_.contact->surface_contacts().empty()) renew_couplings(trial_.rotation);
     }
     for (int e : sweep_.turned()) wants_rebuild(e);
     if (iteration_ == 0 && sweep_.twisted() >= 0) failure_ = sweep_.twisted_reason();
@@ -185,10 +185,10 @@ void Dynamics::renew_operator() {
             built_[*at] = tangents_[i];
         }
         force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
-        operator_->build(rebuild_, state_, trial_, given);
+        effective_->build(rebuild_, state_, trial_, given);
         for (std::size_t i = 0; i < rebuild_.size() && !support_parts_.empty(); ++i)
             if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end())
-                at->second = operator_->part(rebuild_[i], state_, trial_, given[i]);
+                at->second = effective_->part(rebuild_[i], state_, trial_, given[i]);
         force_.swap(state_.force);
         for (int e : rebuild_) {
             sweep_.mark_built(e, axes_of(place_element(*structure_, e, trial_)));
@@ -197,14 +197,14 @@ void Dynamics::renew_operator() {
         }
         rebuild_.clear();
     }
-    operator_->assemble();
+    effective_->assemble();
 }
 
 /// (M + beta dt^2 K) da = F - R - M a.
 void Dynamics::solve() {
     const int nodes = int(nodal_.size());
     std::vector<Vec6>& right = nodal_;
-    const double check = team_.sum(nodes, some_nodes, [&](int first, int end) {
+    const double check = pool_.sum(nodes, some_nodes, [&](int first, int end) {
         double sum = 0;
         for (int i = first; i < end; ++i) {
             right[i] = external_[i] - nodal_[i];
@@ -220,7 +220,7 @@ void Dynamics::solve() {
     // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to
     // solve
     fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
-    const double motion = team_.sum(nodes, some_nodes, [&](int first, int end) {
+    const double motion = pool_.sum(nodes, some_nodes, [&](int first, int end) {
         double sum = 0;
         for (int i = first; i < end; ++i) {
             const double v2 = trial_.velocity[i].head<3>().squaredNorm();
@@ -232,7 +232,7 @@ void Dynamics::solve() {
     note_fastest();
     motion_ = motion;
     settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
-    const SolveReport report = operator_->solve(right, change_, settings_.solver);
+    const SolveReport report = effective_->solve(right, change_, settings_.solver);
     if (!report.converged)
         failure_ = settings_.solver.direct
                        ? "the operator could not be factorised"
@@ -263,7 +263,7 @@ void Dynamics::correct() {
             increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
             change_[i].tail<3>() = (increment_[i] - before) / to_u;
         }
-    const double size = team_.sum(int(change_.size()), some_nodes, [&](int first, int end) {
+    const double size = pool_.sum(int(change_.size()), some_nodes, [&](int first, int end) {
         Lanes sum{};
         for (int i = first; i < end; ++i) {
             const Lanes change = load_row<6>(change_[i].data());
@@ -286,7 +286,8 @@ void Dynamics::correct() {
     ++iteration_;
     if (iteration_ == 1) first_change_ = size;
     again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
-    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && in_contact() && !state_.contact->touches().empty()) {
+    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && in_contact() &&
+        !state_.contact->surface_contacts().empty()) {
         place_contact(trial_.displacement);
         again_ = state_.contact->unsettled(contact_position_, trial_.rotation);
     }
@@ -305,9 +306,9 @@ void Dynamics::correct() {
 void Dynamics::commit() {
     if (with_contact()) note_contacts();
     book_supports();
-    state_.booked.work += work_of_loads();
+    state_.accumulated.work += work_of_loads();
     for (Loaded& l : loaded_) l.before = l.now;
-    state_.booked.numerical += numerical_;
+    state_.accumulated.numerical += numerical_;
     stub_rate_.swap(next_stub_rate_);
     if (settings_.alpha() != 0) met_.swap(next_met_);
     state_.displacement.swap(trial_.displacement);
@@ -336,7 +337,7 @@ void Dynamics::commit() {
         const Element& e = structure_->elements()[element];
         ++breaks_;
         const BreakReport report = break_off(*structure_, state_, element, end, right_);
-        if (operator_) operator_->remove(element), operator_->set_held(state_.held);
+        if (effective_) effective_->remove(element), effective_->set_held(state_.held);
         renew_hung_operator(report.carrier);
         if (!in_mass_stale_[element]) in_mass_stale_[element] = 1, mass_stale_.push_back(element);
         if (structure_->model().gravity())
@@ -348,7 +349,7 @@ void Dynamics::commit() {
                     if (l.node == n) l.gravity.head<3>() -= weight;
             }
         if (with_contact()) {
-            state_.booked.contact_released += state_.contact->drop(element);
+            state_.accumulated.contact_released += state_.contact->drop(element);
             bars_changed_ = true;
         }
         sweep_.drop(element);
@@ -363,7 +364,7 @@ void Dynamics::commit() {
         renew_mass(pose_of(state_));
         const double before = work_on_momentum(state_.velocity);
         pass_on(state_, *mass_, right_);
-        state_.booked.work += work_on_momentum(state_.velocity) - before;
+        state_.accumulated.work += work_on_momentum(state_.velocity) - before;
         if (with_contact()) {
             list_bars();
             place_contact(state_.displacement);
@@ -389,7 +390,7 @@ void Dynamics::remember() {
     kept_before_.clear();
     strained_before_.clear();
     if (with_contact()) state_.contact->remember();
-    undo_ = {state_.booked, pace_, restart_, bars_changed_, contact_age_, fastest_};
+    undo_ = {state_.accumulated, pace_, restart_, bars_changed_, contact_age_, fastest_};
 }
 
 /// A rule of the script failed, or step control takes the step back: all as it was before.
@@ -397,7 +398,7 @@ void Dynamics::take_back() {
     for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
     for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     set_length(undo_.pace.length);
-    state_.booked = undo_.booked;
+    state_.accumulated = undo_.accumulated;
     pace_ = undo_.pace;
     restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age,
     fastest_ = undo_.fastest;
@@ -412,7 +413,7 @@ void Dynamics::take_back() {
 
 /// The element's part of the operator is to be built anew.
 void Dynamics::wants_rebuild(int element) {
-    if (operator_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
 }
 
 void Dynamics::move_to_increment(int first, int end) {

@@ -20,7 +20,7 @@
 
 #include "core/built.h"
 #include "sim/mass.h"
-#include "sim/operator.h"
+#include "sim/effective_stiffness.h"
 #include "sim/run.h"
 
 namespace hinge {
@@ -85,7 +85,9 @@ public:
     /// the run is then as it was.
     void restore(std::string_view saved);
 
-    Operator::Counts operator_counts() const { return operator_ ? operator_->counts() : Operator::Counts{}; }
+    EffectiveStiffness::Counts solver_counts() const {
+        return effective_ ? effective_->counts() : EffectiveStiffness::Counts{};
+    }
     double shortest() const {
         return pace_.unit * double(pace_.own);
     }  ///< s: dt, with "auto" the shortest, before any is halved
@@ -106,7 +108,7 @@ public:
     long element_updates() const { return sweep_.updates(); }
     /// Seconds that one product of this run's operator, block by block and uncondensed, with a vector takes: the
     /// yardstick of a step.
-    double time_product(int repeats) const { return operator_ ? operator_->time_product(repeats) : 0; }
+    double time_product(int repeats) const { return effective_ ? effective_->time_product(repeats) : 0; }
 
 private:
     struct Stage {
@@ -151,7 +153,7 @@ private:
     };
     Kick kick(const std::vector<Vec6>& impulse);
     void add_missed(const std::vector<Vec6>& impulse, double work);
-    double give_back(const contact::LetGo& bond);
+    double give_back(const contact::Released& tie);
     void list_bars();
     void begin_operator();
     void wants_rebuild(int element);
@@ -226,9 +228,9 @@ private:
     void take_steps_of(long length);
     void set_length(long length);
     std::vector<Stage> stages_;
-    Team team_;
+    ThreadPool pool_;
     Sweep sweep_;
-    std::unique_ptr<Operator> operator_;  ///< none in explicit steps
+    std::unique_ptr<EffectiveStiffness> effective_;  ///< none in explicit steps
     std::unique_ptr<Mass> mass_;
     std::vector<int> held_nodes_;  ///< with a freedom that is held
     std::vector<int> mass_stale_;
@@ -319,7 +321,7 @@ private:
     };
     std::vector<Kept> kept_before_;
     struct Undo {
-        Booked booked;
+        Accumulated accumulated;
         Pace pace;
         bool restart, bars_changed;
         long contact_age;

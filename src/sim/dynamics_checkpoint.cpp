@@ -1,8 +1,8 @@
 // Dynamics, what a checkpoint holds: whatever the bits of the next steps depend on, and what was counted so far.
 //
-// Parts of the operator, of M and of contact's list of pairs were made at one time or another and are renewed when
-// something has turned or travelled far enough: they are kept as they are. What follows from the state and from them
-// alone (blocks condensed to the joints, bars, which sections elements share) is found anew.
+// ElementMatrices of the operator, of M and of contact's list of pairs were made at one time or another and are renewed
+// when something has turned or travelled far enough: they are kept as they are. What follows from the state and from
+// them alone (blocks condensed to the joints, bars, which sections elements share) is found anew.
 #include <algorithm>
 
 #include "core/archive.h"
@@ -36,7 +36,7 @@ void Dynamics::fields(Self& s, A& a) {
           m.begun);
         for (int e : s.structure_->elements_at(m.node)) a(s.support_parts_.at(e));
     }
-    if (s.operator_) a(*s.operator_);
+    if (s.effective_) a(*s.effective_);
     if (s.mass_) a(*s.mass_);
 }
 
@@ -76,7 +76,7 @@ void Dynamics::read(std::string_view saved) {
         for (const State* s : {&state_, good_ ? &good_->state : &state_})
             reader.must(s->contact->makes_sense(int(s->displacement.size()), int(s->broken.size()), int(bars_.size())));
     }
-    if (operator_) operator_->leave_out(resting_);
+    if (effective_) effective_->leave_out(resting_);
     sweep_.take_up(state_);
     reader(sweep_);
     reader.must(reader.rest().empty());
@@ -102,10 +102,11 @@ bool Dynamics::makes_sense() const {
     const bool pace = counts(pace_.calm) && counts(pace_.easy) && counts(pace_.patience) && pace_.length >= 1 &&
                       pace_.least >= 1 && pace_.done >= 0 && pace_.done <= pace_.whole &&
                       settings_.dt == pace_.unit * double(pace_.length);
-    const bool lengths =
-        int(external_.size()) == nodes && int(change_.size()) == nodes && int(force_.size()) == elements &&
-        long_as(hung_built_, nodes) && (state_.hung.empty() || !hung_built_.empty()) && long_as(resting_, nodes) &&
-        stub_rate_.size() <= state_.hung.size() && int(met_.size()) == (settings_.alpha() == 0 ? 0 : nodes);
+    const bool lengths = int(external_.size()) == nodes && int(change_.size()) == nodes &&
+                         int(force_.size()) == elements && long_as(hung_built_, nodes) &&
+                         (state_.offset_mass.empty() || !hung_built_.empty()) && long_as(resting_, nodes) &&
+                         stub_rate_.size() <= state_.offset_mass.size() &&
+                         int(met_.size()) == (settings_.alpha() == 0 ? 0 : nodes);
     bool held = true;  // stay where they are, in explicit steps
     for (int n = 0; states && mass_ && structure_->lumped() && n < nodes; ++n)
         for (int c = 0; c < 6; ++c) held = held && (!(state_.held[n] >> c & 1) || mass_->lumped_inverse()[n][c] == 0);

@@ -33,7 +33,7 @@ void Dynamics::contact() {
     if (bound > 0 || (!state_.contact->idle() && ++contact_age_ % 20 == 0)) renew_couplings(state_.rotation);
 }
 
-/// Where the step has ended: who is let go, and what the step got wrong about touches that began or ended in it.
+/// Where the step has ended: who is released, and what the step got wrong about touches that began or ended in it.
 void Dynamics::part() {
     contact::Contact& contact = *state_.contact;
     if (contact.idle()) return;
@@ -43,15 +43,15 @@ void Dynamics::part() {
     for (Vec6& n : impulse) n.setZero();
     contact.add_internal_forces(contact_position_, trial_.rotation, impulse);
 
-    std::vector<contact::LetGo> parted;
-    const double let_go = contact.release(time, &parted);
+    std::vector<contact::Released> parted;
+    const double released = contact.release(time, &parted);
     for (Vec6& n : impulse) n.setZero();
     const contact::Contact::Settled settled =
         contact.settle(time, settings_.dt, contact_position_, trial_.rotation, impulse);
-    state_.booked.contact_released += let_go + settled.heat;
+    state_.accumulated.contact_released += released + settled.heat;
     if (settled.missed) add_missed(impulse, settled.work);
-    for (const contact::LetGo& bond : parted)
-        if (bond.springs_back) state_.booked.contact_released -= give_back(bond);
+    for (const contact::Released& tie : parted)
+        if (tie.springs_back) state_.accumulated.contact_released -= give_back(tie);
     if (!parted.empty()) {
         restart_ = true;
         renew_couplings(trial_.rotation);
@@ -69,38 +69,38 @@ void Dynamics::add_missed(const std::vector<Vec6>& impulse, double work) {
         const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
         if (std::abs(exact - 1) < 0.5) x = exact;
     }
-    state_.booked.work += x * k.by_supports;
+    state_.accumulated.work += x * k.by_supports;
     for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
 }
 
-/// What a bond still held when it was let go springs back at once, along its own forces and so that the two bars part.
+/// What a tie still held when it was released springs back at once, along its own forces and so that the two bars part.
 /// They are in balance, so momentum is kept; so is the energy.
-double Dynamics::give_back(const contact::LetGo& bond) {
+double Dynamics::give_back(const contact::Released& tie) {
     std::vector<Vec6>& impulse = nodal_;
     for (Vec6& n : impulse) n.setZero();
-    const auto arm = [&](int i) { return Vec3(trial_.rotation[bond.end[i].node] * bond.end[i].arm); };
+    const auto arm = [&](int i) { return Vec3(trial_.rotation[tie.end[i].node] * tie.end[i].arm); };
     for (int i = 0; i < 4; ++i) {
-        impulse[bond.end[i].node].head<3>() -= bond.force[i];
-        impulse[bond.end[i].node].tail<3>() -= arm(i).cross(bond.force[i]);
+        impulse[tie.end[i].node].head<3>() -= tie.force[i];
+        impulse[tie.end[i].node].tail<3>() -= arm(i).cross(tie.force[i]);
     }
     const Kick k = kick(impulse);
-    if (!(k.square > 0) || !(bond.energy > 0)) return 0;
+    if (!(k.square > 0) || !(tie.energy > 0)) return 0;
     double opening = 0;
     for (int i = 0; i < 4; ++i) {
-        const Vec6& v = change_[bond.end[i].node];
-        opening += bond.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
+        const Vec6& v = change_[tie.end[i].node];
+        opening += tie.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
     }
     // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself. The
     // force goes, and so does its part of that: M a+ = M a- + f.
     double power = 2 * k.square;
     for (std::size_t i = 0; i < impulse.size(); ++i) power -= 2 * impulse[i].dot(trial_.acceleration[i]);
     const double held_back = -0.5 * (settings_.beta - 0.5 * settings_.gamma()) * settings_.dt * settings_.dt * power;
-    const double energy = std::max(0.0, bond.energy + held_back);
+    const double energy = std::max(0.0, tie.energy + held_back);
     const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
     const double x = (-k.linear + std::copysign(root, opening)) / (2 * k.square);
-    state_.booked.work += x * k.by_supports;
+    state_.accumulated.work += x * k.by_supports;
     for (std::size_t i = 0; i < change_.size(); ++i) trial_.velocity[i] += x * change_[i];
-    return bond.energy;
+    return tie.energy;
 }
 
 void Dynamics::place_contact(const std::vector<Vec3>& displacement) {
@@ -139,12 +139,12 @@ void Dynamics::note_contacts() {
 
 /// Tangents of what is bound or touches where contact_position_ and `rotation` have the nodes.
 void Dynamics::renew_couplings(const std::vector<Quat>& rotation) {
-    if (!operator_) return;
+    if (!effective_) return;
     std::vector<Coupling> couplings;
     state_.contact->add_stiffness(contact_position_, rotation, [&](int a, int b, const Mat12& K) {
         couplings.push_back({a, b, K});
     });
-    operator_->set_couplings(std::move(couplings));
+    effective_->set_couplings(std::move(couplings));
 }
 
 void Dynamics::list_bars() {
@@ -161,7 +161,7 @@ void Dynamics::list_bars() {
         if (state_.broken[i]) {
             const int carrier = e.node[state_.broken[i] == 2 ? 0 : 1];
             bar.node[0] = bar.node[1] = carrier;
-            bar.arm = state_.stub[i];
+            bar.arm = state_.offset_arm[i];
         } else {
             for (int end : {0, 1}) bar.node[end] = e.node[end];
         }

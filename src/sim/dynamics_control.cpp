@@ -19,24 +19,24 @@ constexpr double advance_part = 0.1;  ///< of what may be lost, there from the b
 
 /// The ledger of what is tried; the state is as before afterwards.
 Energy Dynamics::energy_of_trial() {
-    const Booked booked = state_.booked;
+    const Accumulated accumulated = state_.accumulated;
     std::vector<Vec6> plastic;
     const auto exchange = [this] {
         state_.displacement.swap(trial_.displacement), state_.rotation.swap(trial_.rotation),
             state_.turn.swap(trial_.turn), state_.velocity.swap(trial_.velocity);
     };
-    state_.booked.work += work_of_loads() + work_of_supports();
-    state_.booked.numerical += numerical_;
+    state_.accumulated.work += work_of_loads() + work_of_supports();
+    state_.accumulated.numerical += numerical_;
     for (const Yielding& y : yielding_) {
         plastic.push_back(state_.plastic[y.element]);
         state_.plastic[y.element] += y.flow.plastic;
-        state_.booked.plastic += y.flow.dissipation;
+        state_.accumulated.plastic += y.flow.dissipation;
     }
     exchange();
     const Energy energy = ledger_.balance(state_);
     exchange();
     for (std::size_t i = 0; i < yielding_.size(); ++i) state_.plastic[yielding_[i].element] = plastic[i];
-    state_.booked = booked;
+    state_.accumulated = accumulated;
     return energy;
 }
 

@@ -54,10 +54,10 @@ double Dynamics::dissipated() const {
         const beam::Inertia m = structure_->inertia(int(i));
         sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, met, rise);
     }
-    for (std::size_t i = 0; i < state_.hung.size(); ++i) {
-        if (state_.hung[i].mass == 0) continue;
+    for (std::size_t i = 0; i < state_.offset_mass.size(); ++i) {
+        if (state_.offset_mass[i].mass == 0) continue;
         const AtNode n = at(int(i));
-        const Mat6 m = hung_in_space(state_.hung[i], trial_.rotation[i]);
+        const Mat6 m = offset_mass_in_space(state_.offset_mass[i], trial_.rotation[i]);
         sum += n.mean_velocity.dot(m * n.lag) + n.mean_met.dot(m * n.rise);
     }
     return sum;

@@ -19,7 +19,7 @@ void Dynamics::accelerate() {
     };
     const int nodes = int(nodal_.size());
     fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
-    const double check = team_.sum(nodes, some_nodes, [&](int first, int end) {
+    const double check = pool_.sum(nodes, some_nodes, [&](int first, int end) {
         Lanes sum{};
         for (int i = first; i < end; ++i) {
             const Lanes f = load_row<6>(external_[i].data()) - load_row<6>(nodal_[i].data());
@@ -38,7 +38,7 @@ void Dynamics::accelerate() {
         for (int c = 0; c < 6; ++c)
             if (state_.held[n] >> c & 1) r[c] = nodal_[n][c] - external_[n][c];
     }
-    if (!mass_->heavy().empty()) mass_->turn_stubs(state_, trial_);
+    if (!mass_->heavy().empty()) mass_->turn_offset_masses(state_, trial_);
     for (const Mass::Heavy& h : mass_->heavy()) {
         Vec6 a = h.inverse * (external_[h.node] - nodal_[h.node]);
         for (int c = 0; c < 6; ++c)

@@ -70,7 +70,7 @@ void Dynamics::move_supports() {
 void Dynamics::meet_supports() {
     for (Moved& m : moved_) {
         double& force = reaction_[m.node][m.component];
-        if (operator_)
+        if (effective_)
             for (int e : structure_->elements_at(m.node)) {
                 const Element& element = structure_->elements()[e];
                 if (state_.broken[e]) continue;
@@ -86,7 +86,7 @@ void Dynamics::meet_supports() {
 /// The row of M of a support's freedom, times such a value of each node; with or without the stubs that hang on it.
 double Dynamics::momentum_at(const Moved& m, const std::vector<Vec6>& of, bool stubs) const {
     const int c = m.component;
-    double sum = stubs && !state_.hung.empty() ? state_.hung[m.node].mass * of[m.node][c] : 0;
+    double sum = stubs && !state_.offset_mass.empty() ? state_.offset_mass[m.node].mass * of[m.node][c] : 0;
     for (int e : structure_->elements_at(m.node)) {
         if (state_.broken[e]) continue;
         const Element& element = structure_->elements()[e];
@@ -140,7 +140,7 @@ double Dynamics::work_of_loads() const {
 }
 
 void Dynamics::book_supports() {
-    state_.booked.work += work_of_supports();
+    state_.accumulated.work += work_of_supports();
     for (Moved& m : moved_) {
         if (state_.gone[m.node]) continue;
         m.force = m.next_force;

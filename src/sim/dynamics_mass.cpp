@@ -9,7 +9,7 @@ namespace {
 
 /// A stub's inertia about its own axis is a thousandth of that across: its part of the operator must not lag by more
 /// than 2 mrad, the cosine of whose half this is.
-constexpr double hung_turn = 1 - 5e-7;
+constexpr double offset_turn = 1 - 5e-7;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void Dynamics::find_acceleration() {
     if (settings_.alpha() != 0) met_ = state_.acceleration;
     stub_rate_ = tried_stub_rate_;
     for (std::size_t i = 0; i < stub_rate_.size(); ++i)
-        stub_rate_[i] += state_.acceleration[i].tail<3>().cross(state_.rotation[i] * state_.hung[i].moment);
+        stub_rate_[i] += state_.acceleration[i].tail<3>().cross(state_.rotation[i] * state_.offset_mass[i].moment);
 }
 
 /// M alone, of what turned or broke since it was last needed.
@@ -69,18 +69,19 @@ Dynamics::Kick Dynamics::kick(const std::vector<Vec6>& impulse) {
 }
 
 void Dynamics::renew_hung_operator(std::size_t node) {
-    if (state_.hung[node].mass == 0) return;
-    hung_built_.resize(state_.hung.size(), Quat::Identity());
+    if (state_.offset_mass[node].mass == 0) return;
+    hung_built_.resize(state_.offset_mass.size(), Quat::Identity());
     hung_built_[node] = state_.rotation[node];
-    if (operator_) operator_->set_hung(int(node), hung_in_space(state_.hung[node], state_.rotation[node]));
+    if (effective_)
+        effective_->set_offset_mass(int(node), offset_mass_in_space(state_.offset_mass[node], state_.rotation[node]));
 }
 
 /// Rigid stubs: m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
 void Dynamics::add_hung_inertia() {
     const Vec3 g = structure_->model().gravity().value_or(Vec3::Zero());
-    tried_stub_rate_.assign(state_.hung.size(), Vec3::Zero());
-    for (std::size_t i = 0; i < state_.hung.size(); ++i) {
-        const HungMass& h = state_.hung[i];
+    tried_stub_rate_.assign(state_.offset_mass.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < state_.offset_mass.size(); ++i) {
+        const OffsetMass& h = state_.offset_mass[i];
         if (h.mass == 0) continue;
         const Mat3 R = trial_.rotation[i].toRotationMatrix();
         const Vec3 S = R * h.moment, a = trial_.acceleration[i].head<3>() - g, alpha = trial_.acceleration[i].tail<3>(),
@@ -90,7 +91,7 @@ void Dynamics::add_hung_inertia() {
         tried_stub_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
         nodal_[i].head<3>() += h.mass * a + tried_stub_rate_[i];
         nodal_[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
-        if (trial_.rotation[i].coeffs().dot(hung_built_[i].coeffs()) < hung_turn) renew_hung_operator(i);
+        if (trial_.rotation[i].coeffs().dot(hung_built_[i].coeffs()) < offset_turn) renew_hung_operator(i);
     }
 }
 
@@ -101,10 +102,10 @@ void Dynamics::keep_stub_momentum(const std::vector<Vec6>& change) {
     const double alpha = settings_.alpha(), gamma = settings_.gamma();
     next_stub_rate_ = tried_stub_rate_;
     for (std::size_t i = 0; i < next_stub_rate_.size(); ++i) {
-        const HungMass& h = state_.hung[i];
+        const OffsetMass& h = state_.offset_mass[i];
         if (h.mass == 0) continue;
         const Vec3 S = state_.rotation[i] * h.moment, next_S = trial_.rotation[i] * h.moment;
-        const Vec3 S_met = operator_ ? Vec3(hung_built_[i] * h.moment) : next_S;
+        const Vec3 S_met = effective_ ? Vec3(hung_built_[i] * h.moment) : next_S;
         next_stub_rate_[i] =
             (tried_stub_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * stub_rate_[i]) /
             (1 - alpha);

@@ -77,8 +77,8 @@ void Dynamics::set_length(long length) {
     pace_.least = std::min(pace_.least, length);
     if (length <= pace_.own) pace_.calm = 0;  // what ended the long steps is still ahead, or has just happened
     settings_.dt = pace_.unit * double(length);
-    if (operator_) {
-        operator_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
+    if (effective_) {
+        effective_->set_stiffness_factor(settings_.beta * settings_.dt * settings_.dt);
         for (int e = 0; e < int(state_.broken.size()); ++e)
             if (!state_.broken[e]) wants_rebuild(e);
     }

@@ -32,7 +32,8 @@ void Dynamics::let_rest() {
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n) {
         const int b = bodies.of_node[n];
         if (b < 0) continue;
-        if (!state_.velocity[n].isZero(0) || (!state_.hung.empty() && state_.hung[n].mass > 0)) rests[b] = 0;
+        if (!state_.velocity[n].isZero(0) || (!state_.offset_mass.empty() && state_.offset_mass[n].mass > 0))
+            rests[b] = 0;
         const auto size = [&](const Vec6& f) {
             return f.head<3>().squaredNorm() + f.tail<3>().squaredNorm() / (arm[b] * arm[b]);
         };
@@ -45,9 +46,10 @@ void Dynamics::let_rest() {
     for (const NodalLoad& load : structure_->model().loads())
         if ((load.history || load.follows_state()) && bodies.of_node[load.node] >= 0)
             rests[bodies.of_node[load.node]] = 0;
-    for (const contact::Touch& t : state_.contact ? state_.contact->touches() : std::vector<contact::Touch>{})
+    for (const contact::SurfaceContact& t :
+         state_.contact ? state_.contact->surface_contacts() : std::vector<contact::SurfaceContact>{})
         for (int e : t.element) rests[bodies.of_node[structure_->elements()[e].node[0]]] = 0;
-    for (const contact::Bond& t : state_.contact ? state_.contact->bonds() : std::vector<contact::Bond>{})
+    for (const contact::Tie& t : state_.contact ? state_.contact->ties() : std::vector<contact::Tie>{})
         for (int e : t.element) rests[bodies.of_node[structure_->elements()[e].node[0]]] = 0;
     for (int b = 0; b < bodies.count; ++b)
         if (!(out[b] <= balanced * balanced * holding[b])) rests[b] = 0;
@@ -70,7 +72,7 @@ void Dynamics::let_rest() {
     std::erase_if(held_nodes_, [&](int n) { return resting_[n] >= 0; });
     for (std::size_t e = 0; e < structure_->elements().size(); ++e)
         if (!state_.broken[e] && resting_[structure_->elements()[e].node[0]] >= 0) sweep_.drop(int(e));
-    if (operator_) operator_->leave_out(resting_);
+    if (effective_) effective_->leave_out(resting_);
 }
 
 /// A body at rest that something reaches, or that breaks, takes part again.
@@ -88,7 +90,7 @@ void Dynamics::wake_bodies() {
             for (int e : pair.element) heed(e, "reached");
     };
     for (const auto& [element, end] : to_break_) heed(element, "broken");
-    if (with_contact()) heed_pairs(state_.contact->touches()), heed_pairs(state_.contact->bonds());
+    if (with_contact()) heed_pairs(state_.contact->surface_contacts()), heed_pairs(state_.contact->ties());
     if (woken.empty()) return;
     const auto wakes = [&](int node) {
         return resting_[node] >= 0 && std::find(woken.begin(), woken.end(), resting_[node]) != woken.end();
@@ -103,7 +105,7 @@ void Dynamics::wake_bodies() {
             if (state_.held[n]) held_nodes_.push_back(n);
         }
     std::sort(held_nodes_.begin(), held_nodes_.end());
-    if (operator_) operator_->leave_out(resting_);
+    if (effective_) effective_->leave_out(resting_);
     if (weight_at_rest_.empty()) resting_.clear();
 }
 

@@ -31,8 +31,8 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       settings_(settings),
       pace_{settings.step_control > 0 ? settings.dt / finest_part : settings.dt,
             settings.step_control > 0 ? finest_part : 1, 0},
-      team_(settings.threads),
-      sweep_(*structure_, team_, !structure_->lumped()) {
+      pool_(settings.threads),
+      sweep_(*structure_, pool_, !structure_->lumped()) {
     pace_.whole = pace_.own * std::llround(settings.duration / settings.dt);
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
@@ -123,7 +123,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     sweep_.take_up(state_);
     if (with_fracture())
         for (std::size_t i = 0; i < elements; ++i) heed_fracture(int(i));
-    if (!state_.hung.empty()) hung_built_ = state_.rotation;
+    if (!state_.offset_mass.empty()) hung_built_ = state_.rotation;
     for (std::size_t i = 0; i < elements; ++i) {
         if (state_.hinge[i]) flowing_.push_back(int(i));
     }
@@ -135,17 +135,17 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 }
 
 void Dynamics::begin_operator() {
-    operator_ = std::make_unique<Operator>(*structure_, team_, 1 - settings_.alpha(),
-                                           settings_.beta * settings_.dt * settings_.dt,
-                                           settings_.geometric && structure_->large(),
-                                           settings_.solver.direct           ? Keeping::direct
-                                           : settings_.narrow && !from_rest_ ? Keeping::narrow
-                                                                             : Keeping::iterative);
-    operator_->set_held(state_.held);
+    effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 1 - settings_.alpha(),
+                                                      settings_.beta * settings_.dt * settings_.dt,
+                                                      settings_.geometric && structure_->large(),
+                                                      settings_.solver.direct           ? Keeping::direct
+                                                      : settings_.narrow && !from_rest_ ? Keeping::narrow
+                                                                                        : Keeping::iterative);
+    effective_->set_held(state_.held);
     if (structure_->large()) sweep_.watch_turning(settings_.turn);
     for (int e = 0; e < int(state_.broken.size()); ++e)
         if (!state_.broken[e]) wants_rebuild(e);
-    for (std::size_t i = 0; i < state_.hung.size(); ++i) renew_hung_operator(i);
+    for (std::size_t i = 0; i < state_.offset_mass.size(); ++i) renew_hung_operator(i);
     if (in_contact()) renew_couplings(state_.rotation);
 }
 

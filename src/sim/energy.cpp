@@ -4,7 +4,8 @@
 
 namespace hinge {
 
-Ledger::Ledger(const Structure& structure, const State& start) : structure_(structure), booked_at_start_(start.booked) {
+Ledger::Ledger(const Structure& structure, const State& start)
+    : structure_(structure), accumulated_at_start_(start.accumulated) {
     potential_at_start_ = potential(start);
     Energy e;
     add_elements(start, e);
@@ -22,10 +23,10 @@ double Ledger::potential(const State& state) const {
         for (int end : {0, 1})
             moment += m.weight(end) * (structure_.position()[e.node[end]] + state.displacement[e.node[end]]);
     }
-    for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (state.hung[i].mass > 0)
-            moment += state.hung[i].mass * (structure_.position()[i] + state.displacement[i]) +
-                      state.rotation[i] * state.hung[i].moment;
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
+        if (state.offset_mass[i].mass > 0)
+            moment += state.offset_mass[i].mass * (structure_.position()[i] + state.displacement[i]) +
+                      state.rotation[i] * state.offset_mass[i].moment;
     return -moment.dot(g);
 }
 
@@ -39,12 +40,12 @@ void Ledger::add_elements(const State& state, Energy& energy) const {
         energy.elastic += 0.5 * d.dot(k.times(d));
         energy.kinetic += kinetic_energy(structure_, state, int(i), axes_of(placement));
     }
-    energy.kinetic += kinetic_energy_of_stubs(state);
+    energy.kinetic += kinetic_energy_of_offset_masses(state);
 }
 
 Energy Ledger::balance(const State& state) const {
     Energy e;
-    const Booked &now = state.booked, &then = booked_at_start_;
+    const Accumulated &now = state.accumulated, &then = accumulated_at_start_;
     e.initial = initial_;
     add_elements(state, e);
     e.gravity = potential(state) - potential_at_start_;
@@ -56,10 +57,10 @@ Energy Ledger::balance(const State& state) const {
     if (state.contact && !state.contact->idle()) {
         std::vector<Vec3> x(structure_.position());
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += state.displacement[i];
-        contact::Contact bonds = *state.contact;
+        contact::Contact ties = *state.contact;
         std::vector<Vec6> unused(x.size(), Vec6::Zero());
-        bonds.add_internal_forces(x, state.rotation, unused);
-        e.contact_stored = bonds.stored_energy();
+        ties.add_internal_forces(x, state.rotation, unused);
+        e.contact_stored = ties.stored_energy();
     }
     e.contact = e.contact_stored + e.contact_released;
     e.numerical = now.numerical - then.numerical;

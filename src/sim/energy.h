@@ -13,8 +13,8 @@ struct Energy {
     double gravity = 0;  ///< potential, zero at the start of the run
     double elastic = 0;
     double plastic = 0;   ///< dissipated in hinges since the start of the run
-    double fracture = 0;  ///< let go by fracture: strain energy, and kinetic energy of stubs
-    double contact = 0;   ///< stored in bonds and touches now; let go with bonds, heat of friction
+    double fracture = 0;  ///< released by fracture: strain energy, and kinetic energy of stubs
+    double contact = 0;   ///< stored in ties and touches now; released with ties, heat of friction
     double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
     double numerical = 0;  ///< taken out by a dissipative integrator
     double work = 0;       ///< done by loads (not gravity)
@@ -28,7 +28,7 @@ public:
     Energy balance(const State& state) const;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.potential_at_start_, s.booked_at_start_, s.initial_);
+        a(s.potential_at_start_, s.accumulated_at_start_, s.initial_);
     }
 
 private:
@@ -36,7 +36,7 @@ private:
     void add_elements(const State& state, Energy& energy) const;
     const Structure& structure_;
     double potential_at_start_ = 0;
-    Booked booked_at_start_;
+    Accumulated accumulated_at_start_;
     double initial_ = 0;
 };
 

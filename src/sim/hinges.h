@@ -1,4 +1,4 @@
-// Hinges at the end of a step: what flowed is booked, and integration points go to where the hinges are.
+// Hinges at the end of a step: what flowed is accumulated, and integration points go to where the hinges are.
 #pragma once
 
 #include "sim/sweep.h"

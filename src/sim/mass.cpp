@@ -19,7 +19,9 @@ void hold(std::vector<Vec6>& v, const State& state) {
                 if (held >> c & 1) v[i][c] = 0;
 }
 
-bool has_stubs(const State& state, int node) { return !state.hung.empty() && state.hung[node].mass > 0; }
+bool has_offset_mass(const State& state, int node) {
+    return !state.offset_mass.empty() && state.offset_mass[node].mass > 0;
+}
 
 Mat6 inverse_of_free(Mat6 m, int held) {  // what is held takes no part: a stub on a pinned node turns about the pin
     for (int c = 0; c < 6; ++c)
@@ -57,14 +59,14 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
         for (int node : structure.elements()[i].node)
             own_mass[node] += 2 * part[i].mass, own_rotary[node] += 2 * part[i].rotary;
     }
-    struct Stubs {
+    struct RigidOffset {
         int node;
         Mat6 mass, inverse;
     };
-    std::vector<Stubs> stubs;
+    std::vector<RigidOffset> stubs;
     for (std::size_t i = 0; i < n; ++i) {
-        if (has_stubs(state, int(i))) {
-            Mat6 own = hung_in_space(state.hung[i], pose.rotation[i]);
+        if (has_offset_mass(state, int(i))) {
+            Mat6 own = offset_mass_in_space(state.offset_mass[i], pose.rotation[i]);
             stubs.push_back({int(i), own, {}});
             own.topLeftCorner<3, 3>().diagonal().array() += own_mass[i];
             own.bottomRightCorner<3, 3>() += own_rotary[i];
@@ -84,12 +86,12 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
                 y[node].tail<3>() += part[i].rotary * to.tail<3>();
             }
         }
-        for (const Stubs& s : stubs) y[s.node] += s.mass * x[s.node];
+        for (const RigidOffset& s : stubs) y[s.node] += s.mass * x[s.node];
         hold(y, state);
     };
     const auto by_node = [&](const std::vector<Vec6>& from, std::vector<Vec6>& z) {
         for (std::size_t i = 0; i < n; ++i) z[i] << own_mass[i] * from[i].head<3>(), own_rotary[i] * from[i].tail<3>();
-        for (const Stubs& s : stubs) z[s.node] = s.inverse * from[s.node];
+        for (const RigidOffset& s : stubs) z[s.node] = s.inverse * from[s.node];
         hold(z, state);
     };
     const auto dot = [&](const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
@@ -137,9 +139,10 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
         for (int e = 0; e < int(structure_.elements().size()); ++e) take_up(e);
     else
         for (int e : elements) take_up(e);
-    for (std::size_t i = 0; i < state.hung.size(); ++i)
-        if (has_stubs(state, int(i)))
-            blocks_->parts.set_hung(int(i), hung_in_space(state.hung[i], pose.rotation[i])), mark(int(i));
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
+        if (has_offset_mass(state, int(i)))
+            blocks_->parts.set_offset_mass(int(i), offset_mass_in_space(state.offset_mass[i], pose.rotation[i])),
+                mark(int(i));
 }
 
 void Mass::renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose) {
@@ -149,7 +152,7 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
         for (int node : structure_.elements()[index].node) stale[node] = 1;
     heavy_.clear();
     for (std::size_t i = 0; i < stale.size(); ++i) {
-        if (!stale[i] && !has_stubs(state, int(i))) continue;
+        if (!stale[i] && !has_offset_mass(state, int(i))) continue;
         double mass = 0, rotary = 0;
         for (int index : structure_.elements_at(int(i))) {
             if (state.broken[index]) continue;
@@ -160,18 +163,18 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
         lumped_inverse_[i].setZero();
         for (int c = 0; c < 6; ++c)
             if (mass > 0 && !(state.held[i] >> c & 1)) lumped_inverse_[i][c] = 1 / (c < 3 ? mass : rotary);
-        if (!has_stubs(state, int(i))) continue;
+        if (!has_offset_mass(state, int(i))) continue;
         Heavy h{int(i), Mat6::Zero(), {}, {}};
         h.elements.diagonal() << Vec3::Constant(mass), Vec3::Constant(rotary);
         heavy_.push_back(h);
     }
-    turn_stubs(state, pose);
+    turn_offset_masses(state, pose);
 }
 
-void Mass::turn_stubs(const State& state, const Pose& pose) {
+void Mass::turn_offset_masses(const State& state, const Pose& pose) {
     for (Heavy& h : heavy_) {
-        h.stubs = hung_in_space(state.hung[h.node], pose.rotation[h.node]);
-        h.inverse = inverse_of_free(h.elements + h.stubs, state.held[h.node]);
+        h.offsets = offset_mass_in_space(state.offset_mass[h.node], pose.rotation[h.node]);
+        h.inverse = inverse_of_free(h.elements + h.offsets, state.held[h.node]);
     }
 }
 
@@ -186,8 +189,10 @@ void Mass::keep_blocks(const State& state) {
 
 void Mass::make_blocks() {
     const int nodes = int(structure_.position().size());
-    blocks_.reset(new Blocks{
-        Parts(structure_, false, true), Condensed<double>(structure_, alone_), {}, std::vector<char>(nodes, 0)});
+    blocks_.reset(new Blocks{ElementMatrices(structure_, false, true),
+                             Condensed<double>(structure_, alone_),
+                             {},
+                             std::vector<char>(nodes, 0)});
     for (int node = 0; node < nodes; ++node) mark(node);
 }
 

@@ -22,8 +22,8 @@ public:
     /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing
     /// but as stubs. Before the first call of it a solution takes the elements where `state` has them.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
-    /// Stubs alone: where `pose` has turned them.
-    void turn_stubs(const State& state, const Pose& pose);
+    /// RigidOffset alone: where `pose` has turned them.
+    void turn_offset_masses(const State& state, const Pose& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the
     /// residual, relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
@@ -35,10 +35,10 @@ public:
     /// in space. The inverse is of the freedoms that are not held; one for those that are.
     struct Heavy {
         int node;
-        Mat6 elements, stubs, inverse;
+        Mat6 elements, offsets, inverse;
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.node, s.elements, s.stubs, s.inverse);
+            a(s.node, s.elements, s.offsets, s.inverse);
         }
     };
     const std::vector<Heavy>& heavy() const { return heavy_; }
@@ -69,12 +69,12 @@ private:
     std::vector<Vec6> lumped_inverse_;
     std::vector<Heavy> heavy_;  ///< in order of their nodes
     struct Blocks {
-        Parts parts;
+        ElementMatrices parts;
         Condensed<double> condensed;
         std::vector<int> dirty;
         std::vector<char> is_dirty;
     };
-    Team alone_;
+    ThreadPool alone_;
     std::unique_ptr<Blocks> blocks_;  ///< consistent, from the first renew on
 };
 

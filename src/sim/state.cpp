@@ -40,19 +40,19 @@ bool makes_sense(const State& s, const Structure& structure) {
         long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) &&
         long_as(structure.large() ? 0 : nodes, s.turn) &&
         long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) &&
-        none_or(nodes, s.hung) && none_or(elements, s.stub);
+        none_or(nodes, s.offset_mass) && none_or(elements, s.offset_arm);
     if (!whole) return false;
     for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
         if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
     return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
            std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) &&
-           (!any_broken || (!s.hung.empty() && !s.stub.empty()));
+           (!any_broken || (!s.offset_mass.empty() && !s.offset_arm.empty()));
 }
 
 bool is_finite(const State& s) {
     const auto finite = [](double x) { return std::isfinite(x); };
-    const Booked& b = s.booked;
+    const Accumulated& b = s.accumulated;
     bool good = true;
     for (double x :
          {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical})

@@ -12,7 +12,7 @@
 namespace hinge {
 
 /// Mass hung rigidly on a node: the stubs of broken elements (paper, fig 5). In the node's own frame.
-struct HungMass {
+struct OffsetMass {
     double mass = 0;              ///< kg
     Vec3 moment = Vec3::Zero();   ///< first moment about the node, kg m
     Mat3 inertia = Mat3::Zero();  ///< about the node, kg m^2
@@ -26,12 +26,12 @@ struct HungMass {
 enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
 
 /// Sums kept from step to step, J.
-struct Booked {
+struct Accumulated {
     double work = 0;              ///< done by loads
     double plastic = 0;           ///< dissipated in hinges
-    double fracture_elastic = 0;  ///< strain energy let go by broken elements
+    double fracture_elastic = 0;  ///< strain energy released by broken elements
     double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
-    double contact_released = 0;  ///< let go with bonds, heat of friction
+    double contact_released = 0;  ///< released with ties, heat of friction
     double numerical = 0;         ///< taken out by a dissipative integrator
 
     template <class Self, class A>
@@ -48,7 +48,7 @@ struct State {
     std::vector<Vec6> velocity;      ///< m/s and rad/s, in space
     std::vector<Vec6> acceleration;  ///< m/s^2 and rad/s^2, in space
     std::vector<std::uint8_t> held;  ///< bits as in Structure::fixed; all six for a node that has lost its elements
-    std::vector<HungMass> hung;      ///< empty until something breaks, then one a node
+    std::vector<OffsetMass> offset_mass;  ///< empty until something breaks, then one a node
     // elements
     std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h
     std::vector<Vec6> force;            ///< p of timoshenko.h, N m and N
@@ -58,8 +58,8 @@ struct State {
     std::vector<std::uint8_t> yielded;  ///< HingeBits: has ever flowed
     std::vector<std::uint8_t> touched;  ///< 1: has been in contact
     std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
-    std::vector<Vec3> stub;  ///< of broken elements: from the node that carries it to its free end, in that node's
-                             ///< frame, m; empty until something breaks
+    std::vector<Vec3> offset_arm;       ///< of broken elements: from the node that carries it to its free end, in that
+                                   ///< node's frame, m; empty until something breaks
     std::vector<std::uint8_t> gone;  ///< nodes without an element and without mass
     std::vector<double> strained;    ///< where a fracture rule of the script is asked of plastic sections: the most of
                                      ///< |curvature_x|, |curvature_y|, |axial strain| of each element
@@ -69,7 +69,7 @@ struct State {
     double time = 0;
     long step = 0;
     double factor = 1;  ///< load factor reached in statics
-    Booked booked;
+    Accumulated accumulated;
     std::optional<contact::Contact> contact;
 
     /// Calls f(name, array) for each array, in a fixed order.
@@ -81,7 +81,7 @@ struct State {
         f("velocity", s.velocity);
         f("acceleration", s.acceleration);
         f("held", s.held);
-        f("hung", s.hung);
+        f("offset_mass", s.offset_mass);
         f("plastic", s.plastic);
         f("force", s.force);
         f("point", s.point);
@@ -90,7 +90,7 @@ struct State {
         f("yielded", s.yielded);
         f("touched", s.touched);
         f("broken", s.broken);
-        f("stub", s.stub);
+        f("offset_arm", s.offset_arm);
         f("gone", s.gone);
         f("strained", s.strained);
         f("kept", s.kept);
@@ -99,7 +99,7 @@ struct State {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         for_each_field(s, [&](const char*, auto& array) { a(array); });
-        a(s.time, s.step, s.factor, s.booked);
+        a(s.time, s.step, s.factor, s.accumulated);
         if (s.contact) a(*s.contact);
     }
 };

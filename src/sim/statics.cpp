@@ -26,8 +26,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     : Run(std::move(structure), std::move(start)),
       settings_(std::move(settings)),
       held_(state_.held),
-      sweep_(*structure_, team_, false),
-      operator_(std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::direct)) {
+      sweep_(*structure_, pool_, false),
+      effective_(std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::direct)) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
@@ -61,15 +61,15 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     for (std::size_t i = 0; i < state_.hinge.size(); ++i)
         if (state_.hinge[i]) flowing_.push_back(int(i));
     sweep_.take_up(state_);
-    operator_->set_held(held_);
+    effective_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
     const bool moments =
         std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     if (moments && structure_->large()) {
-        operator_ = std::make_unique<Operator>(*structure_, team_, 0.0, 1.0, true, Keeping::unsymmetric);
-        operator_->set_held(held_);
+        effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
+        effective_->set_held(held_);
         built_ = false;
     }
 }
@@ -115,20 +115,20 @@ bool Statics::renew_and_factorise() {
         was_yielding_.push_back(y.element);
     }
     force_.swap(state_.force);
-    operator_->build(list, state_, trial_, given);
+    effective_->build(list, state_, trial_, given);
     force_.swap(state_.force);
     built_ = true;
-    operator_->assemble();
+    effective_->assemble();
     times_[1].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto solving = std::chrono::steady_clock::now();
-    const bool good = operator_->factorise();
+    const bool good = effective_->factorise();
     times_[2].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - solving).count();
     return good;
 }
 
 void Statics::refuse_mechanism() {
     renew_and_factorise();
-    const int loose = operator_->loosest_freedom(1e-12);
+    const int loose = effective_->loosest_freedom(1e-12);
     if (loose < 0) return;
     static const char* way[] = {"move along x", "move along y", "move along z",
                                 "turn about x", "turn about y", "turn about z"};
@@ -187,8 +187,8 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         SolverSettings direct;
         direct.direct = true;
         const std::vector<Vec6> unit_load = response_;
-        if (!operator_->solve(right_, change_, direct).converged ||
-            !operator_->solve(unit_load, response_, direct).converged)
+        if (!effective_->solve(right_, change_, direct).converged ||
+            !effective_->solve(unit_load, response_, direct).converged)
             return Outcome::diverged;
 
         double d_factor = 0;
@@ -263,8 +263,8 @@ void Statics::commit(double before) {
         const Vec3 du = trial_.displacement[i] - state_.displacement[i];
         const double mean = 0.5 * (before + trial_factor_);
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
-        state_.booked.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) -
-                              gravity_load_[i].head<3>().dot(du);
+        state_.accumulated.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) -
+                                   gravity_load_[i].head<3>().dot(du);
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
             for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;

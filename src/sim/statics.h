@@ -2,7 +2,7 @@
 // path.
 #pragma once
 
-#include "sim/operator.h"
+#include "sim/effective_stiffness.h"
 #include "sim/run.h"
 
 namespace hinge {
@@ -33,7 +33,7 @@ public:
     std::vector<StageTime> stage_times() const override { return times_; }
     std::vector<Effect> effects() const override;
     long element_updates() const { return sweep_.updates(); }
-    Operator::Counts operator_counts() const { return operator_->counts(); }
+    EffectiveStiffness::Counts solver_counts() const { return effective_->counts(); }
 
 private:
     enum class Outcome { converged, diverged };
@@ -47,9 +47,9 @@ private:
 
     StaticSettings settings_;
     std::vector<std::uint8_t> held_;
-    Team team_;
+    ThreadPool pool_;
     Sweep sweep_;
-    std::unique_ptr<Operator> operator_;
+    std::unique_ptr<EffectiveStiffness> effective_;
     Pose trial_;
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
            noise_ = 0;

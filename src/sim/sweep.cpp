@@ -47,8 +47,8 @@ constexpr double least_mean_y = 0.17;
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
 
-Sweep::Sweep(const Structure& structure, Team& team, bool inertia)
-    : structure_(structure), team_(team), inertia_(inertia) {}
+Sweep::Sweep(const Structure& structure, ThreadPool& pool, bool inertia)
+    : structure_(structure), pool_(pool), inertia_(inertia) {}
 
 Sweep::~Sweep() = default;
 
@@ -366,9 +366,9 @@ void Sweep::share_out() {
 
 void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
                 std::vector<Yielding>& yielding) {
-    if (team_.threads() > 1 && place_.empty()) share_out();
+    if (pool_.threads() > 1 && place_.empty()) share_out();
     found_.resize((blocks_.size() + piece - 1) / piece);
-    team_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
+    pool_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
         found_[i].turned.clear();
         found_[i].twisted = -1;
@@ -380,7 +380,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         };
         structure_.large() ? go_over.operator()<true>() : go_over.operator()<false>();
     });
-    team_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
+    pool_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
             for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += left_[k];
     });

@@ -6,7 +6,7 @@
 
 #include "beam/corotation.h"
 #include "beam/yield.h"
-#include "core/team.h"
+#include "core/thread_pool.h"
 #include "sim/state.h"
 
 namespace hinge {
@@ -32,7 +32,7 @@ struct Yielding {
 class Sweep {
 public:
     /// `inertia`: add consistent-mass inertia and gyroscopic forces of the pose's acceleration and velocity.
-    Sweep(const Structure& structure, Team& team, bool inertia);
+    Sweep(const Structure& structure, ThreadPool& pool, bool inertia);
     ~Sweep();
 
     /// Takes up which elements are whole and where their points stand. Call when a point has moved.
@@ -86,7 +86,7 @@ private:
     bool take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
 
     const Structure& structure_;
-    Team& team_;
+    ThreadPool& pool_;
     bool inertia_;
     std::vector<Block> blocks_;
     std::deque<Kind> kinds_;

@@ -344,7 +344,7 @@ TEST_CASE("explicit: a break keeps both momenta and gains no energy (1e-12, 1e-1
         }
     }
     CHECK(lost > 0.01);
-    CHECK_FIGURE("momenta, and the energy that is booked, 80 breaks", worst, 1e-12);
+    CHECK_FIGURE("momenta, and the energy that is accumulated, 80 breaks", worst, 1e-12);
     CHECK_FIGURE("kinetic energy gained in a break", gained, 1e-14);
 }
 

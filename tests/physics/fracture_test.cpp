@@ -59,7 +59,7 @@ DynamicSettings milliseconds(double duration, double dt = 1e-5) {
 
 }  // namespace
 
-TEST_CASE("fracture: mass and both momenta stay what they were through a break, to 1e-12; what it costs is booked",
+TEST_CASE("fracture: mass and both momenta stay what they were through a break, to 1e-12; what it costs is accumulated",
           "[fracture]") {
     double worst = 0, most_gained = 0, wrong_booking = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -69,14 +69,14 @@ TEST_CASE("fracture: mass and both momenta stay what they were through a break, 
             const int element = 2 * n + dice.pick(2), end = 1 + dice.pick(2);
             const Momentum before = momentum(*star.structure, star.state);
             const double kinetic = kinetic_energy(*star.structure, star.state),
-                         booked = star.state.booked.fracture_kinetic;
+                         accumulated = star.state.accumulated.fracture_kinetic;
             const BreakReport report = break_element(*star.structure, star.state, element, end);
             worst = std::max(worst, momentum_change(before, momentum(*star.structure, star.state)));
             const double lost = kinetic - kinetic_energy(*star.structure, star.state);
             most_gained = std::max(most_gained, -report.kinetic / kinetic);
             wrong_booking =
                 std::max({wrong_booking, std::abs(lost - report.kinetic) / kinetic,
-                          std::abs(star.state.booked.fracture_kinetic - booked - report.kinetic) / kinetic});
+                          std::abs(star.state.accumulated.fracture_kinetic - accumulated - report.kinetic) / kinetic});
             CHECK(report.elastic >= 0);
             CHECK(star.state.broken[element] == end);
             CHECK(star.state.force[element].isZero(0));
@@ -84,7 +84,7 @@ TEST_CASE("fracture: mass and both momenta stay what they were through a break, 
     }
     CHECK_FIGURE("mass, linear and angular momentum, 80 breaks", worst, 1e-12);
     CHECK_FIGURE("kinetic energy gained in a break", most_gained, 1e-14);
-    CHECK_FIGURE("kinetic energy lost and booked", wrong_booking, 1e-12);
+    CHECK_FIGURE("kinetic energy lost and accumulated", wrong_booking, 1e-12);
 }
 
 TEST_CASE("fracture: a node that has lost all its elements leaves the solve", "[fracture]") {

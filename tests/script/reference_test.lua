@@ -83,13 +83,13 @@ local function scene()
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   s.probe = s.run:probe { node = s.tip, "uz" }
-  s.still = s.run:still()
+  s.snapshot = s.run:snapshot()
   return s
 end
 local s = scene()
 s.run:finish()
 local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model, ["hinge.node"] = s.wall, ["hinge.member"] = s.member,
-  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.still"] = s.still }
+  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot }
 
 -- A value has the fields that its declared type names; { ... }[] and lists of a class are looked at by their first item.
 local function agrees(value, kind, what)

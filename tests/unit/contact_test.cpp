@@ -1,4 +1,4 @@
-// Contact: the rule at work in small scenes, who is let go when, what a record keeps.
+// Contact: the rule at work in small scenes, who is released when, what a record keeps.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,12 +31,12 @@ TEST_CASE("contact: members crossing at their mid nodes bind up to four element 
         const std::vector<std::pair<int, int>> all{{0, 2}, {0, 3}, {1, 2}, {1, 3}}, near{{0, 2}, {1, 3}};
         const auto& pairs = angle > 74 ? all : near;
         CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 1e-5) == static_cast<int>(pairs.size()));
-        REQUIRE(contact.bonds().size() == pairs.size());
+        REQUIRE(contact.ties().size() == pairs.size());
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            CHECK(contact.bonds()[i].element[0] == pairs[i].first);
-            CHECK(contact.bonds()[i].element[1] == pairs[i].second);
-            CHECK(contact.bonds()[i].side.z() == Approx(1));
-            for (const Gap& gap : contact.bonds()[i].gap) CHECK(gap.stiffness <= 5e8 / 0.25 * (1 + 1e-12));
+            CHECK(contact.ties()[i].element[0] == pairs[i].first);
+            CHECK(contact.ties()[i].element[1] == pairs[i].second);
+            CHECK(contact.ties()[i].side.z() == Approx(1));
+            for (const Gap& gap : contact.ties()[i].gap) CHECK(gap.stiffness <= 5e8 / 0.25 * (1 + 1e-12));
         }
         int added = 0;
         contact.add_stiffness(s.x, s.q, [&](int, int, const Mat12&) { ++added; });
@@ -136,8 +136,8 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
         s.move(1e-3);
     }
     CHECK(bound == 1);
-    CHECK(contact.bonds().front().end[1].arm.x() == 1);
-    CHECK(contact.bonds().front().end[1].node == n0);
+    CHECK(contact.ties().front().end[1].arm.x() == 1);
+    CHECK(contact.ties().front().end[1].node == n0);
 }
 
 TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
@@ -190,12 +190,12 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
                         expected.push_back({i, j});
                     }
                 }
-            const std::size_t before = contact.bonds().size();
+            const std::size_t before = contact.ties().size();
             const int bound = contact.detect(s.bars, false, s.motion(), dt, step * dt);
             REQUIRE(bound == static_cast<int>(expected.size()));
             for (std::size_t k = 0; k < expected.size(); ++k) {
-                CHECK(contact.bonds()[before + k].element[0] == expected[k].first);
-                CHECK(contact.bonds()[before + k].element[1] == expected[k].second);
+                CHECK(contact.ties()[before + k].element[0] == expected[k].first);
+                CHECK(contact.ties()[before + k].element[1] == expected[k].second);
             }
             total += expected.size();
             s.move(dt);
@@ -218,12 +218,12 @@ TEST_CASE("contact: the order of the bars does not matter", "[contact]") {
         s.move(1e-5);
         shuffled.move(1e-5);
     }
-    REQUIRE(one.bonds().size() == two.bonds().size());
-    REQUIRE(one.bonds().size() > 0);
-    for (std::size_t i = 0; i < one.bonds().size(); ++i) {
-        CHECK(one.bonds()[i].element[0] == two.bonds()[i].element[0]);
-        CHECK(one.bonds()[i].element[1] == two.bonds()[i].element[1]);
-        CHECK(one.bonds()[i].gap[3].rest == two.bonds()[i].gap[3].rest);
+    REQUIRE(one.ties().size() == two.ties().size());
+    REQUIRE(one.ties().size() > 0);
+    for (std::size_t i = 0; i < one.ties().size(); ++i) {
+        CHECK(one.ties()[i].element[0] == two.ties()[i].element[0]);
+        CHECK(one.ties()[i].element[1] == two.ties()[i].element[1]);
+        CHECK(one.ties()[i].gap[3].rest == two.ties()[i].gap[3].rest);
     }
 }
 
@@ -274,7 +274,7 @@ struct Held {
         for (int n = 3; n < 6; ++n) s.x[n].z() = 2e-4;
         REQUIRE(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
     }
-    /// The upper member at height z; what is let go at time t.
+    /// The upper member at height z; what is released at time t.
     double at(double t, double z) {
         for (int n = 3; n < 6; ++n) s.x[n].z() = z;
         s.forces(contact);
@@ -284,18 +284,18 @@ struct Held {
 
 }  // namespace
 
-TEST_CASE("contact: cut at the binding time, whatever the bond carries", "[contact]") {
+TEST_CASE("contact: cut at the binding time, whatever the tie carries", "[contact]") {
     ContactSettings settings;
     settings.hold_until_parting = false;
     Held held(settings);
     CHECK(held.at(0.3e-3, -1e-3) == 0);
-    CHECK(held.contact.bonds().size() == 4);
+    CHECK(held.contact.ties().size() == 4);
     const double stored = held.contact.stored_energy();
     CHECK(stored > 0);
     CHECK(held.at(0.5e-3, -1e-3) == Approx(stored));
     CHECK(held.contact.idle());
     CHECK(held.contact.counts().released == 4);
-    CHECK(held.contact.counts().energy_let_go == Approx(stored));
+    CHECK(held.contact.counts().energy_released == Approx(stored));
     CHECK(held.contact.stored_energy() == 0);
     CHECK(held.contact.events().size() == 8);
     CHECK_FALSE(held.contact.events().back().bound);
@@ -307,7 +307,7 @@ TEST_CASE("contact: held until the bars part and the energy is low", "[contact]"
         held.at(0.1e-3, -3e-3);              // pressed in
         CHECK(held.at(0.6e-3, -2e-3) == 0);  // coming back: falling
         CHECK(held.at(0.7e-3, -0.5e-3) == 0);
-        const double out = held.at(0.8e-3, 1e-3);  // past the rest position, outwards, rising again: let go
+        const double out = held.at(0.8e-3, 1e-3);  // past the rest position, outwards, rising again: released
         CHECK(held.contact.idle());
         CHECK(out > 0);
     }
@@ -332,7 +332,7 @@ TEST_CASE("contact: held until the bars part and the energy is low", "[contact]"
         held.at(0.7e-3, -2.1e-3);
         held.at(0.8e-3, -2.0e-3);
         held.at(0.9e-3, -2.2e-3);
-        CHECK(held.contact.bonds().size() == 4);
+        CHECK(held.contact.ties().size() == 4);
     }
     SECTION("not for ever") {
         Held held;
@@ -347,7 +347,7 @@ TEST_CASE("contact: after a release a pair binds again only when it approaches, 
           "[contact]") {
     ContactSettings settings;
     settings.hold_until_parting = false;
-    for (double z : {-2e-3, 2e-4}) {  // let go after it has passed through a little, or not
+    for (double z : {-2e-3, 2e-4}) {  // released after it has passed through a little, or not
         Held held(settings);
         held.at(0.5e-3, z);
         REQUIRE(held.contact.idle());
@@ -359,13 +359,13 @@ TEST_CASE("contact: after a release a pair binds again only when it approaches, 
         held.at(0.5e-3, z);
         for (int n = 3; n < 6; ++n) held.s.v[n][2] = -5;  // down: on through
         CHECK(held.contact.detect(held.s.bars, false, held.s.motion(), 1e-4, 0) == 4);
-        CHECK(held.contact.bonds().front().side.z() == Approx(1));
+        CHECK(held.contact.ties().front().side.z() == Approx(1));
     }
 }
 
 TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "[contact]") {
     // Each node of the falling member is a mass; the lower member does not move. Small explicit steps: nothing but the
-    // bond.
+    // tie.
     for (bool hold : {true, false}) {
         ContactSettings settings;
         settings.hold_until_parting = hold;
@@ -374,10 +374,10 @@ TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "
         s.member({-0.1, -0.6, 0.06}, {0.2, 0.4, 0.06}, 1, {0, 0, -20});
         Contact contact(settings);
         const double dt = 2e-6, mass = 5, inertia = 0.05;
-        double let_go = 0, worst = 0, lowest = 1;
+        double released = 0, worst = 0, lowest = 1;
         const double begin = 2 * 0.5 * mass * 400;
         for (int step = 0; step < 20000; ++step) {
-            let_go += contact.release(step * dt);
+            released += contact.release(step * dt);
             contact.detect(s.bars, false, s.motion(), dt, step * dt);
             for (int half = 0; half < 2; ++half) {
                 const std::vector<Vec6> f = s.forces(contact);
@@ -387,29 +387,29 @@ TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "
                 }
                 if (half == 0) s.move(dt);
             }
-            double energy = contact.stored_energy() + let_go;
+            double energy = contact.stored_energy() + released;
             for (int n = 2; n < 4; ++n)
                 energy += 0.5 * mass * s.v[n].head<3>().squaredNorm() + 0.5 * inertia * s.v[n].tail<3>().squaredNorm();
             worst = std::max(worst, std::abs(energy / begin - 1));
             lowest = std::min(lowest, closest_points(s.x[0], s.x[1], s.x[2], s.x[3]).between.z());
         }
-        INFO("hold " << hold << ", let go " << let_go / begin << ", lowest " << lowest << ", bound "
+        INFO("hold " << hold << ", released " << released / begin << ", lowest " << lowest << ", bound "
                      << contact.counts().bound);
         CHECK(contact.counts().bound > 0);
         CHECK(contact.idle());
         CHECK(worst < 0.02);
         CHECK(lowest > -0.02);
         CHECK(s.x[2].z() + s.x[3].z() > 0.12);
-        if (hold) CHECK(let_go < 0.15 * begin);
+        if (hold) CHECK(released < 0.15 * begin);
     }
 }
 
-TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact]") {
+TEST_CASE("contact: a broken element loses its ties, not its memory", "[contact]") {
     Held held;
     held.at(0.1e-3, -1e-3);
     const double all = held.contact.stored_energy(), part = held.contact.drop(2);
     CHECK(part > 0);
-    CHECK(held.contact.bonds().size() == 2);
+    CHECK(held.contact.ties().size() == 2);
     CHECK(held.contact.stored_energy() == Approx(all - part));
     CHECK(held.contact.counts().dropped == 2);
     CHECK(held.contact.drop(2) == 0);
@@ -418,7 +418,7 @@ TEST_CASE("contact: a broken element loses its bonds, not its memory", "[contact
     stub.node[0] = stub.node[1] = 4;
     stub.arm = held.s.x[3] - held.s.x[4];
     CHECK(held.contact.detect(held.s.bars, true, held.s.motion(), 1e-5, 0.1e-3) == 2);
-    CHECK(held.contact.bonds().back().side.z() == Approx(1));
+    CHECK(held.contact.ties().back().side.z() == Approx(1));
 }
 
 // --------------------------------------------------------------------------------------------------------------

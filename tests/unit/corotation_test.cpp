@@ -83,7 +83,7 @@ TEST_CASE("a structure flown through 1000 rigid turns by its state has no forces
     frame.member(b, c);
     const auto structure = frame.build();
     State state = initial_state(*structure);
-    Team alone;
+    ThreadPool alone;
     Sweep sweep(*structure, alone, false);
     sweep.take_up(state);
     Dice dice(22);

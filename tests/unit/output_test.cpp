@@ -45,19 +45,21 @@ std::string said(Call call) {
     return error;
 }
 
-std::string write(const std::string& path, const Still& still) {
-    return said(
-        [&](char* e, int room) { return load<hinge_write_still>("hinge_write_still")(path.c_str(), still, e, room); });
+std::string write(const std::string& path, const Snapshot& snapshot) {
+    return said([&](char* e, int room) {
+        return load<hinge_write_snapshot>("hinge_write_snapshot")(path.c_str(), snapshot, e, room);
+    });
 }
 
-std::string read(const std::string& path, Still& still) {
-    return said(
-        [&](char* e, int room) { return load<hinge_read_still>("hinge_read_still")(path.c_str(), still, e, room); });
+std::string read(const std::string& path, Snapshot& snapshot) {
+    return said([&](char* e, int room) {
+        return load<hinge_read_snapshot>("hinge_read_snapshot")(path.c_str(), snapshot, e, room);
+    });
 }
 
-std::string render(const std::string& path, const Still& still, const View& view) {
+std::string render(const std::string& path, const Snapshot& snapshot, const View& view) {
     return said(
-        [&](char* e, int room) { return load<hinge_render>("hinge_render")(path.c_str(), still, view, e, room); });
+        [&](char* e, int room) { return load<hinge_render>("hinge_render")(path.c_str(), snapshot, view, e, room); });
 }
 
 std::string plot(const std::string& path, const Plot& what, int width, int height) {
@@ -91,30 +93,31 @@ std::string contents(const std::string& path) {
 }
 
 /// A portal frame of `bays` bays, f_y rising from 0 to 1 along it, its last beam broken.
-Still portal(int bays) {
-    Still still;
-    still.time = 0.125;
-    still.groups = {"columns", "beams"};
+Snapshot portal(int bays) {
+    Snapshot snapshot;
+    snapshot.time = 0.125;
+    snapshot.groups = {"columns", "beams"};
     int element = 0;
     const auto bar = [&](int a, int b, int group) {
         ++element;
-        still.bars.push_back({{a, b}, std::min(1.0, 0.07 * element), BarState::elastic, group, element, element, 0.3});
+        snapshot.bars.push_back(
+            {{a, b}, std::min(1.0, 0.07 * element), BarState::elastic, group, element, element, 0.3});
     };
     for (int i = 0; i <= bays; ++i) {
-        still.points.push_back({4.0 * i, 0, 0});
-        still.points.push_back({4.0 * i, 0, 3});
+        snapshot.points.push_back({4.0 * i, 0, 0});
+        snapshot.points.push_back({4.0 * i, 0, 3});
         bar(2 * i, 2 * i + 1, 0);
         if (i > 0) bar(2 * i - 1, 2 * i + 1, 1);
     }
-    still.is_virtual.assign(still.points.size(), 0);
-    still.points.push_back({4.0 * bays - 1, 0.2, 2.5});
-    still.is_virtual.push_back(1);
-    still.bars.back().point[1] = static_cast<int>(still.points.size()) - 1;
-    still.bars.back().state = BarState::broken;
-    return still;
+    snapshot.is_virtual.assign(snapshot.points.size(), 0);
+    snapshot.points.push_back({4.0 * bays - 1, 0.2, 2.5});
+    snapshot.is_virtual.push_back(1);
+    snapshot.bars.back().point[1] = static_cast<int>(snapshot.points.size()) - 1;
+    snapshot.bars.back().state = BarState::broken;
+    return snapshot;
 }
 
-void check_same(const Still& a, const Still& b) {
+void check_same(const Snapshot& a, const Snapshot& b) {
     CHECK(a.time == b.time);
     CHECK(a.points == b.points);
     CHECK(a.is_virtual == b.is_virtual);
@@ -189,23 +192,23 @@ bool is_red(Rgb c) { return c[0] > 120 && c[1] < 60 && c[2] < 60; }
 
 }  // namespace
 
-TEST_CASE("a still comes back as it was written", "[output]") {
+TEST_CASE("a snapshot comes back as it was written", "[output]") {
     const Folder folder;
-    Still still = portal(6);
+    Snapshot snapshot = portal(6);
 
     SECTION("as it is") {}
     SECTION("bars without a group, and no groups at all") {
-        still.groups.clear();
-        for (Bar& bar : still.bars) bar.group = -1;
+        snapshot.groups.clear();
+        for (Bar& bar : snapshot.bars) bar.group = -1;
     }
-    SECTION("odd names of groups") { still.groups = {"", "a b <&\">", "\xCF\x84\xCE\xB1"}; }
-    SECTION("no bars") { still = Still{}; }
+    SECTION("odd names of groups") { snapshot.groups = {"", "a b <&\">", "\xCF\x84\xCE\xB1"}; }
+    SECTION("no bars") { snapshot = Snapshot{}; }
 
-    REQUIRE(write(folder / "a.vtp", still) == "");
-    Still back;
+    REQUIRE(write(folder / "a.vtp", snapshot) == "");
+    Snapshot back;
     back.groups = {"left over"};
     REQUIRE(read(folder / "a.vtp", back) == "");
-    check_same(still, back);
+    check_same(snapshot, back);
     CHECK(folder.files() == 1);  // nothing is left beside it
 }
 
@@ -213,7 +216,7 @@ TEST_CASE("a frame replaces an older one", "[output]") {
     const Folder folder;
     REQUIRE(write(folder / "a.vtp", portal(2)) == "");
     REQUIRE(write(folder / "a.vtp", portal(3)) == "");
-    Still back;
+    Snapshot back;
     REQUIRE(read(folder / "a.vtp", back) == "");
     CHECK(back.bars.size() == portal(3).bars.size());
 }
@@ -233,21 +236,21 @@ TEST_CASE("the collection lists times and files", "[output]") {
 
 TEST_CASE("what cannot be written or read is said, with what to do", "[output]") {
     const Folder folder;
-    Still still = portal(1);
-    CHECK_THAT(write(folder / "none/a.vtp", still),
+    Snapshot snapshot = portal(1);
+    CHECK_THAT(write(folder / "none/a.vtp", snapshot),
                Catch::Contains("No such file or directory") && Catch::Contains("make the folder"));
     fs::create_directory(folder / "taken");
-    CHECK_THAT(write(folder / "taken", still), Catch::Contains("folder of that name is in the way"));
+    CHECK_THAT(write(folder / "taken", snapshot), Catch::Contains("folder of that name is in the way"));
     CHECK(folder.files() == 1);
-    CHECK_THAT(write("", still), Catch::Contains("file name"));
+    CHECK_THAT(write("", snapshot), Catch::Contains("file name"));
 
-    CHECK_THAT(read(folder / "a.vtp", still), Catch::Contains("cannot read"));
+    CHECK_THAT(read(folder / "a.vtp", snapshot), Catch::Contains("cannot read"));
     std::ofstream(folder / "text.vtp") << "no frame at all";
-    CHECK_THAT(read(folder / "text.vtp", still), Catch::Contains("not a VTP file"));
+    CHECK_THAT(read(folder / "text.vtp", snapshot), Catch::Contains("not a VTP file"));
 
-    still.bars[0].point[1] = 99;
-    CHECK_THAT(write(folder / "a.vtp", still), Catch::Contains("bar 0 ends at point 99"));
-    CHECK_THAT(render(folder / "a.png", still, {}), Catch::Contains("bar 0 ends at point 99"));
+    snapshot.bars[0].point[1] = 99;
+    CHECK_THAT(write(folder / "a.vtp", snapshot), Catch::Contains("bar 0 ends at point 99"));
+    CHECK_THAT(render(folder / "a.png", snapshot, {}), Catch::Contains("bar 0 ends at point 99"));
 }
 
 TEST_CASE("a damaged frame is turned away", "[output]") {
@@ -257,14 +260,14 @@ TEST_CASE("a damaged frame is turned away", "[output]") {
     for (const double share : {0.1, 0.5, 0.9}) {
         const auto size = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
         std::ofstream(folder / "cut.vtp", std::ios::binary) << whole.substr(0, size);
-        Still back;
+        Snapshot back;
         CHECK_THAT(read(folder / "cut.vtp", back), Catch::Contains("cannot read"));
     }
 }
 
 TEST_CASE("a message is cut to the room there is", "[output]") {
     char error[8] = "xxxxxxx";
-    const auto call = load<hinge_write_still>("hinge_write_still");
+    const auto call = load<hinge_write_snapshot>("hinge_write_snapshot");
     CHECK(call("/nowhere/a.vtp", portal(1), error, 5) == 1);
     CHECK(std::string(error) == "cann");
     CHECK(call("/nowhere/a.vtp", portal(1), nullptr, 0) == 1);
@@ -276,8 +279,8 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
     view.width = 640;
     view.height = 480;
     view.title = "Portal";
-    const Still still = portal(6);
-    REQUIRE(render(folder / "a.png", still, view) == "");
+    const Snapshot snapshot = portal(6);
+    REQUIRE(render(folder / "a.png", snapshot, view) == "");
     const Image image = decode(contents(folder / "a.png"));
     CHECK(image.width == 640);
     CHECK(image.height == 480);
@@ -285,11 +288,11 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
     CHECK(image.pixels.front() == Rgb{255, 255, 255});
 
     SECTION("the same bytes again") {
-        REQUIRE(render(folder / "b.png", still, view) == "");
+        REQUIRE(render(folder / "b.png", snapshot, view) == "");
         CHECK(contents(folder / "a.png") == contents(folder / "b.png"));
     }
     SECTION("hinges are red") {
-        Still yielded = still;
+        Snapshot yielded = snapshot;
         for (Bar& bar : yielded.bars) bar.yield = 1;
         REQUIRE(render(folder / "b.png", yielded, view) == "");
         CHECK(decode(contents(folder / "b.png")).count(is_red) > 3 * image.count(is_red) / 2);
@@ -298,15 +301,15 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
         view.only_groups = {"columns"};
         view.above = -1;
         view.leave_out_broken = true;
-        REQUIRE(render(folder / "b.png", still, view) == "");
+        REQUIRE(render(folder / "b.png", snapshot, view) == "");
         CHECK(contents(folder / "a.png") != contents(folder / "b.png"));
     }
     SECTION("nothing to show is a picture too") {
         view.above = 100;
-        CHECK(render(folder / "b.png", still, view) == "");
+        CHECK(render(folder / "b.png", snapshot, view) == "");
     }
     SECTION("bars that went astray or are not numbers do no harm") {
-        Still wild = still;
+        Snapshot wild = snapshot;
         wild.points[0] = {1e30, 0, 0};
         wild.points[1] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
         CHECK(render(folder / "b.png", wild, view) == "");
@@ -333,15 +336,15 @@ TEST_CASE("a view that makes no sense is refused", "[output]") {
 }
 
 TEST_CASE("one stray fragment does not widen the frame", "[output]") {
-    Still still = portal(40);
+    Snapshot snapshot = portal(40);
     const auto call = load<hinge_frame_box>("hinge_frame_box");
     double box[6];
-    REQUIRE(said([&](char* e, int room) { return call(still, {}, box, e, room); }) == "");
+    REQUIRE(said([&](char* e, int room) { return call(snapshot, {}, box, e, room); }) == "");
     CHECK(box[0] == 0);
     CHECK(box[1] == 160);
     CHECK(box[5] == 3);
-    still.points.back() = {5000, 0, 0};
-    REQUIRE(said([&](char* e, int room) { return call(still, {}, box, e, room); }) == "");
+    snapshot.points.back() = {5000, 0, 0};
+    REQUIRE(said([&](char* e, int room) { return call(snapshot, {}, box, e, room); }) == "");
     CHECK(box[1] == 160);
 }
 

@@ -1,4 +1,4 @@
-// What a step solves with: M by itself, the operator by conjugate gradients, the team of threads. Each against dense
+// What a step solves with: M by itself, the operator by conjugate gradients, the pool of threads. Each against dense
 // matrices or the same thing done by one.
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -80,9 +80,9 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
         if (end[i]) {
             const int carrier = e.node[end[i] == 2 ? 0 : 1];
             const Vec3 span = (end[i] == 2 ? 1 : -1) * (Q * e.chord);
-            const beam::Stub s =
-                structure.lumped() ? beam::lumped_stub(e.rigidity, span) : beam::rigid_stub(e.rigidity, span, axes);
-            M.block<6, 6>(6 * carrier, 6 * carrier) += beam::hung_mass(s.mass, s.moment, s.inertia);
+            const beam::RigidOffset s = structure.lumped() ? beam::lumped_rigid_offset(e.rigidity, span)
+                                                           : beam::rigid_offset(e.rigidity, span, axes);
+            M.block<6, 6>(6 * carrier, 6 * carrier) += beam::offset_mass_matrix(s.mass, s.moment, s.inertia);
             continue;
         }
         const Mat12 m = structure.inertia(int(i)).matrix(axes);
@@ -132,9 +132,9 @@ struct Dense {
     Eigen::MatrixXd A;
     std::vector<int> free;
     Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings,
-          const std::vector<int>& removed, int hung_node, const Mat6& hung) {
-        Team alone;
-        Operator parts(structure, alone, 1, k, false, Keeping::direct);
+          const std::vector<int>& removed, int offset_node, const Mat6& hung) {
+        ThreadPool alone;
+        EffectiveStiffness parts(structure, alone, 1, k, false, Keeping::direct);
         parts.build(all_elements(structure), state, pose_of(state), {});
         const int n = 6 * int(structure.position().size());
         A = Eigen::MatrixXd::Zero(n, n);
@@ -147,7 +147,7 @@ struct Dense {
             if (std::find(removed.begin(), removed.end(), i) == removed.end())
                 add(structure.elements()[i].node[0], structure.elements()[i].node[1], parts.element_part(i));
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
-        if (hung_node >= 0) A.block<6, 6>(6 * hung_node, 6 * hung_node) += hung;
+        if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += hung;
         free = free_freedoms(state.held);
     }
     /// |x - A^-1 b| in the norm of A, relative.
@@ -176,7 +176,7 @@ SolverSettings tight() {
     return s;
 }
 
-std::vector<Vec6> answer(Operator& op, const std::vector<Vec6>& b) {
+std::vector<Vec6> answer(EffectiveStiffness& op, const std::vector<Vec6>& b) {
     std::vector<Vec6> x(b.size(), Vec6::Constant(7));  // what was there before must not matter
     op.assemble();
     CHECK(op.solve(b, x, tight()).converged);
@@ -187,11 +187,11 @@ struct Solving {
     Odd frame;
     std::shared_ptr<const Structure> structure = frame.build();
     State state = initial_state(*structure);
-    Team team{1};
+    ThreadPool pool{1};
     Dice dice{31};
     int inner(int i) const { return 6 + i; }  // the declared nodes come first
-    std::unique_ptr<Operator> fresh(Keeping keeping, double k) {
-        auto op = std::make_unique<Operator>(*structure, team, 1, k, false, keeping);
+    std::unique_ptr<EffectiveStiffness> fresh(Keeping keeping, double k) {
+        auto op = std::make_unique<EffectiveStiffness>(*structure, pool, 1, k, false, keeping);
         op->build(all_elements(*structure), state, pose_of(state), {});
         return op;
     }
@@ -257,11 +257,11 @@ TEST_CASE(
         // the stubs turn with their nodes, and M with them
         const Quat other = Quat(Eigen::AngleAxisd(1.1, Vec3(0.3, 1, 1).normalized()));
         State turned = turned_state(structure, other);
-        turned.hung = state.hung;
+        turned.offset_mass = state.offset_mass;
         turned.broken = state.broken;
         turned.held = state.held;
         if (kind == MassKind::lumped) {
-            mass.turn_stubs(turned, pose_of(turned));
+            mass.turn_offset_masses(turned, pose_of(turned));
             CHECK_FIGURE("lumped M, stubs turned alone",
                          mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }
@@ -282,13 +282,14 @@ TEST_CASE(
     Eigen::Matrix<double, 12, 6> follow = Eigen::Matrix<double, 12, 6>::Zero();  // both nodes as the first one bids
     for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
     follow.block<3, 3>(6, 3) = -skew(e.chord);
-    const std::pair<const char*, std::pair<Mat12, beam::Stub>> kinds[] = {
+    const std::pair<const char*, std::pair<Mat12, beam::RigidOffset>> kinds[] = {
         {"consistent",
-         {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_stub(e.rigidity, e.chord, axes)}},
-        {"lumped", {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_stub(e.rigidity, e.chord)}}};
+         {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_offset(e.rigidity, e.chord, axes)}},
+        {"lumped",
+         {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_rigid_offset(e.rigidity, e.chord)}}};
     for (const auto& [name, both] : kinds) {
         const Mat6 element = follow.transpose() * both.first * follow,
-                   stub = beam::hung_mass(both.second.mass, both.second.moment, both.second.inertia);
+                   stub = beam::offset_mass_matrix(both.second.mass, both.second.moment, both.second.inertia);
         CHECK_FIGURE(std::string("stub, ") + name, (element - stub).norm() / element.norm(), 1e-14);
     }
 }
@@ -395,9 +396,10 @@ TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled
         removed.push_back(last);
         const Element& e = s.structure->elements()[last];
         const int at = e.node[1] == s.frame.free_end[0] ? 0 : 1, carrier = e.node[at];
-        const beam::Stub stub = beam::rigid_stub(e.rigidity, (at == 0 ? 1 : -1) * e.chord, e.axes.toRotationMatrix());
-        const Mat6 hung = beam::hung_mass(stub.mass, stub.moment, stub.inertia);
-        op->set_hung(carrier, hung);
+        const beam::RigidOffset stub =
+            beam::rigid_offset(e.rigidity, (at == 0 ? 1 : -1) * e.chord, e.axes.toRotationMatrix());
+        const Mat6 hung = beam::offset_mass_matrix(stub.mass, stub.moment, stub.inertia);
+        op->set_offset_mass(carrier, hung);
         s.state.held[s.frame.free_end[0]] = 63;
         op->set_held(s.state.held);
         const auto b2 = right_side(s.state, 8);
@@ -428,8 +430,8 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
     for (Keeping keeping : {Keeping::iterative, Keeping::narrow}) {
         Eigen::VectorXd first;
         for (int threads : {1, 2, 3}) {
-            Team team(threads);
-            Operator op(*structure, team, 1, short_step, false, keeping);
+            ThreadPool pool(threads);
+            EffectiveStiffness op(*structure, pool, 1, short_step, false, keeping);
             op.build(all_elements(*structure), state, pose_of(state), {});
             op.set_couplings(couplings);
             const Eigen::VectorXd x = flat(answer(op, b));
@@ -439,16 +441,16 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
     }
 }
 
-TEST_CASE("solver: a team does each index once, in the same pieces for any number of threads", "[solver]") {
+TEST_CASE("solver: a pool does each index once, in the same pieces for any number of threads", "[solver]") {
     for (int threads : {1, 2, 3, 4}) {
-        Team team(threads);
-        CHECK(team.threads() == threads);
+        ThreadPool pool(threads);
+        CHECK(pool.threads() == threads);
         for (int count : {0, 1, 5, 256, 257, 10000})
             for (int size : {1, 7, 256}) {
                 std::vector<std::atomic<int>> times(count);
                 std::vector<std::atomic<int>> pieces((count + size - 1) / size);
                 std::atomic<int> wrong{0};
-                team.share(count, size, [&](int first, int end, int piece) {
+                pool.share(count, size, [&](int first, int end, int piece) {
                     if (first != piece * size || end != std::min(count, first + size)) ++wrong;
                     ++pieces[piece];
                     for (int i = first; i < end; ++i) ++times[i];
@@ -461,7 +463,7 @@ TEST_CASE("solver: a team does each index once, in the same pieces for any numbe
     }
 }
 
-TEST_CASE("solver: a team's sums have the same bits for any number of threads, one after the other and many times",
+TEST_CASE("solver: a pool's sums have the same bits for any number of threads, one after the other and many times",
           "[solver]") {
     Dice dice(41);
     std::vector<double> numbers(100000);
@@ -469,14 +471,14 @@ TEST_CASE("solver: a team's sums have the same bits for any number of threads, o
     const auto some = [&](int first, int end) {
         return std::accumulate(numbers.begin() + first, numbers.begin() + end, 0.0);
     };
-    Team alone;
+    ThreadPool alone;
     const double reference = alone.sum(int(numbers.size()), 100, some);
     CHECK(reference != std::accumulate(numbers.begin(), numbers.end(), 0.0));  // the order does show
     CHECK(alone.sum(0, 100, some) == 0);
     for (int threads : {2, 3}) {
-        Team team(threads);
+        ThreadPool pool(threads);
         int same = 0;
-        for (int i = 0; i < 200; ++i) same += team.sum(int(numbers.size()), 100, some) == reference;
+        for (int i = 0; i < 200; ++i) same += pool.sum(int(numbers.size()), 100, some) == reference;
         CHECK(same == 200);
     }
 }

@@ -166,7 +166,7 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") 
                 for (double& v : d) v = dice(-1e-4, 1e-4);
             std::vector<Yielding> yielding;
             const auto nodal = [&](std::vector<Vec6>& force) {
-                Team alone;
+                ThreadPool alone;
                 Sweep sweep(*structure, alone, false);
                 sweep.take_up(state);
                 std::vector<Vec6> at(state.displacement.size(), Vec6::Zero());

@@ -1,5 +1,5 @@
-// What keeps a model's Lua functions: one table a model, its anchor, held by every object of the script that keeps the
-// model.
+// What keeps a model's Lua functions: one table a model, its registry, held by every object of the script that keeps
+// the model.
 #pragma once
 
 #include <memory>
@@ -15,17 +15,17 @@ namespace hinge::script {
 
 struct Context;
 
-/// Pushes the model's anchor, a Lua table made when it is first asked for.
-void push_anchor(lua_State* L, const Model& model);
+/// Pushes the model's registry, a Lua table made when it is first asked for.
+void push_registry(lua_State* L, const Model& model);
 
-/// Has the userdata on top of the stack hold the model's anchor. Whatever keeps a model alive for the script must.
-void hold_anchor(lua_State* L, const Model& model);
+/// Has the userdata on top of the stack hold the model's registry. Whatever keeps a model alive for the script must.
+void hold_registry(lua_State* L, const Model& model);
 
-/// Pushes the anchor, and its table of the handles of one kind that are in use, by number. It does not keep them.
+/// Pushes the registry, and its table of the handles of one kind that are in use, by number. It does not keep them.
 void push_handles(lua_State* L, const Model& model, const char* kind);
 
-/// A Lua value that C++ holds. The model's anchor keeps it, not the registry: a rule that refers to its own model is
-/// then a cycle that Lua sees and collects. It may be used as long as an object of the script holds that anchor.
+/// A Lua value that C++ holds. The model's registry keeps it, not the registry: a rule that refers to its own model is
+/// then a cycle that Lua sees and collects. It may be used as long as an object of the script holds that registry.
 class LuaValue {
 public:
     LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index

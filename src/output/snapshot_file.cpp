@@ -1,5 +1,5 @@
 // Stills as VTP, and the collection that lets ParaView play them.
-#include "output/still_file.h"
+#include "output/snapshot_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -19,7 +19,7 @@
 
 #include "core/errors.h"
 #include "output/quiet_vtk.h"
-#include "output/still_check.h"
+#include "output/snapshot_check.h"
 
 namespace hinge::output {
 namespace {
@@ -34,8 +34,8 @@ void add_column(vtkFieldData* to, const char* name, const std::vector<Bar>& bars
     to->AddArray(column);
 }
 
-void add_points(vtkPolyData* data, const Still& still) {
-    const auto n = static_cast<vtkIdType>(still.points.size());
+void add_points(vtkPolyData* data, const Snapshot& snapshot) {
+    const auto n = static_cast<vtkIdType>(snapshot.points.size());
     const vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(n);
@@ -43,8 +43,8 @@ void add_points(vtkPolyData* data, const Still& still) {
     is_virtual->SetName("is_virtual");
     is_virtual->SetNumberOfTuples(n);
     for (vtkIdType i = 0; i < n; ++i) {
-        points->SetPoint(i, still.points[i].data());
-        is_virtual->SetValue(i, still.is_virtual.empty() ? 0 : still.is_virtual[i]);
+        points->SetPoint(i, snapshot.points[i].data());
+        is_virtual->SetValue(i, snapshot.is_virtual.empty() ? 0 : snapshot.is_virtual[i]);
     }
     data->SetPoints(points);
     data->GetPointData()->AddArray(is_virtual);
@@ -68,14 +68,14 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     cells->SetActiveScalars("f_y");
 }
 
-void add_field(vtkPolyData* data, const Still& still) {
+void add_field(vtkPolyData* data, const Snapshot& snapshot) {
     const vtkNew<vtkDoubleArray> time;
     time->SetName("TimeValue");
-    time->InsertNextValue(still.time);
+    time->InsertNextValue(snapshot.time);
     data->GetFieldData()->AddArray(time);
     const vtkNew<vtkStringArray> groups;
     groups->SetName("groups");
-    for (const std::string& group : still.groups) groups->InsertNextValue(group);
+    for (const std::string& group : snapshot.groups) groups->InsertNextValue(group);
     data->GetFieldData()->AddArray(groups);
 }
 
@@ -92,7 +92,7 @@ Array* find_array(vtkFieldData* in, const char* array, vtkIdType n, const std::s
     return found;
 }
 
-void read_bars(vtkPolyData* data, Still& still, const std::string& name) {
+void read_bars(vtkPolyData* data, Snapshot& snapshot, const std::string& name) {
     const vtkIdType n = data->GetNumberOfLines();
     if (data->GetNumberOfCells() != n) not_ours(name, "it has cells other than lines");
     vtkCellData* cells = data->GetCellData();
@@ -102,19 +102,19 @@ void read_bars(vtkPolyData* data, Still& still, const std::string& name) {
     const auto* member = find_array<vtkIntArray>(cells, "member", n, name);
     const auto* element = find_array<vtkIntArray>(cells, "element", n, name);
     const auto* width = find_array<vtkDoubleArray>(cells, "width", n, name);
-    still.bars.reserve(static_cast<std::size_t>(n));
+    snapshot.bars.reserve(static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i) {
         vtkIdType count = 0;
         const vtkIdType* ends = nullptr;
         data->GetLines()->GetCellAtId(i, count, ends);
         if (count != 2) not_ours(name, "it has a line of other than two points");
-        still.bars.push_back({{static_cast<int>(ends[0]), static_cast<int>(ends[1])},
-                              f_y->GetValue(i),
-                              static_cast<BarState>(state->GetValue(i)),
-                              group->GetValue(i),
-                              member->GetValue(i),
-                              element->GetValue(i),
-                              width->GetValue(i)});
+        snapshot.bars.push_back({{static_cast<int>(ends[0]), static_cast<int>(ends[1])},
+                                 f_y->GetValue(i),
+                                 static_cast<BarState>(state->GetValue(i)),
+                                 group->GetValue(i),
+                                 member->GetValue(i),
+                                 element->GetValue(i),
+                                 width->GetValue(i)});
     }
 }
 
@@ -139,12 +139,12 @@ std::string shortest(double value) {
 
 }  // namespace
 
-std::string encode_still(const Still& still) {
-    check_still(still);
+std::string encode_snapshot(const Snapshot& snapshot) {
+    check_snapshot(snapshot);
     const vtkNew<vtkPolyData> data;
-    add_points(data, still);
-    add_bars(data, still.bars);
-    add_field(data, still);
+    add_points(data, snapshot);
+    add_bars(data, snapshot.bars);
+    add_field(data, snapshot);
 
     const vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(data);
@@ -161,7 +161,7 @@ std::string encode_still(const Still& still) {
     return writer->GetOutputString();
 }
 
-Still decode_still(const std::string& bytes, const std::string& name) {
+Snapshot decode_snapshot(const std::string& bytes, const std::string& name) {
     // No XML declaration: raw appended data are not XML, and VTK leaves it off.
     if (!bytes.starts_with("<VTKFile")) not_ours(name, "it is not a VTP file");
     const vtkNew<vtkXMLPolyDataReader> reader;
@@ -174,23 +174,23 @@ Still decode_still(const std::string& bytes, const std::string& name) {
 
     vtkPolyData* data = reader->GetOutput();
     vtkFieldData* field = data->GetFieldData();
-    Still still;
-    still.time = find_array<vtkDoubleArray>(field, "TimeValue", 1, name)->GetValue(0);
+    Snapshot snapshot;
+    snapshot.time = find_array<vtkDoubleArray>(field, "TimeValue", 1, name)->GetValue(0);
     const vtkIdType n = data->GetNumberOfPoints();
     const auto* is_virtual = find_array<vtkUnsignedCharArray>(data->GetPointData(), "is_virtual", n, name);
-    still.points.resize(static_cast<std::size_t>(n));
-    still.is_virtual.resize(static_cast<std::size_t>(n));
+    snapshot.points.resize(static_cast<std::size_t>(n));
+    snapshot.is_virtual.resize(static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i) {
-        data->GetPoint(i, still.points[i].data());
-        still.is_virtual[i] = is_virtual->GetValue(i);
+        data->GetPoint(i, snapshot.points[i].data());
+        snapshot.is_virtual[i] = is_virtual->GetValue(i);
     }
-    read_bars(data, still, name);
+    read_bars(data, snapshot, name);
     if (auto* groups = vtkStringArray::SafeDownCast(field->GetAbstractArray("groups")))
-        for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) still.groups.push_back(groups->GetValue(i));
+        for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) snapshot.groups.push_back(groups->GetValue(i));
     try {
-        check_still(still);
+        check_snapshot(snapshot);
     } catch (const InputError& e) { not_ours(name, e.what()); }
-    return still;
+    return snapshot;
 }
 
 std::string encode_collection(int n, const double* times, const char* const* files) {

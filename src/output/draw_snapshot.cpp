@@ -1,5 +1,5 @@
-// A still as a picture.
-#include "output/draw_still.h"
+// A snapshot as a picture.
+#include "output/draw_snapshot.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -12,7 +12,7 @@
 #include "core/errors.h"
 #include "output/bars.h"
 #include "output/caption.h"
-#include "output/still_check.h"
+#include "output/snapshot_check.h"
 #include "output/tubes.h"
 #include "output/window.h"
 
@@ -63,17 +63,17 @@ void set_light(vtkRenderer* renderer) {
     renderer->AddLight(key);
 }
 
-Pixels draw_pixels(const Still& still, const View& view) {
+Pixels draw_pixels(const Snapshot& snapshot, const View& view) {
     check_size(view.width, view.height);
-    check_still(still);
-    std::vector<DrawnBar> bars = choose_bars(still, view);
+    check_snapshot(snapshot);
+    std::vector<DrawnBar> bars = choose_bars(snapshot, view);
     const Margins margins = caption_margins(view);
     const int height = std::max(1, view.height - margins.top - margins.bottom);
     const std::vector<Vec> shown = view.box ? corners(*view.box) : without_strays(ends_of(bars));
     const Camera camera = fit_camera(shown, typical_radius(bars), view.from, view.up, view.width, height);
     drop_out_of_sight(bars, camera);
 
-    const auto caption = sketch([&](Pen& pen) { draw_caption(pen, view, still.time, camera, bars.empty()); });
+    const auto caption = sketch([&](Pen& pen) { draw_caption(pen, view, snapshot.time, camera, bars.empty()); });
     const vtkNew<vtkRenderer> scene;
     scene->SetViewport(0, 1.0 * margins.bottom / view.height, 1, 1 - 1.0 * margins.top / view.height);
     for (const auto& actor : make_actors(bars, camera)) scene->AddActor(actor);
@@ -85,9 +85,11 @@ Pixels draw_pixels(const Still& still, const View& view) {
 
 }  // namespace
 
-std::string draw_still(const Still& still, const View& view) { return encode_png(draw_pixels(still, view)); }
+std::string draw_snapshot(const Snapshot& snapshot, const View& view) {
+    return encode_png(draw_pixels(snapshot, view));
+}
 
-std::string draw_strip(int count, const Still* const* stills, const View* views, int columns) {
+std::string draw_strip(int count, const Snapshot* const* snapshots, const View* views, int columns) {
     if (count < 1 || columns < 1) throw InputError("a strip needs at least one still and one column");
     const int rows = (count + columns - 1) / columns, width = views[0].width, height = views[0].height;
     columns = std::min(columns, count);
@@ -98,7 +100,7 @@ std::string draw_strip(int count, const Still* const* stills, const View* views,
         View view = views[i];
         view.width = width;
         view.height = height;
-        const Pixels one = draw_pixels(*stills[i], view);
+        const Pixels one = draw_pixels(*snapshots[i], view);
         const int left = i % columns * width, low = (rows - 1 - i / columns) * height;
         for (int y = 0; y < height; ++y)
             std::copy_n(&one.rgb[3 * std::size_t(y) * width], 3 * width,
@@ -107,11 +109,11 @@ std::string draw_strip(int count, const Still* const* stills, const View* views,
     return encode_png(strip);
 }
 
-std::array<double, 6> frame_box(const Still& still, const View& view) {
-    check_still(still);
+std::array<double, 6> frame_box(const Snapshot& snapshot, const View& view) {
+    check_snapshot(snapshot);
     std::array<double, 6> box = {1, -1, 1, -1, 1, -1};
     bool first = true;
-    for (const Vec& p : without_strays(ends_of(choose_bars(still, view)))) {
+    for (const Vec& p : without_strays(ends_of(choose_bars(snapshot, view)))) {
         for (int axis = 0; axis < 3; ++axis) {
             box[2 * axis] = first ? p[axis] : std::min(box[2 * axis], p[axis]);
             box[2 * axis + 1] = first ? p[axis] : std::max(box[2 * axis + 1], p[axis]);

@@ -1,4 +1,4 @@
-// The bond that ties two elements together: four gap elements, node to node (fig 7), turning as one.
+// The tie that ties two elements together: four gap elements, node to node (fig 7), turning as one.
 #pragma once
 
 #include <vector>
@@ -25,14 +25,14 @@ struct Gap {
 ///
 /// Q is how the four points have turned since binding as a whole. As it minimises U, it drops out of dU/du: the forces
 /// above are the exact derivative, they sum to zero, and so do their moments, sum r x f = -sum k r x Q r0 = 0 being the
-/// very condition that defines Q. A bond that moves as one piece stores nothing. No direction is read from the line
+/// very condition that defines Q. A tie that moves as one piece stores nothing. No direction is read from the line
 /// between two nodes, which flips when they pass each other.
 ///
 /// Why Q is not the mean rotation of the two nodes of each gap: a gap of length l then follows a node that spins, and
 /// since four spinning nodes can follow any shift of one element past the other, nothing but the nodes' own resistance
-/// to spinning holds the bond. Two free bars passed through each other at 95 % of their speed, and any plastic hinge
-/// lets go likewise.
-struct Bond {
+/// to spinning holds the tie. Two free bars passed through each other at 95 % of their speed, and any plastic hinge
+/// releases likewise.
+struct Tie {
     int element[2] = {-1, -1};
     int rule = 0;              ///< of the Contact's
     double since = 0;          ///< s
@@ -57,7 +57,7 @@ struct Bond {
     }
 };
 
-/// Which two ends of a bond a gap element joins.
+/// Which two ends of a tie a gap element joins.
 constexpr int gap_a(int gap) { return gap / 2; }
 constexpr int gap_b(int gap) { return 2 + gap % 2; }
 
@@ -65,16 +65,16 @@ constexpr int gap_b(int gap) { return 2 + gap % 2; }
 /// member rules); shortest is a fraction of the mean length of the two elements.
 double gap_stiffness(double ea_a, double ea_b, double length, double shortest);
 
-/// Adds what the bond resists with, + dU/du, to `force`, and stores energy, opening and side in the bond.
-void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                     std::vector<Vec6>& force);
+/// Adds what the tie resists with, + dU/du, to `force`, and stores energy, opening and side in the tie.
+void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                    std::vector<Vec6>& force);
 
 /// The exact tangent, symmetric, as six blocks between two nodes each (the four gaps, and A1A2, B1B2, whose elements
 /// couple them already). For the points p of the four ends, with L_g dp = dr_g and s_g = Q r0_g:
 ///   K = sum k L^T L - G^T S^-1 G,   G = sum k [s] L,   S = sum k ((r.s) 1 - (r s^T + s r^T) / 2)
 /// The second term is what the turning of Q takes back. An arm R a carries K to its node by dp = dx - [R a] dtheta, and
 /// adds the symmetric part of [F][R a], F being the force at the point.
-void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                        const AddStiffness& add);
+void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                       const AddStiffness& add);
 
 }  // namespace hinge::contact

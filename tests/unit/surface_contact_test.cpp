@@ -2,7 +2,7 @@
 // misses.
 #include <algorithm>
 
-#include "contact/touch.h"
+#include "contact/surface_contact.h"
 #include "helpers.h"
 
 using namespace hinge;
@@ -15,7 +15,7 @@ namespace {
 struct Pressed {
     std::vector<Vec3> x;
     std::vector<Quat> q;
-    Touch touch;
+    SurfaceContact touch;
 
     Pressed(Dice& dice, Nearness kind, bool stub, double friction = 0) {
         const Quat all = dice.turn();
@@ -44,7 +44,7 @@ struct Pressed {
     std::vector<Vec6> forces() {
         look();
         std::vector<Vec6> f(4, Vec6::Zero());
-        add_touch_forces(touch, q, f);
+        add_contact_forces(touch, q, f);
         return f;
     }
     Pressed nudged(int n, int c, double h) const {
@@ -108,7 +108,7 @@ TEST_CASE("touch: the tangent is what the force's derivative is without the turn
         p.look();
         settle(p.touch, p.x, p.q);
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
-        add_touch_stiffness(p.touch, p.q, [&](int a, int b, const Mat12& m) {
+        add_contact_stiffness(p.touch, p.q, [&](int a, int b, const Mat12& m) {
             CHECK(a != b);
             CHECK((m - m.transpose()).cwiseAbs().maxCoeff() == 0);
             const int node[2] = {a, b};
@@ -155,7 +155,7 @@ TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back",
                                     : x + dt * v + 0.25 * dt * dt / m * f;
             const double force = press ? -k * to : 0;
             v += 0.5 * dt / m * (f + force);
-            Touch touch;
+            SurfaceContact touch;
             touch.stiffness = k;
             touch.overlap_before = -x;
             touch.overlap = -to;

@@ -1,4 +1,4 @@
-#include "contact/touch.h"
+#include "contact/surface_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -21,10 +21,12 @@ double share(int end, const double at[2]) {
 Vec3 arm_of(const End& end, const std::vector<Quat>& rotation) { return rotation[end.node] * end.arm; }
 
 // Which part of the way from axis to axis lies in this end's bar.
-double depth_share(const Touch& touch, int end) { return touch.radius[end / 2] / (touch.radius[0] + touch.radius[1]); }
+double depth_share(const SurfaceContact& touch, int end) {
+    return touch.radius[end / 2] / (touch.radius[0] + touch.radius[1]);
+}
 
 // How n . (q - p) changes.
-Row normal_row(const Touch& touch, const std::vector<Quat>& rotation) {
+Row normal_row(const SurfaceContact& touch, const std::vector<Quat>& rotation) {
     Row row;
     for (int i = 0; i < 4; ++i) {
         const Vec3 f = (i < 2 ? -1 : 1) * share(i, touch.at) * touch.side;
@@ -34,7 +36,7 @@ Row normal_row(const Touch& touch, const std::vector<Quat>& rotation) {
 }
 
 // How the touching points of the two surfaces shift along `direction`.
-Row slip_row(const Touch& touch, const std::vector<Quat>& rotation, const Vec3& direction) {
+Row slip_row(const SurfaceContact& touch, const std::vector<Quat>& rotation, const Vec3& direction) {
     Row row;
     for (int i = 0; i < 4; ++i) {
         const double part = share(i, touch.at_before);
@@ -45,7 +47,7 @@ Row slip_row(const Touch& touch, const std::vector<Quat>& rotation, const Vec3& 
     return row;
 }
 
-void points_of(const Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+void points_of(const SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                Vec3 (&point)[4]) {
     for (int i = 0; i < 4; ++i) point[i] = position[touch.end[i].node] + arm_of(touch.end[i], rotation);
 }
@@ -54,13 +56,13 @@ Vec3 between_points(const Vec3 (&point)[4], const double at[2]) {
     return (1 - at[1]) * point[2] + at[1] * point[3] - (1 - at[0]) * point[0] - at[0] * point[1];
 }
 
-void add_row(const Touch& touch, const Row& row, double factor, std::vector<Vec6>& into) {
+void add_row(const SurfaceContact& touch, const Row& row, double factor, std::vector<Vec6>& into) {
     for (int i = 0; i < 4; ++i) into[touch.end[i].node] += factor * row[i];
 }
 
 }  // namespace
 
-double touch_stiffness(double ea_a, double ea_b, double length, double depths) {
+double surface_stiffness(double ea_a, double ea_b, double length, double depths) {
     return 2 * ea_a * ea_b / (ea_a + ea_b) / std::max(length, depths);
 }
 
@@ -79,7 +81,7 @@ double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& side) {
     return passed ? -closest.distance : closest.distance;
 }
 
-void look(Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void look(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Vec3 point[4];
     points_of(touch, position, rotation, point);
     Closest closest;
@@ -113,14 +115,14 @@ void look(Touch& touch, const std::vector<Vec3>& position, const std::vector<Qua
     touch.energy += stored;
 }
 
-void add_touch_forces(const Touch& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+void add_contact_forces(const SurfaceContact& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
     if (touch.overlap <= 0) return;
     add_row(touch, normal_row(touch, rotation), -touch.stiffness * touch.overlap, force);
     const double stretch = touch.slip.norm();
     if (stretch > 0) add_row(touch, slip_row(touch, rotation, touch.slip / stretch), touch.stiffness * stretch, force);
 }
 
-void add_touch_stiffness(const Touch& now, const std::vector<Quat>& rotation, const AddStiffness& add) {
+void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& rotation, const AddStiffness& add) {
     if (now.overlap <= 0) return;
     std::vector<Row> rows{normal_row(now, rotation)};
     if (now.friction > 0 && !now.slides) {
@@ -156,7 +158,7 @@ void add_touch_stiffness(const Touch& now, const std::vector<Quat>& rotation, co
         }
 }
 
-void settle(Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void settle(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     touch.overlap_before = touch.overlap;
     touch.side_before = touch.side;
     if (touch.friction == 0) return;
@@ -168,7 +170,8 @@ void settle(Touch& touch, const std::vector<Vec3>& position, const std::vector<Q
     for (int i = 0; i < 4; ++i) touch.turn_before[i] = rotation[touch.end[i].node];
 }
 
-double missed_impulse(const Touch& touch, double dt, const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
+double missed_impulse(const SurfaceContact& touch, double dt, const std::vector<Quat>& rotation,
+                      std::vector<Vec6>& impulse) {
     const double before = touch.overlap_before, now = touch.overlap;
     if ((before > 0) == (now > 0)) return 0;
     const double most = std::max(before, now), least = std::min(before, now);

@@ -9,7 +9,7 @@
 namespace hinge {
 
 /// One slip, and what to do about it. More of the same kind are counted: `more`.
-struct Doubt {
+struct Warning {
     std::string what;  ///< "member 3 ...", with the culprit's name, its value and its unit
     std::string advice;
     std::string asked_at;  ///< the script's line, "" where it is not known
@@ -19,6 +19,6 @@ struct Doubt {
 /// All of them: E, density, yield stress, sections and gravity in other units than SI; gravity that pulls up; nodes
 /// that no member uses; nodes within a millionth of the model's size of each other, and members that lie on each other
 /// or pass through a node, not joined; members shorter than a fiftieth of one that they are joined to.
-std::vector<Doubt> doubts(const Model& model);
+std::vector<Warning> warnings(const Model& model);
 
 }  // namespace hinge

@@ -1,15 +1,15 @@
-#include "script/anchor.h"
+#include "script/model_registry.h"
 
 #include "script/objects.h"
 
 namespace hinge::script {
 namespace {
 
-const char anchors_key = 0;
+const char registries_key = 0;
 
-/// Pushes the model's anchor, or nil when no object of the script holds one.
-bool find_anchor(lua_State* L, const Model* model) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) lua_rawgetp(L, -1, model), lua_remove(L, -2);
+/// Pushes the model's registry, or nil when no object of the script holds one.
+bool find_registry(lua_State* L, const Model* model) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &registries_key) == LUA_TTABLE) lua_rawgetp(L, -1, model), lua_remove(L, -2);
     return lua_istable(L, -1);
 }
 
@@ -22,34 +22,34 @@ void push_weak_table(lua_State* L) {
     lua_setmetatable(L, -2);
 }
 
-/// Pushes the table of all anchors.
-void push_anchors(lua_State* L) {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &anchors_key) == LUA_TTABLE) return;
+/// Pushes the table of all registries.
+void push_registries(lua_State* L) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &registries_key) == LUA_TTABLE) return;
     lua_pop(L, 1);
     push_weak_table(L);
     lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &anchors_key);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &registries_key);
 }
 
 }  // namespace
 
-void push_anchor(lua_State* L, const Model& model) {
-    if (find_anchor(L, &model)) return;
+void push_registry(lua_State* L, const Model& model) {
+    if (find_registry(L, &model)) return;
     lua_pop(L, 1);
-    push_anchors(L);
+    push_registries(L);
     lua_newtable(L);
     lua_pushvalue(L, -1);
     lua_rawsetp(L, -3, &model);
     lua_remove(L, -2);
 }
 
-void hold_anchor(lua_State* L, const Model& model) {
-    push_anchor(L, model);
+void hold_registry(lua_State* L, const Model& model) {
+    push_registry(L, model);
     lua_setiuservalue(L, -2, 1);
 }
 
 void push_handles(lua_State* L, const Model& model, const char* kind) {
-    push_anchor(L, model);
+    push_registry(L, model);
     if (lua_getfield(L, -1, kind) != LUA_TTABLE) {
         lua_pop(L, 1);
         push_weak_table(L);
@@ -58,16 +58,16 @@ void push_handles(lua_State* L, const Model& model, const char* kind) {
     }
 }
 
-/// The value's place in the anchor: its own address is the key.
+/// The value's place in the registry: its own address is the key.
 struct LuaValue::Slot {
     lua_State* main;
     const Model* model;
     Slot(lua_State* main, const Model* model) : main(main), model(model) {}
     Slot(const Slot&) = delete;
-    /// The model may be gone by now and its address another's: then that one's anchor knows nothing of this key.
+    /// The model may be gone by now and its address another's: then that one's registry knows nothing of this key.
     ~Slot() {
         const int top = lua_gettop(main);
-        if (find_anchor(main, model) && lua_rawgetp(main, -1, this) != LUA_TNIL) {
+        if (find_registry(main, model) && lua_rawgetp(main, -1, this) != LUA_TNIL) {
             lua_pushnil(main);
             ::lua_rawsetp(main, -3, this);
         }
@@ -79,7 +79,7 @@ LuaValue::LuaValue(lua_State* L, int index, const Model& model) {
     index = lua_absindex(L, index);
     lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_MAINTHREAD);
     slot_ = std::make_shared<Slot>(lua_tothread(L, -1), &model);
-    push_anchor(L, model);
+    push_registry(L, model);
     lua_pushvalue(L, index);
     lua_rawsetp(L, -2, slot_.get());
     lua_pop(L, 2);
@@ -94,7 +94,7 @@ LuaFunction::LuaFunction(lua_State* L, int index, const Model& model)
 }
 
 void LuaValue::push(lua_State* L) const {
-    find_anchor(L, slot_->model);
+    find_registry(L, slot_->model);
     lua_rawgetp(L, -1, slot_.get());
     lua_remove(L, -2);
 }

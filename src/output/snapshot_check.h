@@ -1,4 +1,4 @@
-// Whether a still hangs together, checked before anything walks its indices.
+// Whether a snapshot hangs together, checked before anything walks its indices.
 #pragma once
 
 #include "output/picture.h"
@@ -6,6 +6,6 @@
 namespace hinge::output {
 
 /// Throws InputError naming the first bar and field that is wrong.
-void check_still(const Still& still);
+void check_snapshot(const Snapshot& snapshot);
 
 }  // namespace hinge::output

@@ -22,10 +22,10 @@ enum class Keeping : std::uint8_t {
              ///< the next step sees
 };
 
-class Operator {
+class EffectiveStiffness {
 public:
-    Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric,
-             Keeping keeping);
+    EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor, double stiffness_factor,
+                       bool geometric, Keeping keeping);
 
     /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null:
     /// elastic).
@@ -34,9 +34,9 @@ public:
     void remove(int element);
     /// Another k: every element must be built anew, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
-    /// Replaces everything that joins nodes beside the elements: bonds (12x12, already a stiffness) and hung masses.
+    /// Replaces everything that joins nodes beside the elements: ties (12x12, already a stiffness) and hung masses.
     void set_couplings(std::vector<Coupling> couplings);
-    void set_hung(int node, const Mat6& mass);
+    void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
 
     /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing
@@ -57,7 +57,7 @@ public:
 
     /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
     Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
-    Mat12 element_part(int element) const { return parts_.whole(element); }
+    Mat12 element_part(int element) const { return matrices_.whole(element); }
 
     struct Counts {
         long built = 0, iterations = 0, solves = 0, factorisations = 0;
@@ -68,7 +68,7 @@ public:
     /// anew.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.stiffness_factor_, s.parts_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves,
+        a(s.stiffness_factor_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves,
           s.counts_.factorisations);
         if constexpr (A::reading) a.must(s.take_up_all());
     }
@@ -78,11 +78,11 @@ private:
     bool take_up_all();
 
     const Structure& structure_;
-    Team& team_;
+    ThreadPool& pool_;
     double mass_factor_, stiffness_factor_;
     bool geometric_;
     Keeping keeping_;
-    Parts parts_;
+    ElementMatrices matrices_;
     std::vector<Coupling> couplings_;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> narrow_;

@@ -1,4 +1,4 @@
-#include "sim/operator.h"
+#include "sim/effective_stiffness.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -12,27 +12,27 @@
 
 namespace hinge {
 
-Operator::Operator(const Structure& structure, Team& team, double mass_factor, double stiffness_factor, bool geometric,
-                   Keeping keeping)
+EffectiveStiffness::EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor,
+                                       double stiffness_factor, bool geometric, Keeping keeping)
     : structure_(structure),
-      team_(team),
+      pool_(pool),
       mass_factor_(mass_factor),
       stiffness_factor_(stiffness_factor),
       geometric_(geometric),
       keeping_(keeping),
-      parts_(structure, keeping == Keeping::narrow, keeping != Keeping::unsymmetric) {
+      matrices_(structure, keeping == Keeping::narrow, keeping != Keeping::unsymmetric) {
     const int n = int(structure.position().size());
-    if (keeping == Keeping::narrow) narrow_ = std::make_unique<Condensed<float>>(structure, team);
-    if (keeping == Keeping::iterative) condensed_ = std::make_unique<Condensed<double>>(structure, team);
+    if (keeping == Keeping::narrow) narrow_ = std::make_unique<Condensed<float>>(structure, pool);
+    if (keeping == Keeping::iterative) condensed_ = std::make_unique<Condensed<double>>(structure, pool);
     is_dirty_.assign(n, 0);
     for (int i = 0; i < n; ++i) mark(i);
 }
 
-void Operator::mark(int node) {
+void EffectiveStiffness::mark(int node) {
     if (!is_dirty_[node]) is_dirty_[node] = 1, dirty_.push_back(node);
 }
 
-Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
+Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
     const Element& e = structure_.elements()[index];
     const beam::Placement<double> place = place_element(structure_, index, pose);
     const Mat3 axes = axes_of(place);
@@ -54,27 +54,27 @@ Mat12 Operator::part(int index, const State& state, const Pose& pose, const Mat6
     return A;
 }
 
-void Operator::build(const std::vector<int>& elements, const State& state, const Pose& pose,
-                     const std::vector<const Mat6*>& tangents) {
-    team_.share(int(elements.size()), 64, [&](int first, int end, int) {
+void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Pose& pose,
+                               const std::vector<const Mat6*>& tangents) {
+    pool_.share(int(elements.size()), 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
-            parts_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
+            matrices_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
     });
     for (int index : elements)
         for (int node : structure_.elements()[index].node) mark(node);
     counts_.built += long(elements.size());
 }
 
-void Operator::remove(int element) {
-    parts_.clear(element);
+void EffectiveStiffness::remove(int element) {
+    matrices_.clear(element);
     for (int node : structure_.elements()[element].node) mark(node);
 }
 
-void Operator::set_couplings(std::vector<Coupling> couplings) {
+void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
     for (const auto* list : {&couplings_, &couplings})
         for (const Coupling& c : *list) mark(c.a), mark(c.b);
     couplings_ = std::move(couplings);
-    const std::vector<std::uint8_t>& held = parts_.held();
+    const std::vector<std::uint8_t>& held = matrices_.held();
     for (Coupling& c : couplings_) {
         c.K *= stiffness_factor_;
         for (int i = 0; i < 12; ++i)
@@ -86,28 +86,28 @@ void Operator::set_couplings(std::vector<Coupling> couplings) {
     for (int node : changed) mark(node);
 }
 
-void Operator::set_hung(int node, const Mat6& mass) {
-    parts_.set_hung(node, mass_factor_ * mass);
+void EffectiveStiffness::set_offset_mass(int node, const Mat6& mass) {
+    matrices_.set_offset_mass(node, mass_factor_ * mass);
     mark(node);
 }
 
-void Operator::set_held(const std::vector<std::uint8_t>& held) {
+void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& held) {
     for (std::size_t i = 0; i < held.size(); ++i) {
-        if (held[i] == parts_.held()[i]) continue;
+        if (held[i] == matrices_.held()[i]) continue;
         mark(int(i));
         for (int e : structure_.elements_at(int(i)))
             for (int node : structure_.elements()[e].node) mark(node);
     }
-    parts_.set_held(held);
+    matrices_.set_held(held);
 }
 
-void Operator::leave_out(const std::vector<int>& resting) {
+void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
     if (narrow_) narrow_->leave_out(resting);
     if (condensed_) condensed_->leave_out(resting);
 }
 
 /// After its fields were read. False where a coupling joins what is not there.
-bool Operator::take_up_all() {
+bool EffectiveStiffness::take_up_all() {
     const int nodes = int(is_dirty_.size());
     for (const Coupling& c : couplings_)
         if (c.a < 0 || c.a >= nodes || c.b < 0 || c.b >= nodes || c.a == c.b) return false;
@@ -118,17 +118,18 @@ bool Operator::take_up_all() {
     return true;
 }
 
-void Operator::assemble() {
+void EffectiveStiffness::assemble() {
     if (dirty_.empty()) return;
     factor_valid_ = false;
     std::sort(dirty_.begin(), dirty_.end());
-    if (narrow_) narrow_->renew(dirty_, parts_);
-    if (condensed_) condensed_->renew(dirty_, parts_);
+    if (narrow_) narrow_->renew(dirty_, matrices_);
+    if (condensed_) condensed_->renew(dirty_, matrices_);
     for (int i : dirty_) is_dirty_[i] = 0;
     dirty_.clear();
 }
 
-SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings) {
+SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x,
+                                      const SolverSettings& settings) {
     ++counts_.solves;
     if (settings.direct) {
         const int n = int(right.size());
@@ -145,7 +146,7 @@ SolveReport Operator::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x
     return report;
 }
 
-bool Operator::factorise() {
+bool EffectiveStiffness::factorise() {
     if (factor_valid_) return (lu_ ? lu_->info() : factor_.info()) == Eigen::Success;
     const bool unsymmetric = keeping_ == Keeping::unsymmetric;
     std::vector<Eigen::Triplet<double>> entries;
@@ -156,10 +157,11 @@ bool Operator::factorise() {
                     entries.emplace_back(6 * row + r, 6 * column + c, v);
     };
     const int n = int(structure_.position().size());
-    for (int i = 0; i < n; ++i) add(i, i, parts_.own(i));
+    for (int i = 0; i < n; ++i) add(i, i, matrices_.own(i));
     for (std::size_t e = 0; e < structure_.elements().size(); ++e)
         for (int end : {0, 1})
-            add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], parts_.across(int(e), end));
+            add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end],
+                matrices_.across(int(e), end));
     for (const Coupling& p : couplings_)
         for (int a : {0, 1})
             for (int b : {0, 1}) add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b));
@@ -176,7 +178,7 @@ bool Operator::factorise() {
     return factor_.info() == Eigen::Success;
 }
 
-int Operator::loosest_freedom(double ratio) const {
+int EffectiveStiffness::loosest_freedom(double ratio) const {
     if (factor_.info() != Eigen::Success) {
         for (int i = 0; i < diagonal_.size(); ++i)
             if (!(diagonal_[i] > 0)) return i;
@@ -190,7 +192,7 @@ int Operator::loosest_freedom(double ratio) const {
     return worst < 0 ? -1 : factor_.permutationPinv().indices()[worst];
 }
 
-double Operator::time_product(int repeats) const {
+double EffectiveStiffness::time_product(int repeats) const {
     using namespace blocks;
     const int n = int(structure_.position().size());
     std::vector<int> first(1, 0), column;
@@ -200,10 +202,10 @@ double Operator::time_product(int repeats) const {
         column.push_back(j), value.insert(value.end(), m.data(), m.data() + 36);
     };
     for (int i = 0; i < n; ++i) {
-        add(i, parts_.own(i));
+        add(i, matrices_.own(i));
         for (int e : structure_.elements_at(int(i))) {
             const int end = structure_.elements()[e].node[0] == i ? 0 : 1;
-            add(structure_.elements()[e].node[1 - end], parts_.across(e, end));
+            add(structure_.elements()[e].node[1 - end], matrices_.across(e, end));
         }
         first.push_back(int(column.size()));
     }

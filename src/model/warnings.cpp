@@ -1,4 +1,4 @@
-#include "model/doubts.h"
+#include "model/warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ std::string at(const Vec3& x) { return vector_text(x) + " m"; }
 
 struct Finder {
     const Model& model;
-    std::vector<Doubt> found;
+    std::vector<Warning> found;
     std::map<std::string, std::size_t> place;
 
     /// The first of a kind is told, the others are counted.
@@ -192,7 +192,7 @@ void Finder::unjoined() {
 
 }  // namespace
 
-std::vector<Doubt> doubts(const Model& model) {
+std::vector<Warning> warnings(const Model& model) {
     Finder finder{model, {}, {}};
     finder.materials();
     finder.sections();

@@ -21,7 +21,7 @@ namespace hinge::contact {
 /// Friction (Coulomb): a spring e, k as well, between the points of the two surfaces that touch, |k e| <= mu k g. Where
 /// it would be more, the surfaces slide and what is missing is heat. The force acts at the surface: bars are made to
 /// roll.
-struct Touch {
+struct SurfaceContact {
     int element[2] = {-1, -1};
     End end[4];                 ///< A1, A2, B1, B2
     double radius[2] = {0, 0};  ///< half depths, m
@@ -57,24 +57,24 @@ struct Touch {
 
 /// k = EA / max(length, depths): EA the harmonic mean of the two members', length the mean of the two elements', so
 /// that a touch brings in no frequency above the elements' own; depths = h_a + h_b.
-double touch_stiffness(double ea_a, double ea_b, double length, double depths);
+double surface_stiffness(double ea_a, double ea_b, double length, double depths);
 
 /// The closest points of the two axes; `side` is set to n and the result is n . (q - p), m.
 double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& side);
 
 /// How the two bars lie now.
-void look(Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void look(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
 /// Adds what the touch resists with, + dU/du and friction, to `force`.
-void add_touch_forces(const Touch& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
+void add_contact_forces(const SurfaceContact& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
 
 /// The tangent k N N^T, N the derivative of the distance, and the same for a friction that sticks; never negative.
 /// (Left out: how n turns, which is g / (h_a + h_b) of it, and the slope of a friction that slides, which has no
 /// symmetry.)
-void add_touch_stiffness(const Touch& touch, const std::vector<Quat>& rotation, const AddStiffness& add);
+void add_contact_stiffness(const SurfaceContact& touch, const std::vector<Quat>& rotation, const AddStiffness& add);
 
 /// Takes what is "as of the last look()" for where the next step begins.
-void settle(Touch& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void settle(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
 /// What a step of length dt got wrong about a touch that began or ended within it.
 ///
@@ -82,6 +82,7 @@ void settle(Touch& touch, const std::vector<Vec3>& position, const std::vector<Q
 /// - g0); the two are the same while g > 0. Where g changes its sign the difference, times dt, is an impulse that is
 /// missing along n: it is added to `impulse`, and the work it does, J, is returned. Without it a touch costs up to
 /// (omega dt)^2 / 4 of the energy.
-double missed_impulse(const Touch& touch, double dt, const std::vector<Quat>& rotation, std::vector<Vec6>& impulse);
+double missed_impulse(const SurfaceContact& touch, double dt, const std::vector<Quat>& rotation,
+                      std::vector<Vec6>& impulse);
 
 }  // namespace hinge::contact

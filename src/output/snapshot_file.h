@@ -8,10 +8,10 @@
 
 namespace hinge::output {
 
-std::string encode_still(const Still& still);
+std::string encode_snapshot(const Snapshot& snapshot);
 
 /// `name` is the file's, for messages.
-Still decode_still(const std::string& bytes, const std::string& name);
+Snapshot decode_snapshot(const std::string& bytes, const std::string& name);
 
 std::string encode_collection(int n, const double* times, const char* const* files);
 

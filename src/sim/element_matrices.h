@@ -9,16 +9,16 @@
 
 namespace hinge {
 
-class Parts {
+class ElementMatrices {
 public:
     /// `narrow`: kept in single precision. `symmetric`: half of each part stands for both.
-    Parts(const Structure& structure, bool narrow, bool symmetric);
+    ElementMatrices(const Structure& structure, bool narrow, bool symmetric);
 
     void set(int element, const Mat12& A);
     void clear(int element);                                   ///< it broke
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     Mat12 whole(int element) const;
-    void set_hung(int node, const Mat6& mass);
+    void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
     const std::vector<std::uint8_t>& held() const { return held_; }
 
@@ -31,11 +31,11 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         const std::size_t numbers[] = {s.wide_part_.size(), s.narrow_part_.size(), s.empty_.size(), s.held_.size()};
-        a(s.wide_part_, s.narrow_part_, s.empty_, s.hung_, s.held_);
+        a(s.wide_part_, s.narrow_part_, s.empty_, s.offset_mass_, s.held_);
         if constexpr (A::reading)
             a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] &&
                    s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
-                   (s.hung_.empty() || s.hung_.size() == s.held_.size()));
+                   (s.offset_mass_.empty() || s.offset_mass_.size() == s.held_.size()));
     }
 
 private:
@@ -51,7 +51,7 @@ private:
     LargeVector<double> wide_part_;
     LargeVector<float> narrow_part_;
     std::vector<char> empty_;
-    std::vector<Mat6> hung_;  // of each node, empty if none
+    std::vector<Mat6> offset_mass_;  // of each node, empty if none
     std::vector<std::uint8_t> held_;
 };
 

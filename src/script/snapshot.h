@@ -6,14 +6,14 @@
 
 namespace hinge::script {
 
-struct StillBox {
-    static constexpr const char* lua_name = "hinge.still";
-    output::Still value;
+struct SnapshotBox {
+    static constexpr const char* lua_name = "hinge.snapshot";
+    output::Snapshot value;
     std::shared_ptr<const Structure> structure;
     std::shared_ptr<ScriptModel> model;
 };
 
 /// Elements as bars; a broken one as the rigid bar from the node that carries it to its virtual node (paper, fig 4).
-output::Still make_still(const Run& run);
+output::Snapshot make_snapshot(const Run& run);
 
 }  // namespace hinge::script

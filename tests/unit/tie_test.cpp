@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/bond.h"
+#include "contact/tie.h"
 #include "contact_parts.h"
 
 using namespace hinge;
@@ -11,11 +11,11 @@ using namespace hinge::contact;
 
 namespace {
 
-/// A bond of two bars in general position, one of them a stub with arms, everything turned since it was bound.
+/// A tie of two bars in general position, one of them a stub with arms, everything turned since it was bound.
 struct Bound {
     std::vector<Vec3> x;
     std::vector<Quat> q;
-    Bond bond;
+    Tie tie;
 };
 
 Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_all, bool arms) {
@@ -26,19 +26,19 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
         out.q.push_back(dice.turn(pi));
     }
     for (int i = 0; i < 4; ++i) {
-        out.bond.end[i].node = i;
-        out.bond.end[i].arm = arms ? dice.vector(0.3) : Vec3::Zero();
+        out.tie.end[i].node = i;
+        out.tie.end[i].arm = arms ? dice.vector(0.3) : Vec3::Zero();
     }
-    const auto point = [&](int i) { return Vec3(out.x[i] + out.q[i] * out.bond.end[i].arm); };
+    const auto point = [&](int i) { return Vec3(out.x[i] + out.q[i] * out.tie.end[i].arm); };
     for (int g = 0; g < 4; ++g) {
-        out.bond.gap[g].rest = point(gap_b(g)) - point(gap_a(g));
-        out.bond.gap[g].stiffness = 1e3 * (1 + g);
+        out.tie.gap[g].rest = point(gap_b(g)) - point(gap_a(g));
+        out.tie.gap[g].stiffness = 1e3 * (1 + g);
     }
-    out.bond.side = Vec3::UnitZ();
-    out.bond.at[0] = 0.3;
-    out.bond.at[1] = 0.6;
+    out.tie.side = Vec3::UnitZ();
+    out.tie.at[0] = 0.3;
+    out.tie.at[1] = 0.6;
     const Quat all = dice.turn(turn_all);
-    out.bond.turn = all;  // as a bond has that followed the whole so far
+    out.tie.turn = all;  // as a tie has that followed the whole so far
     const Vec3 shift = dice.vector(3);
     for (int i = 0; i < 4; ++i) {
         out.x[i] = all * out.x[i] + shift + dice.vector(stretch);
@@ -49,7 +49,7 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
 
 std::vector<Vec6> forces_of(Bound& b) {
     std::vector<Vec6> f(b.x.size(), Vec6::Zero());
-    add_bond_forces(b.bond, b.x, b.q, f);
+    add_tie_forces(b.tie, b.x, b.q, f);
     return f;
 }
 
@@ -63,7 +63,7 @@ Bound nudged(const Bound& b, int n, int k, double h) {
 
 }  // namespace
 
-TEST_CASE("contact: a bond's forces are the derivative of their energy", "[contact]") {
+TEST_CASE("contact: a tie's forces are the derivative of their energy", "[contact]") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const bool arms = seed % 2;
         // The nodes turn against each other as well: that must not matter, but for arms.
@@ -77,12 +77,12 @@ TEST_CASE("contact: a bond's forces are the derivative of their energy", "[conta
                 Bound up = nudged(b, n, k, h), down = nudged(b, n, k, -h);
                 forces_of(up);
                 forces_of(down);
-                CHECK(f[n][k] == Approx((up.bond.energy - down.bond.energy) / (2 * h)).margin(1e-6 * largest));
+                CHECK(f[n][k] == Approx((up.tie.energy - down.tie.energy) / (2 * h)).margin(1e-6 * largest));
             }
     }
 }
 
-TEST_CASE("contact: a bond's forces and moments balance", "[contact]") {
+TEST_CASE("contact: a tie's forces and moments balance", "[contact]") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Bound b = bound_pair(seed, 0.1, 0.5, 3.0, seed % 2);
         const std::vector<Vec6> f = forces_of(b);
@@ -98,24 +98,24 @@ TEST_CASE("contact: a bond's forces and moments balance", "[contact]") {
     }
 }
 
-TEST_CASE("contact: a bond that moves as one piece stores nothing", "[contact]") {
+TEST_CASE("contact: a tie that moves as one piece stores nothing", "[contact]") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Bound b = bound_pair(seed, 0.0, 0.0, pi, seed % 2);
         for (const Vec6& n : forces_of(b)) CHECK(n.norm() < 1e-11);
-        CHECK(b.bond.energy < 1e-24);
+        CHECK(b.tie.energy < 1e-24);
     }
 }
 
-TEST_CASE("contact: a bond resists the same way whether or not the bars have passed each other", "[contact]") {
+TEST_CASE("contact: a tie resists the same way whether or not the bars have passed each other", "[contact]") {
     // Crossing bars 0.2 mm apart. A gap that pulled along the line between nodes would flip as they pass.
-    Bond bond;
+    Tie tie;
     const std::vector<Vec3> start{{-0.5, 0, 0}, {0.4, 0, 0}, {0, -0.3, 2e-4}, {0, 0.6, 2e-4}};
-    for (int i = 0; i < 4; ++i) bond.end[i].node = i;
-    for (int g = 0; g < 4; ++g) bond.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
-    bond.side = Vec3::UnitZ();
-    bond.at[0] = 5.0 / 9;
-    bond.at[1] = 1.0 / 3;
-    // A node that spins does not loosen the bond.
+    for (int i = 0; i < 4; ++i) tie.end[i].node = i;
+    for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+    tie.side = Vec3::UnitZ();
+    tie.at[0] = 5.0 / 9;
+    tie.at[1] = 1.0 / 3;
+    // A node that spins does not loosen the tie.
     for (const Vec3& spin : {Vec3(0, 0, 0), Vec3(0.3, -0.2, 0.4)}) {
         std::vector<Quat> q(4, Quat::Identity());
         q[0] = q[3] = exponential(spin) * q[0];
@@ -124,18 +124,18 @@ TEST_CASE("contact: a bond resists the same way whether or not the bars have pas
             x[2].z() -= way;
             x[3].z() -= way;
             std::vector<Vec6> f(4, Vec6::Zero());
-            add_bond_forces(bond, x, q, f);
+            add_tie_forces(tie, x, q, f);
             // As one piece turns along a little with the shift, the force is below 4 k way, but not by much.
-            CHECK(bond.energy <= 2e9 * way * way * (1 + 1e-6) + 1e-20);
-            CHECK(bond.energy >= 1.7e9 * way * way);
-            CHECK(bond.opening == Approx(-way).epsilon(0.2).margin(1e-15));
+            CHECK(tie.energy <= 2e9 * way * way * (1 + 1e-6) + 1e-20);
+            CHECK(tie.energy >= 1.7e9 * way * way);
+            CHECK(tie.opening == Approx(-way).epsilon(0.2).margin(1e-15));
             CHECK(f[2][2] + f[3][2] <= -3.4e9 * way);
             for (const Vec6& n : f) CHECK(n.tail<3>().norm() == 0);
         }
     }
 }
 
-TEST_CASE("contact: bonds in degenerate positions", "[contact]") {
+TEST_CASE("contact: ties in degenerate positions", "[contact]") {
     struct Case {
         const char* name;
         Vec3 a0, a1, b0, b1;
@@ -151,17 +151,17 @@ TEST_CASE("contact: bonds in degenerate positions", "[contact]") {
     };
     for (const Case& c : cases) {
         INFO(c.name);
-        Bond bond;
+        Tie tie;
         const std::vector<Vec3> start{c.a0, c.a1, c.b0, c.b1};
-        for (int i = 0; i < 4; ++i) bond.end[i].node = i;
-        for (int g = 0; g < 4; ++g) bond.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+        for (int i = 0; i < 4; ++i) tie.end[i].node = i;
+        for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
         Dice dice(11);
         for (double stretch : {0.0, 1e-6, 1e-3, 0.1, 3.0}) {
             std::vector<Vec3> x = start;
             std::vector<Quat> q(4, dice.turn(1));
             for (Vec3& p : x) p = q[0] * p + dice.vector(stretch);
             std::vector<Vec6> f(4, Vec6::Zero());
-            add_bond_forces(bond, x, q, f);
+            add_tie_forces(tie, x, q, f);
             Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
             for (int n = 0; n < 4; ++n) {
                 force += f[n].head<3>();
@@ -170,8 +170,8 @@ TEST_CASE("contact: bonds in degenerate positions", "[contact]") {
             const double size = 1e9 * (stretch + 1e-15) * 20;
             CHECK(force.norm() <= 1e-13 * size + 1e-6);
             CHECK(moment.norm() <= 1e-9 * size + 1e-6);
-            CHECK(bond.energy <= 4 * 0.5e9 * 12 * stretch * stretch + 1e-15);
-            add_bond_stiffness(bond, x, q, [](int, int, const Mat12& m) { CHECK(m.allFinite()); });
+            CHECK(tie.energy <= 4 * 0.5e9 * 12 * stretch * stretch + 1e-15);
+            add_tie_stiffness(tie, x, q, [](int, int, const Mat12& m) { CHECK(m.allFinite()); });
         }
     }
 }
@@ -183,12 +183,12 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
         if (stub) {
             // The end keeps its place; node 1, or node 3, is left alone.
             const int from = seed < 14 ? 1 : 3, to = from - 1;
-            End& end = b.bond.end[from];
+            End& end = b.tie.end[from];
             end.arm = b.q[to].conjugate() * (b.x[from] + b.q[from] * end.arm - b.x[to]);
             end.node = to;
         }
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
-        add_bond_stiffness(b.bond, b.x, b.q, [&](int p, int r, const Mat12& m) {
+        add_tie_stiffness(b.tie, b.x, b.q, [&](int p, int r, const Mat12& m) {
             CHECK(p != r);
             CHECK((m - m.transpose()).cwiseAbs().maxCoeff() == 0);
             const int node[2] = {p, r};

@@ -1,4 +1,4 @@
-#include "contact/bond.h"
+#include "contact/tie.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -14,7 +14,7 @@ Mat3 symmetric(const Vec3& u, const Vec3& v) {
     return m;
 }
 
-/// A bond as it stands now.
+/// A tie as it stands now.
 struct Pose {
     Vec3 arm[4];   ///< R arm, m
     Vec3 r[4];     ///< of each gap, m
@@ -40,25 +40,25 @@ Vec3 downhill(const Mat3& grip, const Vec3& c, double size) {
 // it follows one valley of U as the points move, however the nodes spin; two or three rounds reach rounding. Where all
 // gaps lie on one line S has no grip about that line, nor does Q matter there: a trace of stiffness keeps it
 // invertible. Far from the least U (gaps stretched by their own length) S may point uphill: then downhill() steps.
-Pose pose(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+Pose pose(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Pose out;
     Vec3 point[4];
     for (int i = 0; i < 4; ++i) {
-        const End& end = bond.end[i];
+        const End& end = tie.end[i];
         out.arm[i] = rotation[end.node] * end.arm;
         point[i] = position[end.node] + out.arm[i];
     }
-    out.q = bond.turn;
+    out.q = tie.turn;
     Vec3 kr[4];
     double size = 0;
     for (int g = 0; g < 4; ++g) {
         out.r[g] = point[gap_b(g)] - point[gap_a(g)];
-        kr[g] = bond.gap[g].stiffness * out.r[g];
-        size += std::sqrt(kr[g].squaredNorm() * bond.gap[g].rest.squaredNorm());
+        kr[g] = tie.gap[g].stiffness * out.r[g];
+        size += std::sqrt(kr[g].squaredNorm() * tie.gap[g].rest.squaredNorm());
     }
     const auto turn_rest = [&] {
         const Mat3 turn = out.q.toRotationMatrix();
-        for (int g = 0; g < 4; ++g) out.s[g] = turn * bond.gap[g].rest;
+        for (int g = 0; g < 4; ++g) out.s[g] = turn * tie.gap[g].rest;
     };
     turn_rest();
 
@@ -95,38 +95,38 @@ double gap_stiffness(double ea_a, double ea_b, double length, double shortest) {
     return 2 * ea_a * ea_b / (ea_a + ea_b) / std::max(length, shortest);
 }
 
-void add_bond_forces(Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                     std::vector<Vec6>& force) {
-    const Pose now = pose(bond, position, rotation);
+void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                    std::vector<Vec6>& force) {
+    const Pose now = pose(tie, position, rotation);
     Vec3 at_end[4];
     for (Vec3& f : at_end) f.setZero();
-    bond.energy = bond.opening = 0;
-    bond.turn = now.q;
-    bond.side_now = now.q * bond.side;
+    tie.energy = tie.opening = 0;
+    tie.turn = now.q;
+    tie.side_now = now.q * tie.side;
     for (int g = 0; g < 4; ++g) {
         const int a = gap_a(g), b = gap_b(g);
-        const Vec3 strain = now.r[g] - now.s[g], f = bond.gap[g].stiffness * strain;
+        const Vec3 strain = now.r[g] - now.s[g], f = tie.gap[g].stiffness * strain;
         at_end[a] -= f;
         at_end[b] += f;
-        bond.energy += 0.5 * f.dot(strain);
-        const double share = (a == 0 ? 1 - bond.at[0] : bond.at[0]) * (b == 2 ? 1 - bond.at[1] : bond.at[1]);
-        bond.opening += share * strain.dot(bond.side_now);
+        tie.energy += 0.5 * f.dot(strain);
+        const double share = (a == 0 ? 1 - tie.at[0] : tie.at[0]) * (b == 2 ? 1 - tie.at[1] : tie.at[1]);
+        tie.opening += share * strain.dot(tie.side_now);
     }
     for (int i = 0; i < 4; ++i) {
-        bond.force[i] = at_end[i];
-        Vec6& out = force[bond.end[i].node];
+        tie.force[i] = at_end[i];
+        Vec6& out = force[tie.end[i].node];
         out.head<3>() += at_end[i];
         out.tail<3>() += now.arm[i].cross(at_end[i]);
     }
 }
 
-void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                        const AddStiffness& add) {
-    const Pose now = pose(bond, position, rotation);
+void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                       const AddStiffness& add) {
+    const Pose now = pose(tie, position, rotation);
     Vec3 at_end[4], lever[4];  // force at each end; G is [lever]
     for (int i = 0; i < 4; ++i) at_end[i] = lever[i] = Vec3::Zero();
     for (int g = 0; g < 4; ++g) {
-        const Vec3 ks = bond.gap[g].stiffness * now.s[g], f = bond.gap[g].stiffness * now.r[g] - ks;
+        const Vec3 ks = tie.gap[g].stiffness * now.s[g], f = tie.gap[g].stiffness * now.r[g] - ks;
         at_end[gap_a(g)] -= f;
         at_end[gap_b(g)] += f;
         lever[gap_a(g)] -= ks;
@@ -151,7 +151,7 @@ void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, con
         block[0][0] = same_bar ? Mat3(g[i] * sg[i]) : Mat3(Mat3::Zero());
         block[1][1] = same_bar ? Mat3(g[j] * sg[j]) : Mat3(Mat3::Zero());
         if (!same_bar) {
-            const double k = bond.gap[n - 2].stiffness;
+            const double k = tie.gap[n - 2].stiffness;
             for (int d = 0; d < 3; ++d) {
                 block[0][0](d, d) += k;
                 block[1][1](d, d) += k;
@@ -161,7 +161,7 @@ void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, con
         }
         Mat12 m = Mat12::Zero();
         const int end[2] = {i, j};
-        const bool armed[2] = {!bond.end[i].arm.isZero(0), !bond.end[j].arm.isZero(0)};
+        const bool armed[2] = {!tie.end[i].arm.isZero(0), !tie.end[j].arm.isZero(0)};
         for (int p = 0; p < 2; ++p)
             for (int q = 0; q < 2; ++q) {
                 m.block<3, 3>(6 * p, 6 * q) = block[p][q];
@@ -178,7 +178,7 @@ void add_bond_stiffness(const Bond& bond, const std::vector<Vec3>& position, con
             }
         m = (0.5 * (m + m.transpose())).eval();
 
-        const int node_i = bond.end[i].node, node_j = bond.end[j].node;
+        const int node_i = tie.end[i].node, node_j = tie.end[j].node;
         if (same_bar && node_i == node_j) {
             const Mat6 both = m.block<6, 6>(0, 6) + m.block<6, 6>(6, 0);
             lone.block<6, 6>(6 * n, 6 * n) = m.block<6, 6>(0, 0) + m.block<6, 6>(6, 6) + both;

@@ -1,4 +1,4 @@
-#include "sim/parts.h"
+#include "sim/element_matrices.h"
 
 namespace hinge {
 namespace {
@@ -7,7 +7,7 @@ constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
 
 }  // namespace
 
-Parts::Parts(const Structure& structure, bool narrow, bool symmetric)
+ElementMatrices::ElementMatrices(const Structure& structure, bool narrow, bool symmetric)
     : structure_(structure),
       narrow_(narrow),
       symmetric_(symmetric),
@@ -19,7 +19,7 @@ Parts::Parts(const Structure& structure, bool narrow, bool symmetric)
     else wide_part_.assign(numbers, 0);
 }
 
-void Parts::set(int element, const Mat12& A) {
+void ElementMatrices::set(int element, const Mat12& A) {
     const auto fill = [&](auto* to) {
         using Number = std::remove_reference_t<decltype(*to)>;
         if (!symmetric_) {
@@ -36,13 +36,13 @@ void Parts::set(int element, const Mat12& A) {
     else fill(&wide_part_[stride_ * std::size_t(element)]);
 }
 
-void Parts::clear(int element) {
+void ElementMatrices::clear(int element) {
     set(element, Mat12::Zero());
     empty_[element] = 1;
 }
 
 template <class Number>
-Mat6 Parts::own_of(const Number* part, int end) const {
+Mat6 ElementMatrices::own_of(const Number* part, int end) const {
     Mat6 m;
     if (!symmetric_) {
         for (int c = 0; c < 6; ++c)
@@ -56,7 +56,7 @@ Mat6 Parts::own_of(const Number* part, int end) const {
 }
 
 template <class Number>
-Mat6 Parts::across_of(const Number* part, int end) const {
+Mat6 ElementMatrices::across_of(const Number* part, int end) const {
     if (!symmetric_) {
         Mat6 m;
         for (int c = 0; c < 6; ++c)
@@ -68,7 +68,7 @@ Mat6 Parts::across_of(const Number* part, int end) const {
     return m.transpose();
 }
 
-Mat12 Parts::whole(int element) const {
+Mat12 ElementMatrices::whole(int element) const {
     Mat12 A;
     const auto fill = [&](const auto* part) {
         for (int end : {0, 1}) {
@@ -81,12 +81,12 @@ Mat12 Parts::whole(int element) const {
     return A;
 }
 
-void Parts::set_hung(int node, const Mat6& mass) {
-    if (hung_.empty()) hung_.assign(held_.size(), Mat6::Zero());
-    hung_[node] = mass;
+void ElementMatrices::set_offset_mass(int node, const Mat6& mass) {
+    if (offset_mass_.empty()) offset_mass_.assign(held_.size(), Mat6::Zero());
+    offset_mass_[node] = mass;
 }
 
-Mat6 Parts::masked(int a, int b, const Mat6& m) const {
+Mat6 ElementMatrices::masked(int a, int b, const Mat6& m) const {
     if (held_[a] == 0 && held_[b] == 0) return m;
     Mat6 out = m;
     for (int c = 0; c < 6; ++c) {
@@ -96,7 +96,7 @@ Mat6 Parts::masked(int a, int b, const Mat6& m) const {
     return out;
 }
 
-Mat6 Parts::own(int node) const {
+Mat6 ElementMatrices::own(int node) const {
     Mat6 sum = Mat6::Zero();
     for (int e : structure_.elements_at(node)) {
         if (empty_[e]) continue;
@@ -104,14 +104,14 @@ Mat6 Parts::own(int node) const {
         sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end)
                        : own_of(&wide_part_[stride_ * std::size_t(e)], end);
     }
-    if (!hung_.empty()) sum += hung_[node];
+    if (!offset_mass_.empty()) sum += offset_mass_[node];
     sum = masked(node, node, sum);
     for (int c = 0; c < 6; ++c)
         if (held_[node] >> c & 1) sum(c, c) = 1;
     return sum;
 }
 
-Mat6 Parts::across(int element, int end) const {
+Mat6 ElementMatrices::across(int element, int end) const {
     const Element& e = structure_.elements()[element];
     return masked(e.node[end], e.node[1 - end],
                   narrow_ ? across_of(&narrow_part_[stride_ * std::size_t(element)], end)

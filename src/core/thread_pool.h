@@ -1,4 +1,4 @@
-// A team of threads that share out loops. Who does which piece never shows in a result: pieces are cut the same way for
+// A pool of threads that share out loops. Who does which piece never shows in a result: pieces are cut the same way for
 // any number of threads, and sums are added up in the order of the pieces.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace hinge {
 
-class Team {
+class ThreadPool {
 public:
-    explicit Team(int threads = 1);  ///< the calling one included
-    ~Team();
+    explicit ThreadPool(int threads = 1);  ///< the calling one included
+    ~ThreadPool();
     int threads() const { return int(others_.size()) + 1; }
 
     /// f(first, end, piece) for every piece of 0..count, `size` long but for the last. Returns when all are done. f

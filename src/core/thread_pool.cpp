@@ -1,4 +1,4 @@
-#include "core/team.h"
+#include "core/thread_pool.h"
 
 #include <string>
 #include <system_error>
@@ -13,7 +13,7 @@ constexpr int patience = 20000;
 
 }  // namespace
 
-Team::Team(int threads) {
+ThreadPool::ThreadPool(int threads) {
     try {
         for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
     } catch (const std::system_error& e) {
@@ -23,15 +23,15 @@ Team::Team(int threads) {
     }
 }
 
-Team::~Team() { dismiss(); }
+ThreadPool::~ThreadPool() { dismiss(); }
 
-void Team::dismiss() {
+void ThreadPool::dismiss() {
     over_ = true;
     ++round_;
     round_.notify_all();
 }
 
-void Team::run(int pieces, const std::function<void(int)>& work) {
+void ThreadPool::run(int pieces, const std::function<void(int)>& work) {
     work_ = &work;
     pieces_ = pieces;
     next_ = 0;
@@ -45,11 +45,11 @@ void Team::run(int pieces, const std::function<void(int)>& work) {
     }
 }
 
-void Team::take_part() {
+void ThreadPool::take_part() {
     for (int i; (i = next_.fetch_add(1)) < pieces_;) (*work_)(i);
 }
 
-void Team::serve() {
+void ThreadPool::serve() {
     unsigned seen = 0;
     for (;;) {
         for (int i = 0; i < patience && round_ == seen; ++i) {}
