@@ -19,7 +19,7 @@ target_include_directories(hinge_engine INTERFACE $<INSTALL_INTERFACE:include/hi
 target_link_libraries(hinge_engine INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
 set_target_properties(hinge_engine PROPERTIES EXPORT_NAME engine)
 
-foreach(part core model beam contact sim)
+foreach(part core model beam contact state algebra effects run)
   install(DIRECTORY src/${part} DESTINATION include/hinge FILES_MATCHING PATTERN *.h)
 endforeach()
 install(TARGETS hinge_engine EXPORT hinge ARCHIVE DESTINATION lib)

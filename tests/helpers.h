@@ -11,9 +11,9 @@
 #include <random>
 #include <vector>
 
-#include "sim/breaking.h"
-#include "sim/dynamics.h"
-#include "sim/statics.h"
+#include "state/breaking.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 
 /// CHECK(figure <= limit), naming the figure. With HINGE_FIGURES set in the environment every figure is printed beside
 /// its limit.

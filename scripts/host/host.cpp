@@ -8,7 +8,7 @@
 #include <lua.hpp>
 #include <memory>
 
-#include "sim/dynamics.h"
+#include "run/dynamics.h"
 
 namespace {
 

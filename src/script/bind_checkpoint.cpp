@@ -7,7 +7,7 @@
 #include "core/archive.h"
 #include "core/files.h"
 #include "script/kept_values.h"
-#include "sim/checkpoint.h"
+#include "run/checkpoint.h"
 
 namespace hinge::script {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "script/checkpoint.h"
-#include "sim/dynamics.h"
-#include "sim/stable_step.h"
-#include "sim/statics.h"
+#include "run/dynamics.h"
+#include "algebra/stable_step.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 namespace {

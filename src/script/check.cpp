@@ -5,8 +5,8 @@
 
 #include "core/text.h"
 #include "model/warnings.h"
-#include "sim/bodies.h"
-#include "sim/modes.h"
+#include "state/bodies.h"
+#include "algebra/modes.h"
 
 namespace hinge::script {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "script/model_registry.h"
-#include "sim/dynamics.h"
-#include "sim/statics.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 

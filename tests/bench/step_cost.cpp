@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/built.h"
-#include "sim/dynamics.h"
+#include "run/dynamics.h"
 
 using namespace hinge;
 

@@ -18,7 +18,7 @@
 #include "core/archive.h"
 #include "core/errors.h"
 #include "script/kept_values.h"
-#include "sim/checkpoint.h"
+#include "run/checkpoint.h"
 
 using namespace hinge;
 using namespace hinge::test;
@@ -142,7 +142,7 @@ const std::vector<Scene>& all_scenes() {
 // ---- who reads
 // ---------------------------------------------------------------------------------------------------------
 
-constexpr int until_a_look = 110;  ///< steps; by then the energy ledger was looked at (sim/dynamics_guard.cpp)
+constexpr int until_a_look = 110;  ///< steps; by then the energy ledger was looked at (run/dynamics_guard.cpp)
 
 void go_on(const Scene& scene, std::string_view bytes) {
     Dynamics run = scene.start();

@@ -1,7 +1,7 @@
 // Two beams that collide (paper 3.3, figs 13-15), by the paper's gap elements and by their surfaces: momenta, and the
 // ledger over time.
 #include "helpers.h"
-#include "sim/breaking.h"
+#include "state/breaking.h"
 
 using namespace hinge;
 using namespace hinge::test;

@@ -3,8 +3,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "helpers.h"
-#include "sim/breaking.h"
-#include "sim/stable_step.h"
+#include "state/breaking.h"
+#include "algebra/stable_step.h"
 
 using namespace hinge;
 using namespace hinge::test;

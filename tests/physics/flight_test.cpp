@@ -1,6 +1,6 @@
 // Free flight: what a body that nothing touches must keep.
 #include "helpers.h"
-#include "sim/breaking.h"
+#include "state/breaking.h"
 
 using namespace hinge;
 using namespace hinge::test;

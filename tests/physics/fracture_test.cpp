@@ -1,6 +1,6 @@
 // Fracture (paper 2.3, eq 16, figs 4 and 5): what it conserves, what it costs, when it happens.
 #include "helpers.h"
-#include "sim/breaking.h"
+#include "state/breaking.h"
 
 using namespace hinge;
 using namespace hinge::test;

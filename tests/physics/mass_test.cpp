@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "helpers.h"
-#include "sim/modes.h"
+#include "algebra/modes.h"
 
 using namespace hinge;
 using namespace hinge::test;

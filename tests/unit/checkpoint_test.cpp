@@ -2,8 +2,8 @@
 #include "core/archive.h"
 #include "core/errors.h"
 #include "helpers.h"
-#include "sim/checkpoint.h"
-#include "sim/mass.h"
+#include "run/checkpoint.h"
+#include "algebra/mass.h"
 
 using namespace hinge;
 using namespace hinge::test;

@@ -7,7 +7,7 @@
 
 #include "beam/mass.h"
 #include "helpers.h"
-#include "sim/breaking.h"
+#include "state/breaking.h"
 
 using namespace hinge;
 using namespace hinge::test;

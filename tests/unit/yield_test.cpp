@@ -2,7 +2,7 @@
 #include "beam/yield.h"
 
 #include "helpers.h"
-#include "sim/hinges.h"
+#include "state/hinges.h"
 
 using namespace hinge;
 using namespace hinge::beam;

@@ -1,0 +1,383 @@
+#include "algebra/condensed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/blocks.h"
+
+namespace hinge {
+
+using namespace blocks;
+
+namespace {
+
+constexpr int piece = 256;  // rows that one thread takes at a time
+
+int other_node(const Element& e, int node) { return e.node[0] == node ? e.node[1] : e.node[0]; }
+int end_at(const Element& e, int node) { return e.node[0] == node ? 0 : 1; }
+
+template <class Number>
+void put(Number* to, const Mat6& m) {
+    for (int i = 0; i < 36; ++i) to[i] = Number(m.data()[i]);
+}
+template <class Number>
+Mat6 get(const Number* from) {
+    return Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(from).template cast<double>();
+}
+
+}  // namespace
+
+template <class Number>
+Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {
+    const int n = int(structure.position().size());
+    which_.assign(n, -1);
+    const auto at = [&](int node) { return structure.elements_at(node); };
+    const auto could_go = [&](int i) { return at(i).size() <= 2; };
+    int most = 0;
+    for (int i = 0; i < n; ++i) most += could_go(i);
+    between_.reserve(most);
+    for (int i = n - 1; i >= 0; --i) {  // inner nodes come after the joints
+        if (!could_go(i)) continue;
+        Between m{i, 0, {-1, -1}, {-1, -1}, false, {}, {}};
+        bool alone = true;
+        for (int e : at(i)) {
+            m.element[m.count] = e;
+            m.side[m.count] = other_node(structure.elements()[e], i);
+            alone = alone && which_[m.side[m.count]] < 0 && (m.count == 0 || m.side[0] != m.side[1]);
+            ++m.count;
+        }
+        if (!alone) continue;
+        which_[i] = int(between_.size());
+        between_.push_back(m);
+    }
+    place_.assign(n, -1);
+    for (int i = 0; i < n; ++i)
+        if (which_[i] < 0) place_[i] = int(order_.size()), order_.push_back(i);
+    joints_ = int(order_.size());
+    paint();
+    // a colour's rows lie together, as they are used
+    std::vector<int> by_colour;
+    by_colour.reserve(joints_);
+    for (Colour c : {Colour::red, Colour::black})
+        for (int p = 0; p < joints_; ++p)
+            if (colour_[p] == c) by_colour.push_back(order_[p]);
+    std::stable_partition(colour_.begin(), colour_.end(), [](Colour c) { return c == Colour::red; });
+    order_ = std::move(by_colour);
+    first_.assign(1, 0);
+    for (int p = 0; p < joints_; ++p) {
+        place_[order_[p]] = p;
+        first_.push_back(first_.back() + 1 + int(at(order_[p]).size()));
+    }
+    lay_out();
+}
+
+/// Red, from each part's first node outwards: whoever has no red neighbour.
+template <class Number>
+void Condensed<Number>::paint() {
+    colour_.assign(joints_, Colour::between);
+    std::vector<int> queue;
+    const auto neighbours = [&](int place, auto visit) {
+        const int node = order_[place];
+        for (int e : structure_.elements_at(node)) {
+            int next = other_node(structure_.elements()[e], node);
+            if (which_[next] >= 0) {
+                const Between& m = between_[which_[next]];
+                if (m.count < 2) continue;
+                next = m.side[m.side[0] == node ? 1 : 0];
+            }
+            visit(place_[next]);
+        }
+    };
+    for (int start = 0; start < joints_; ++start) {
+        if (colour_[start] != Colour::between) continue;
+        queue.assign(1, start);
+        colour_[start] = Colour::red;
+        for (std::size_t i = 0; i < queue.size(); ++i)
+            neighbours(queue[i], [&](int next) {
+                if (colour_[next] != Colour::between) return;
+                bool red = true;
+                neighbours(next, [&](int p) { red = red && colour_[p] != Colour::red; });
+                colour_[next] = red ? Colour::red : Colour::black;
+                queue.push_back(next);
+            });
+    }
+}
+
+/// Where the column of a joint's entry lies: across the node between, if there is one and it is taken out.
+template <class Number>
+int Condensed<Number>::far(int place, int entry) const {
+    const int node = order_[place],
+              next = other_node(structure_.elements()[structure_.elements_at(node)[entry - 1]], node);
+    if (place_[next] >= 0) return place_[next];
+    const Between& m = between_[which_[next]];
+    return m.count < 2 ? place : place_[m.side[m.side[0] == node ? 1 : 0]];
+}
+
+/// Lists of places and columns, as they are with what is coupled now.
+template <class Number>
+void Condensed<Number>::lay_out() {
+    order_.resize(joints_);
+    first_.resize(joints_ + 1);
+    for (Between& m : between_) m.kept = false, place_[m.node] = -1;
+    for (int node : coupled_)
+        if (which_[node] >= 0) {
+            between_[which_[node]].kept = true;
+            place_[node] = int(order_.size());
+            order_.push_back(node);
+            first_.push_back(first_.back() + 1 + between_[which_[node]].count);
+        }
+    const int places = int(order_.size());
+    at_.resize(first_.back());
+    via_.resize(first_.back());
+    value_.resize(36 * std::size_t(first_.back()) + 2);
+    inverse_.resize(36 * std::size_t(places) + 2);
+    for (auto* v : {&x_, &r_, &d_, &q_}) v->resize(stride * std::size_t(places));
+    for (int p = 0; p < places; ++p) {
+        const int node = order_[p];
+        at_[first_[p]] = p;
+        via_[first_[p]] = -1;
+        for (int k = 1; k < first_[p + 1] - first_[p]; ++k) {
+            at_[first_[p] + k] = far(p, k);
+            const int next = other_node(structure_.elements()[structure_.elements_at(node)[k - 1]], node);
+            via_[first_[p] + k] =
+                place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
+        }
+    }
+    red_.clear();
+    black_.clear();
+    staying_.clear();
+    going_.clear();
+    for (int i = 0; i < int(between_.size()); ++i)
+        if (!between_[i].kept && takes_part(between_[i].node)) going_.push_back(i);
+    for (int p = 0; p < places; ++p) {
+        if (!takes_part(order_[p])) continue;
+        staying_.push_back(p);
+        const bool red = p < joints_ && colour_[p] == Colour::red &&
+                         !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
+        (red ? red_ : black_).push_back(p);
+    }
+}
+
+template <class Number>
+void Condensed<Number>::leave_out(const std::vector<int>& resting) {
+    resting_ = resting;
+    lay_out();
+}
+
+template <class Number>
+void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vector<int>& changed) {
+    std::vector<int> nodes;
+    for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const auto& list : {coupled_, nodes}) changed.insert(changed.end(), list.begin(), list.end());
+    couplings_ = couplings;
+    if (nodes == coupled_) return;
+    coupled_ = std::move(nodes);
+    lay_out();
+}
+
+template <class Number>
+void Condensed<Number>::renew_between(Between& m, const ElementMatrices& parts) const {
+    const Mat6 inverse = inverse_by_halves(parts.own(m.node));
+    put(m.inverse, inverse);
+    for (int s = 0; s < m.count; ++s)
+        if (parts.empty(m.element[s])) put(m.pull[s], Mat6::Zero());
+        else put(m.pull[s], inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
+}
+
+template <class Number>
+void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
+    const int node = order_[place], begin = first_[place];
+    Mat6 own = parts.own(node);
+    for (int k = 1; k < first_[place + 1] - begin; ++k) {
+        const int element = structure_.elements_at(node)[k - 1];
+        const Element& e = structure_.elements()[element];
+        const int next = other_node(e, node);
+        if (parts.empty(element)) {
+            put(&value_[36 * std::size_t(begin + k)], Mat6::Zero());
+            continue;
+        }
+        Mat6 block = parts.across(element, end_at(e, node));
+        if (place_[next] < 0) {
+            const Between& m = between_[which_[next]];
+            const int here = m.side[0] == node ? 0 : 1;
+            own -= block * get(m.pull[here]);
+            if (m.count == 2) block = -block * get(m.pull[1 - here]);
+            else block.setZero();
+        }
+        put(&value_[36 * std::size_t(begin + k)], block);
+    }
+    put(&value_[36 * std::size_t(begin)], own);
+}
+
+template <class Number>
+void Condensed<Number>::renew_inverse(int place) {
+    Mat6 own = get(&value_[36 * std::size_t(first_[place])]);
+    const int node = order_[place];
+    if (!coupled_.empty() && std::binary_search(coupled_.begin(), coupled_.end(), node))
+        for (const Coupling& c : couplings_) {
+            if (c.a == node) own += c.K.template block<6, 6>(0, 0);
+            if (c.b == node) own += c.K.template block<6, 6>(6, 6);
+        }
+    put(&inverse_[36 * std::size_t(place)], inverse_by_halves(own));
+}
+
+template <class Number>
+void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatrices& parts) {
+    std::vector<int> rows, taken_out;
+    for (int i : nodes) {
+        if (place_[i] >= 0) rows.push_back(place_[i]);
+        if (which_[i] < 0) continue;
+        const Between& m = between_[which_[i]];
+        if (!m.kept) taken_out.push_back(which_[i]);
+        for (int s = 0; s < m.count; ++s) rows.push_back(place_[m.side[s]]);
+    }
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    pool_.share(int(taken_out.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) renew_between(between_[taken_out[i]], parts);
+    });
+    pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
+    });
+}
+
+/// r: the right side without the nodes between.
+template <class Number>
+void Condensed<Number>::reduce(const double* right) {
+    pool_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const int p = staying_[i];
+            Wide sum = load_six(right + 6 * order_[p]);
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                if (const int via = via_[k]; via >= 0)
+                    sum -=
+                        times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
+            store(&r_[stride * p], sum);
+        }
+    });
+}
+
+template <class Number>
+void Condensed<Number>::solve_back(const double* right, double* x) const {
+    pool_.share(int(staying_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            std::memcpy(x + 6 * order_[staying_[i]], &x_[stride * staying_[i]], 6 * sizeof(double));
+    });
+    pool_.share(int(going_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Between& m = between_[going_[i]];
+            Wide v = times(m.inverse, right + 6 * m.node);
+            for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &x_[stride * place_[m.side[s]]]);
+            store_six(x + 6 * m.node, v);
+        }
+    });
+}
+
+/// On the red nodes: x takes its part of the last d, and the new d is what keeps their rows zero.
+template <class Number>
+void Condensed<Number>::follow(double alpha) {
+    pool_.share(int(red_.size()), piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const int p = red_[i];
+            store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
+            Row row;
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            double sum[8];
+            store(sum, row.sum());
+            store(&d_[stride * p], -times(&inverse_[36 * std::size_t(p)], sum));
+        }
+    });
+}
+
+/// q = S d on the black nodes; returns d . q.
+template <class Number>
+double Condensed<Number>::multiply() {
+    double dot = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+        Wide product{};
+        for (int i = first; i < end; ++i) {
+            const int p = black_[i];
+            Row row;
+            for (int k = first_[p]; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            store(&q_[stride * p], row.sum());
+            product += six * row.sum() * load(&d_[stride * p]);
+        }
+        return sum(product);
+    });
+    for (const Coupling& c : couplings_) {
+        const int a = place_[c.a], b = place_[c.b];
+        Vec12 v;
+        v << Eigen::Map<const Vec6>(&d_[stride * a]), Eigen::Map<const Vec6>(&d_[stride * b]);
+        const Vec12 w = c.K.lazyProduct(v);  // Eigen's product of this size goes through a loop for any size
+        Eigen::Map<Vec6>(&q_[stride * a]) += w.head<6>();
+        Eigen::Map<Vec6>(&q_[stride * b]) += w.tail<6>();
+        dot += v.dot(w);
+    }
+    return dot;
+}
+
+template <class Number>
+SolveReport Condensed<Number>::solve(const double* right, double* solution, const SolverSettings& settings) {
+    reduce(right);
+    const auto precondition = [&](int p) {
+        const Wide z = times(&inverse_[36 * std::size_t(p)], &r_[stride * p]);
+        store(&q_[stride * p], z);
+        return Wide(six * z * load(&r_[stride * p]));
+    };
+    // x satisfies the red rows from the start
+    std::fill(x_.begin(), x_.end(), 0.0);
+    std::fill(d_.begin(), d_.end(), 0.0);
+    for (int p : red_) store(&x_[stride * p], times(&inverse_[36 * std::size_t(p)], &r_[stride * p]));
+    double rho = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+        Wide product{};
+        for (int i = first; i < end; ++i) {
+            const int p = black_[i];
+            Row row;
+            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
+            store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
+            product += precondition(p);
+            store(&d_[stride * p], load(&q_[stride * p]));
+        }
+        return sum(product);
+    });
+    const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
+    SolveReport report;
+    double before = 0;  // alpha of the last step
+    while (rho > goal && rho > 1e-280) {
+        if (report.iterations == settings.max_iterations) return report.converged = false, report;
+        follow(before);
+        const double dq = multiply();
+        if (!(dq > 0)) return report.converged = false, report;
+        const double alpha = rho / dq;
+        const double next = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+            Wide product{};
+            for (int i = first; i < end; ++i) {
+                const int p = black_[i];
+                store(&r_[stride * p], load(&r_[stride * p]) - alpha * load(&q_[stride * p]));
+                store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
+                product += precondition(p);
+            }
+            return sum(product);
+        });
+        const double beta = next / rho;
+        rho = next;
+        before = alpha;
+        pool_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
+            for (int i = first; i < end; ++i)
+                store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
+        });
+        ++report.iterations;
+    }
+    for (int p : red_) store(&x_[stride * p], load(&x_[stride * p]) + before * load(&d_[stride * p]));
+    solve_back(right, solution);
+    report.converged = std::isfinite(rho);
+    return report;
+}
+
+template class Condensed<float>;
+template class Condensed<double>;
+
+}  // namespace hinge

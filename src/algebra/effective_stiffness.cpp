@@ -1,0 +1,193 @@
+#include "algebra/effective_stiffness.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "beam/tangent.h"
+#include "algebra/blocks.h"
+#include "state/hinges.h"
+
+namespace hinge {
+
+EffectiveStiffness::EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor,
+                                       double stiffness_factor, bool geometric, Keeping keeping)
+    : structure_(structure),
+      pool_(pool),
+      mass_factor_(mass_factor),
+      stiffness_factor_(stiffness_factor),
+      geometric_(geometric),
+      keeping_(keeping),
+      matrices_(structure, keeping == Keeping::narrow, keeping != Keeping::unsymmetric),
+      factors_(keeping == Keeping::unsymmetric) {
+    const int n = int(structure.position().size());
+    if (keeping == Keeping::narrow) narrow_ = std::make_unique<Condensed<float>>(structure, pool);
+    if (keeping == Keeping::iterative) condensed_ = std::make_unique<Condensed<double>>(structure, pool);
+    is_dirty_.assign(n, 0);
+    for (int i = 0; i < n; ++i) mark(i);
+}
+
+void EffectiveStiffness::mark(int node) {
+    if (!is_dirty_[node]) is_dirty_[node] = 1, dirty_.push_back(node);
+}
+
+Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
+    const Element& e = structure_.elements()[index];
+    const beam::Placement<double> place = place_element(structure_, index, pose);
+    const Mat3 axes = axes_of(place);
+    const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
+    const auto stiffness = [&](bool geometric) {
+        return structure_.large() ? beam::tangent(place, state.force[index], k, geometric)
+                                  : beam::linear_tangent(axes.transpose(), e.length, k);
+    };
+    const Mat12 K = stiffness(geometric_);
+    Mat12 A;
+    if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
+    else A = (0.5 * stiffness_factor_) * (K + K.transpose());
+    if (mass_factor_ == 0) return A;
+    const Mat12 M = mass_factor_ * structure_.inertia(index).matrix(axes);
+    A += M;
+    if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
+        A.llt().info() != Eigen::Success)
+        A = stiffness_factor_ * stiffness(false) + M;
+    return A;
+}
+
+void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Pose& pose,
+                               const std::vector<const Mat6*>& tangents) {
+    pool_.share(int(elements.size()), 64, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            matrices_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
+    });
+    for (int index : elements)
+        for (int node : structure_.elements()[index].node) mark(node);
+    counts_.built += long(elements.size());
+}
+
+void EffectiveStiffness::remove(int element) {
+    matrices_.clear(element);
+    for (int node : structure_.elements()[element].node) mark(node);
+}
+
+void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
+    for (const auto* list : {&couplings_, &couplings})
+        for (const Coupling& c : *list) mark(c.a), mark(c.b);
+    couplings_ = std::move(couplings);
+    const std::vector<std::uint8_t>& held = matrices_.held();
+    for (Coupling& c : couplings_) {
+        c.K *= stiffness_factor_;
+        for (int i = 0; i < 12; ++i)
+            if (held[i < 6 ? c.a : c.b] >> (i % 6) & 1) c.K.row(i).setZero(), c.K.col(i).setZero();
+    }
+    std::vector<int> changed;
+    if (narrow_) narrow_->couple(couplings_, changed);
+    if (condensed_) condensed_->couple(couplings_, changed);
+    for (int node : changed) mark(node);
+}
+
+void EffectiveStiffness::set_offset_mass(int node, const Mat6& mass) {
+    matrices_.set_offset_mass(node, mass_factor_ * mass);
+    mark(node);
+}
+
+void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& held) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        if (held[i] == matrices_.held()[i]) continue;
+        mark(int(i));
+        for (int e : structure_.elements_at(int(i)))
+            for (int node : structure_.elements()[e].node) mark(node);
+    }
+    matrices_.set_held(held);
+}
+
+void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
+    if (narrow_) narrow_->leave_out(resting);
+    if (condensed_) condensed_->leave_out(resting);
+}
+
+/// After its fields were read. False where a coupling joins what is not there.
+bool EffectiveStiffness::take_up_all() {
+    const int nodes = int(is_dirty_.size());
+    for (const Coupling& c : couplings_)
+        if (c.a < 0 || c.a >= nodes || c.b < 0 || c.b >= nodes || c.a == c.b) return false;
+    std::vector<int> changed;
+    if (narrow_) narrow_->couple(couplings_, changed);
+    if (condensed_) condensed_->couple(couplings_, changed);
+    for (int node = 0; node < nodes; ++node) mark(node);
+    return true;
+}
+
+void EffectiveStiffness::assemble() {
+    if (dirty_.empty()) return;
+    factor_valid_ = false;
+    std::sort(dirty_.begin(), dirty_.end());
+    if (narrow_) narrow_->renew(dirty_, matrices_);
+    if (condensed_) condensed_->renew(dirty_, matrices_);
+    for (int i : dirty_) is_dirty_[i] = 0;
+    dirty_.clear();
+}
+
+SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x,
+                                      const SolverSettings& settings) {
+    ++counts_.solves;
+    if (settings.direct) {
+        if (!factorise()) return {0, false};
+        return {0, factors_.solve(right[0].data(), x[0].data(), int(right.size()))};
+    }
+    const SolveReport report = narrow_ ? narrow_->solve(right[0].data(), x[0].data(), settings)
+                                       : condensed_->solve(right[0].data(), x[0].data(), settings);
+    counts_.iterations += report.iterations;
+    return report;
+}
+
+bool EffectiveStiffness::factorise() {
+    if (factor_valid_) return factors_.good();
+    const int n = int(structure_.position().size());
+    for (int i = 0; i < n; ++i) factors_.add(i, i, matrices_.own(i));
+    for (std::size_t e = 0; e < structure_.elements().size(); ++e)
+        for (int end : {0, 1})
+            factors_.add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end],
+                         matrices_.across(int(e), end));
+    for (const Coupling& p : couplings_)
+        for (int a : {0, 1})
+            for (int b : {0, 1}) factors_.add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b));
+    factor_valid_ = true;
+    ++counts_.factorisations;
+    return factors_.factorise(n);
+}
+
+double EffectiveStiffness::time_product(int repeats) const {
+    using namespace blocks;
+    const int n = int(structure_.position().size());
+    std::vector<int> first(1, 0), column;
+    std::vector<double> value;
+    value.reserve(36 * (std::size_t(n) + 2 * structure_.elements().size()) + 8);
+    const auto add = [&](int j, const Mat6& m) {
+        column.push_back(j), value.insert(value.end(), m.data(), m.data() + 36);
+    };
+    for (int i = 0; i < n; ++i) {
+        add(i, matrices_.own(i));
+        for (int e : structure_.elements_at(int(i))) {
+            const int end = structure_.elements()[e].node[0] == i ? 0 : 1;
+            add(structure_.elements()[e].node[1 - end], matrices_.across(e, end));
+        }
+        first.push_back(int(column.size()));
+    }
+    value.resize(value.size() + 8);
+    std::vector<double> x(6 * std::size_t(n) + 8, 1.0), y(x.size());
+    double best = std::numeric_limits<double>::infinity();
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < n; ++i) {
+            Wide row{};
+            for (int k = first[i]; k < first[i + 1]; ++k) row += times(&value[36 * std::size_t(k)], &x[6 * column[k]]);
+            store_six(&y[6 * i], row);
+        }
+        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return best;
+}
+
+}  // namespace hinge

@@ -1,0 +1,93 @@
+// The left side of a step: A = m M + k K by blocks of 6x6, rebuilt only where something changed, and its solution: by
+// conjugate gradients (condensed.h), or by factors.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "algebra/condensed.h"
+#include "algebra/direct_factors.h"
+#include "state/sweep.h"
+
+namespace hinge {
+
+/// How A is kept, and so how it can be solved.
+enum class Keeping : std::uint8_t {
+    direct,       ///< for factors: initial stress stays in, whatever it does to an element's part
+    unsymmetric,  ///< the tangent's unsymmetric part too (an applied moment is not conservative); for LU
+    iterative,    ///< for conjugate gradients: initial stress stays out of a part that it would make indefinite
+    narrow,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A (steps no
+             ///< longer than the fastest waves need): the solution is a change of the accelerations, and what it lacks
+             ///< the next step sees
+};
+
+class EffectiveStiffness {
+public:
+    EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor, double stiffness_factor,
+                       bool geometric, Keeping keeping);
+
+    /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null:
+    /// elastic).
+    void build(const std::vector<int>& elements, const State& state, const Pose& pose,
+               const std::vector<const Mat6*>& tangents);
+    void remove(int element);
+    /// Another k: every element must be built anew, and couplings set.
+    void set_stiffness_factor(double k) { stiffness_factor_ = k; }
+    /// Replaces everything that joins nodes beside the elements: ties (12x12, already a stiffness) and hung masses.
+    void set_couplings(std::vector<Coupling> couplings);
+    void set_offset_mass(int node, const Mat6& mass);
+    void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
+
+    /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing
+    /// couples them to others, and their solution is zero. Empty: none.
+    void leave_out(const std::vector<int>& resting);
+
+    /// Takes up what changed.
+    void assemble();
+    SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
+    /// Factorises A as it stands. False when it is singular.
+    bool factorise();
+    const DirectFactors& factors() const { return factors_; }
+    /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the
+    /// yardstick of a step.
+    double time_product(int repeats) const;
+
+    /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
+    Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
+    Mat12 element_part(int element) const { return matrices_.whole(element); }
+
+    struct Counts {
+        long built = 0, iterations = 0, solves = 0, factorisations = 0;
+    };
+    const Counts& counts() const { return counts_; }
+
+    /// What a checkpoint holds: the blocks as they were built, at one time or another. What follows from them is found
+    /// anew.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stiffness_factor_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves,
+          s.counts_.factorisations);
+        if constexpr (A::reading) a.must(s.take_up_all());
+    }
+
+private:
+    void mark(int node);
+    bool take_up_all();
+
+    const Structure& structure_;
+    ThreadPool& pool_;
+    double mass_factor_, stiffness_factor_;
+    bool geometric_;
+    Keeping keeping_;
+    ElementMatrices matrices_;
+    std::vector<Coupling> couplings_;
+    std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
+    std::unique_ptr<Condensed<float>> narrow_;
+    std::vector<int> dirty_;  // nodes
+    std::vector<char> is_dirty_;
+    bool factor_valid_ = false;
+    DirectFactors factors_;
+    Counts counts_;
+};
+
+}  // namespace hinge

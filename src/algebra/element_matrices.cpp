@@ -1,0 +1,121 @@
+#include "algebra/element_matrices.h"
+
+namespace hinge {
+namespace {
+
+constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
+
+}  // namespace
+
+ElementMatrices::ElementMatrices(const Structure& structure, bool narrow, bool symmetric)
+    : structure_(structure),
+      narrow_(narrow),
+      symmetric_(symmetric),
+      stride_(symmetric ? packed : full),
+      held_(structure.fixed()) {
+    const std::size_t numbers = stride_ * structure.elements().size();
+    empty_.assign(structure.elements().size(), 0);
+    if (narrow) narrow_part_.assign(numbers, 0);
+    else wide_part_.assign(numbers, 0);
+}
+
+void ElementMatrices::set(int element, const Mat12& A) {
+    const auto fill = [&](auto* to) {
+        using Number = std::remove_reference_t<decltype(*to)>;
+        if (!symmetric_) {
+            for (int i = 0; i < full; ++i) to[i] = Number(A.data()[i]);
+            return;
+        }
+        for (int end : {0, 6})
+            for (int c = 0; c < 6; ++c)
+                for (int r = c; r < 6; ++r) *to++ = Number(A(end + r, end + c));
+        for (int c = 0; c < 6; ++c)
+            for (int r = 0; r < 6; ++r) *to++ = Number(A(r, 6 + c));
+    };
+    if (narrow_) fill(&narrow_part_[stride_ * std::size_t(element)]);
+    else fill(&wide_part_[stride_ * std::size_t(element)]);
+}
+
+void ElementMatrices::clear(int element) {
+    set(element, Mat12::Zero());
+    empty_[element] = 1;
+}
+
+template <class Number>
+Mat6 ElementMatrices::own_of(const Number* part, int end) const {
+    Mat6 m;
+    if (!symmetric_) {
+        for (int c = 0; c < 6; ++c)
+            for (int r = 0; r < 6; ++r) m(r, c) = part[12 * (6 * end + c) + 6 * end + r];
+        return m;
+    }
+    part += half * end;
+    for (int c = 0; c < 6; ++c)
+        for (int r = c; r < 6; ++r) m(r, c) = m(c, r) = *part++;
+    return m;
+}
+
+template <class Number>
+Mat6 ElementMatrices::across_of(const Number* part, int end) const {
+    if (!symmetric_) {
+        Mat6 m;
+        for (int c = 0; c < 6; ++c)
+            for (int r = 0; r < 6; ++r) m(r, c) = part[12 * (6 * (1 - end) + c) + 6 * end + r];
+        return m;
+    }
+    const Mat6 m = Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(part + 2 * half).template cast<double>();
+    if (end == 0) return m;
+    return m.transpose();
+}
+
+Mat12 ElementMatrices::whole(int element) const {
+    Mat12 A;
+    const auto fill = [&](const auto* part) {
+        for (int end : {0, 1}) {
+            A.block<6, 6>(6 * end, 6 * end) = own_of(part, end);
+            A.block<6, 6>(6 * end, 6 * (1 - end)) = across_of(part, end);
+        }
+    };
+    if (narrow_) fill(&narrow_part_[stride_ * std::size_t(element)]);
+    else fill(&wide_part_[stride_ * std::size_t(element)]);
+    return A;
+}
+
+void ElementMatrices::set_offset_mass(int node, const Mat6& mass) {
+    if (offset_mass_.empty()) offset_mass_.assign(held_.size(), Mat6::Zero());
+    offset_mass_[node] = mass;
+}
+
+Mat6 ElementMatrices::masked(int a, int b, const Mat6& m) const {
+    if (held_[a] == 0 && held_[b] == 0) return m;
+    Mat6 out = m;
+    for (int c = 0; c < 6; ++c) {
+        if (held_[a] >> c & 1) out.row(c).setZero();
+        if (held_[b] >> c & 1) out.col(c).setZero();
+    }
+    return out;
+}
+
+Mat6 ElementMatrices::own(int node) const {
+    Mat6 sum = Mat6::Zero();
+    for (int e : structure_.elements_at(node)) {
+        if (empty_[e]) continue;
+        const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
+        sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end)
+                       : own_of(&wide_part_[stride_ * std::size_t(e)], end);
+    }
+    if (!offset_mass_.empty()) sum += offset_mass_[node];
+    sum = masked(node, node, sum);
+    for (int c = 0; c < 6; ++c)
+        if (held_[node] >> c & 1) sum(c, c) = 1;
+    return sum;
+}
+
+Mat6 ElementMatrices::across(int element, int end) const {
+    const Element& e = structure_.elements()[element];
+    return masked(e.node[end], e.node[1 - end],
+                  narrow_ ? across_of(&narrow_part_[stride_ * std::size_t(element)], end)
+                          : across_of(&wide_part_[stride_ * std::size_t(element)], end));
+}
+
+}  // namespace hinge

@@ -1,0 +1,234 @@
+#include "algebra/mass.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "beam/mass.h"
+#include "algebra/blocks.h"
+#include "state/breaking.h"
+
+namespace hinge {
+namespace {
+
+void hold(std::vector<Vec6>& v, const State& state) {
+    for (std::size_t i = 0; i < v.size(); ++i)
+        if (const int held = state.held[i])
+            for (int c = 0; c < 6; ++c)
+                if (held >> c & 1) v[i][c] = 0;
+}
+
+bool has_offset_mass(const State& state, int node) {
+    return !state.offset_mass.empty() && state.offset_mass[node].mass > 0;
+}
+
+Mat6 inverse_of_free(Mat6 m, int held) {  // what is held takes no part: a stub on a pinned node turns about the pin
+    for (int c = 0; c < 6; ++c)
+        if (held >> c & 1) m.row(c).setZero(), m.col(c).setZero(), m(c, c) = 1;
+    return blocks::inverse_by_halves(m);
+}
+
+/// Of one element with the linear mass, in space: rho A L/6 (kg) and rho I L/6 (kg m^2); zero when it is broken.
+struct Part {
+    double mass = 0;
+    Mat3 rotary = Mat3::Zero();
+};
+
+Part part_of(const Structure& structure, int index, const State& state, const Pose& pose) {
+    Part part;
+    if (state.broken[index]) return part;
+    const Element& e = structure.elements()[index];
+    const Mat3 axes = axes_of(place_element(structure, index, pose));
+    part.mass = e.rigidity.rhoA * e.length / 6;
+    part.rotary = e.length / 6 * (axes * beam::rotary_inertia(e.rigidity).asDiagonal() * axes.transpose());
+    return part;
+}
+
+/// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as
+/// preconditioner.
+void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change, const State& state,
+                         double tolerance) {
+    const std::size_t n = r.size();
+    const Pose pose = pose_of(state);
+    std::vector<Part> part(structure.elements().size());
+    std::vector<double> own_mass(n, 0);
+    std::vector<Mat3> own_rotary(n, Mat3::Zero());
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        part[i] = part_of(structure, int(i), state, pose);
+        for (int node : structure.elements()[i].node)
+            own_mass[node] += 2 * part[i].mass, own_rotary[node] += 2 * part[i].rotary;
+    }
+    struct RigidOffset {
+        int node;
+        Mat6 mass, inverse;
+    };
+    std::vector<RigidOffset> stubs;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (has_offset_mass(state, int(i))) {
+            Mat6 own = offset_mass_in_space(state.offset_mass[i], pose.rotation[i]);
+            stubs.push_back({int(i), own, {}});
+            own.topLeftCorner<3, 3>().diagonal().array() += own_mass[i];
+            own.bottomRightCorner<3, 3>() += own_rotary[i];
+            stubs.back().inverse = inverse_of_free(own, state.held[i]);
+        }
+        if (own_mass[i] > 0) own_mass[i] = 1 / own_mass[i], own_rotary[i] = own_rotary[i].inverse().eval();
+    }
+    const auto multiply = [&](const std::vector<Vec6>& x, std::vector<Vec6>& y) {
+        for (Vec6& v : y) v.setZero();
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            if (part[i].mass == 0) continue;
+            const auto& [a, b] = structure.elements()[i].node;
+            const Vec6 sum = x[a] + x[b];
+            for (int node : {a, b}) {
+                const Vec6 to = sum + x[node];
+                y[node].head<3>() += part[i].mass * to.head<3>();
+                y[node].tail<3>() += part[i].rotary * to.tail<3>();
+            }
+        }
+        for (const RigidOffset& s : stubs) y[s.node] += s.mass * x[s.node];
+        hold(y, state);
+    };
+    const auto by_node = [&](const std::vector<Vec6>& from, std::vector<Vec6>& z) {
+        for (std::size_t i = 0; i < n; ++i) z[i] << own_mass[i] * from[i].head<3>(), own_rotary[i] * from[i].tail<3>();
+        for (const RigidOffset& s : stubs) z[s.node] = s.inverse * from[s.node];
+        hold(z, state);
+    };
+    const auto dot = [&](const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < n; ++i) sum += a[i].dot(b[i]);
+        return sum;
+    };
+    std::vector<Vec6> d(n), q(n);
+    for (Vec6& v : change) v.setZero();
+    by_node(r, d);
+    double rho = dot(r, d);
+    const double goal = rho * tolerance * tolerance;
+    for (int iteration = 0; rho > goal && rho > 1e-280 && iteration < 500; ++iteration) {
+        multiply(d, q);
+        const double dq = dot(d, q);
+        if (!(dq > 0)) return;
+        const double alpha = rho / dq;
+        for (std::size_t i = 0; i < n; ++i) change[i] += alpha * d[i], r[i] -= alpha * q[i];
+        by_node(r, q);
+        const double next = dot(r, q), beta = next / rho;
+        rho = next;
+        for (std::size_t i = 0; i < n; ++i) d[i] = q[i] + beta * d[i];
+    }
+}
+
+}  // namespace
+
+Mass::Mass(const Structure& structure, const State& state) : structure_(structure) {
+    if (!structure.lumped()) return;
+    std::vector<int> all(structure.elements().size());
+    std::iota(all.begin(), all.end(), 0);
+    renew(all, state, pose_of(state));
+}
+
+void Mass::renew(const std::vector<int>& elements, const State& state, const Pose& pose) {
+    if (structure_.lumped()) return renew_lumped(elements, state, pose);
+    const bool first = !blocks_;
+    if (first) keep_blocks(state);
+    const auto take_up = [&](int index) {
+        const Mat3 axes = axes_of(place_element(structure_, index, pose));
+        blocks_->parts.set(index, state.broken[index] ? Mat12::Zero() : structure_.inertia(index).matrix(axes));
+        for (int node : structure_.elements()[index].node) mark(node);
+    };
+    if (first)
+        for (int e = 0; e < int(structure_.elements().size()); ++e) take_up(e);
+    else
+        for (int e : elements) take_up(e);
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
+        if (has_offset_mass(state, int(i)))
+            blocks_->parts.set_offset_mass(int(i), offset_mass_in_space(state.offset_mass[i], pose.rotation[i])),
+                mark(int(i));
+}
+
+void Mass::renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose) {
+    lumped_inverse_.resize(structure_.position().size(), Vec6::Zero());
+    std::vector<char> stale(lumped_inverse_.size(), 0);
+    for (int index : elements)
+        for (int node : structure_.elements()[index].node) stale[node] = 1;
+    heavy_.clear();
+    for (std::size_t i = 0; i < stale.size(); ++i) {
+        if (!stale[i] && !has_offset_mass(state, int(i))) continue;
+        double mass = 0, rotary = 0;
+        for (int index : structure_.elements_at(int(i))) {
+            if (state.broken[index]) continue;
+            const beam::Inertia lumped = structure_.inertia(index);
+            mass += lumped.own[0];
+            rotary += lumped.rotary[0].x();
+        }
+        lumped_inverse_[i].setZero();
+        for (int c = 0; c < 6; ++c)
+            if (mass > 0 && !(state.held[i] >> c & 1)) lumped_inverse_[i][c] = 1 / (c < 3 ? mass : rotary);
+        if (!has_offset_mass(state, int(i))) continue;
+        Heavy h{int(i), Mat6::Zero(), {}, {}};
+        h.elements.diagonal() << Vec3::Constant(mass), Vec3::Constant(rotary);
+        heavy_.push_back(h);
+    }
+    turn_offset_masses(state, pose);
+}
+
+void Mass::turn_offset_masses(const State& state, const Pose& pose) {
+    for (Heavy& h : heavy_) {
+        h.offsets = offset_mass_in_space(state.offset_mass[h.node], pose.rotation[h.node]);
+        h.inverse = inverse_of_free(h.elements + h.offsets, state.held[h.node]);
+    }
+}
+
+void Mass::mark(int node) {
+    if (!blocks_->is_dirty[node]) blocks_->is_dirty[node] = 1, blocks_->dirty.push_back(node);
+}
+
+void Mass::keep_blocks(const State& state) {
+    make_blocks();
+    blocks_->parts.set_held(state.held);
+}
+
+void Mass::make_blocks() {
+    const int nodes = int(structure_.position().size());
+    blocks_.reset(new Blocks{ElementMatrices(structure_, false, true),
+                             Condensed<double>(structure_, alone_),
+                             {},
+                             std::vector<char>(nodes, 0)});
+    for (int node = 0; node < nodes; ++node) mark(node);
+}
+
+/// Freedoms that are held since the last solution: of nodes that nothing is left of.
+void Mass::take_up_held(const State& state) {
+    const std::vector<std::uint8_t>& before = blocks_->parts.held();
+    if (before == state.held) return;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == state.held[i]) continue;
+        mark(int(i));
+        for (int e : structure_.elements_at(int(i)))
+            for (int node : structure_.elements()[e].node) mark(node);
+    }
+    blocks_->parts.set_held(state.held);
+}
+
+void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) {
+    change.resize(impulse.size());
+    std::vector<Vec6> right = impulse;
+    hold(right, state);
+    if (structure_.lumped()) {
+        for (std::size_t i = 0; i < right.size(); ++i) change[i] = lumped_inverse_[i].cwiseProduct(right[i]);
+        for (const Heavy& h : heavy_) change[h.node] = h.inverse * right[h.node];
+        hold(change, state);
+        return;
+    }
+    if (!blocks_ && structure_.cubic()) renew({}, state, pose_of(state));
+    if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
+    take_up_held(state);
+    std::sort(blocks_->dirty.begin(), blocks_->dirty.end());
+    blocks_->condensed.renew(blocks_->dirty, blocks_->parts);
+    for (int node : blocks_->dirty) blocks_->is_dirty[node] = 0;
+    blocks_->dirty.clear();
+    SolverSettings sharp;
+    sharp.tolerance = tolerance;
+    blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
+}
+
+}  // namespace hinge

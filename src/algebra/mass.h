@@ -1,0 +1,81 @@
+// M by itself: what an impulse does to the nodes. Needed whenever forces begin or end at once, and in every explicit
+// step.
+//
+// Consistent (paper, after eq 15): the first solution, a run's start, goes over the elements and puts nothing together;
+// a run that needs more keeps M by blocks (parts.h) and solves on its joints (condensed.h). Lumped: half of each
+// element on each of its nodes, the rotary inertia the section's polar one about every axis, so that a node's spin
+// needs no frame and no gyroscopic moment.
+#pragma once
+
+#include <memory>
+
+#include "algebra/condensed.h"
+#include "state/sweep.h"
+
+namespace hinge {
+
+class Mass {
+public:
+    /// Of all whole elements and the stubs, where `state` has them.
+    Mass(const Structure& structure, const State& state);
+
+    /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing
+    /// but as stubs. Before the first call of it a solution takes the elements where `state` has them.
+    void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
+    /// RigidOffset alone: where `pose` has turned them.
+    void turn_offset_masses(const State& state, const Pose& pose);
+    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the
+    /// residual, relative; lumped masses need none.
+    void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
+
+    /// Lumped: of each node's elements, a number for each freedom, 1/kg and 1/(kg m^2); zero where it is held or
+    /// nothing is left.
+    const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
+    /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6
+    /// in space. The inverse is of the freedoms that are not held; one for those that are.
+    struct Heavy {
+        int node;
+        Mat6 elements, offsets, inverse;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.node, s.elements, s.offsets, s.inverse);
+        }
+    };
+    const std::vector<Heavy>& heavy() const { return heavy_; }
+
+    /// What a checkpoint holds.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        const std::size_t nodes = s.lumped_inverse_.size();
+        bool in_blocks = s.blocks_ != nullptr;
+        a(s.lumped_inverse_, s.heavy_, in_blocks);
+        if constexpr (A::reading) {
+            a.must(s.lumped_inverse_.size() == nodes && !(in_blocks && s.structure_.lumped()));
+            for (const Heavy& h : s.heavy_) a.must(h.node >= 0 && std::size_t(h.node) < nodes);
+            s.blocks_.reset();
+            if (in_blocks) s.make_blocks();
+        }
+        if (in_blocks) a(s.blocks_->parts);
+    }
+
+private:
+    void renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose);
+    void keep_blocks(const State& state);
+    void make_blocks();
+    void take_up_held(const State& state);
+    void mark(int node);
+
+    const Structure& structure_;
+    std::vector<Vec6> lumped_inverse_;
+    std::vector<Heavy> heavy_;  ///< in order of their nodes
+    struct Blocks {
+        ElementMatrices parts;
+        Condensed<double> condensed;
+        std::vector<int> dirty;
+        std::vector<char> is_dirty;
+    };
+    ThreadPool alone_;
+    std::unique_ptr<Blocks> blocks_;  ///< consistent, from the first renew on
+};
+
+}  // namespace hinge

@@ -1,0 +1,95 @@
+#include "run/fingerprint.h"
+
+#include <zlib.h>
+
+#include "core/archive.h"
+
+namespace hinge {
+namespace {
+
+/// Sums up what is written.
+class Sum {
+public:
+    static constexpr bool reading = false;
+    template <class... T>
+    void operator()(const T&... values) {
+        (archive::value(*this, values), ...);
+    }
+    void bytes(const void* from, std::size_t n) {
+        sum_ = std::uint32_t(crc32_z(sum_, static_cast<const Bytef*>(from), n));
+    }
+    std::uint32_t value() const { return sum_; }
+
+private:
+    std::uint32_t sum_ = 0;
+};
+
+/// A part: `add` puts each of `list` into the sum.
+template <class List, class Add>
+FingerprintPart part(const char* name, const List& list, Add add) {
+    Sum sum;
+    for (const auto& each : list) add(sum, each);
+    return {name, list.size(), sum.value()};
+}
+
+}  // namespace
+
+std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
+    const Model& model = run.structure().model();
+    const DynamicSettings& s = run.settings();
+    std::vector<FingerprintPart> parts;
+    parts.push_back(part("nodes", model.nodes(), [](Sum& a, const NodeData& n) { a(n.position, n.fixed); }));
+    parts.push_back(part("members", model.members(), [](Sum& a, const MemberData& m) { a(m.node, m.up, m.elements); }));
+    parts.push_back(part("materials", model.members(), [](Sum& a, const MemberData& m) {
+        a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);
+    }));
+    parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
+        const Section& s = *m.section;
+        a(s.area, s.Ix, s.Iy, s.J, s.shear_area_x, s.shear_area_y, s.mass_Ix, s.mass_Iy, s.plastic_area, s.Zx, s.Zy,
+          s.Zz, s.N0, s.Mx0, s.My0, s.Mz0, s.width, s.depth);
+    }));
+    parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
+    parts.back().count = model.groups().size();
+    parts.push_back(part("loads", model.loads(), [](Sum& a, const NodalLoad& l) {
+        a(l.node, l.force, l.moment, bool(l.history), bool(l.force_rule), bool(l.moment_rule));
+    }));
+    parts.push_back(part("gravity", std::vector{model.gravity()}, [](Sum& a, const std::optional<Vec3>& g) { a(g); }));
+    parts.push_back(part("velocities", model.velocities(), [](Sum& a, const Vec6& v) { a(v); }));
+    parts.push_back(
+        part("moved supports", model.motions(), [](Sum& a, const SupportMotion& m) { a(m.node, m.component); }));
+    parts.push_back(part("fracture rules", model.fracture(), [](Sum& a, const FractureRule& r) {
+        a(r.curvature_x, r.curvature_y, r.axial_strain, r.tension_only, bool(r.hook), r.where, bool(r.batch), r.keep,
+          r.group);
+    }));
+    parts.push_back(part("contact rules", model.contact(), [](Sum& a, const ContactRule& r) {
+        a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_touch), bool(r.on_release));
+    }));
+    parts.push_back(part("options of the model", std::vector{model.options()}, [](Sum& a, const ModelOptions& o) {
+        a(o.formulation, o.displacement, o.shift, o.mass, o.plasticity, o.elements_per_member);
+    }));
+    parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
+    parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
+    parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
+        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.turn, s.narrow, s.energy_tolerance,
+          s.step_control, s.rho_infinity, s.rest, s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
+    }));
+    return parts;
+}
+
+std::string difference(const std::vector<FingerprintPart>& there, const std::vector<FingerprintPart>& here) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < here.size() && i < there.size(); ++i) {
+        if (there[i].name == here[i].name && there[i].count == here[i].count && there[i].sum == here[i].sum) continue;
+        names.push_back(here[i].name);
+        if (there[i].count != here[i].count)
+            names.back() +=
+                " (" + std::to_string(there[i].count) + " there, " + std::to_string(here[i].count) + " here)";
+    }
+    if (there.size() != here.size()) names.push_back("what it knows of a model");
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+}  // namespace hinge

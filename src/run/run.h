@@ -1,0 +1,85 @@
+// A run: a structure taken from step to step, whoever asks for the steps. Statics and dynamics are two kinds of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "run/effects.h"
+#include "state/energy.h"
+
+namespace hinge {
+
+enum class Verdict { running, completed, stopped, failed };
+const char* name(Verdict v);
+
+/// One stage of a step, in the order the step does it, with the seconds spent in it.
+struct StageTime {
+    const char* name;
+    double seconds = 0;
+};
+
+class Run {
+public:
+    Run(std::shared_ptr<const Structure> structure, State start);
+    virtual ~Run() = default;
+
+    /// One step. False when there is none left (see verdict); the state is then that of the last good step.
+    virtual bool advance() = 0;
+    virtual long planned_steps() const = 0;
+    virtual const char* kind() const = 0;  ///< "static" or "dynamic"
+    virtual std::vector<StageTime> stage_times() const = 0;
+    virtual std::vector<Effect> effects() const = 0;
+
+    void stop();  ///< the script has seen enough
+    Verdict verdict() const { return verdict_; }
+    const std::string& reason() const { return reason_; }
+    const State& state() const { return state_; }
+    const Structure& structure() const { return *structure_; }
+    std::shared_ptr<const Structure> share_structure() const { return structure_; }
+    Energy energy() const { return ledger_.balance(state_); }
+    /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
+    struct Waking {
+        double time;
+        std::string effect;
+        bool awake;
+        std::string why;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.time, s.effect, s.awake, s.why);
+        }
+    };
+    const std::vector<Waking>& wakings() const { return wakings_; }
+    long breaks() const { return breaks_; }  ///< elements that broke in this run
+    long steps_done() const { return state_.step - first_step_; }
+
+    Vec6 displacement(int node) const;  ///< ux uy uz (m), rotation vector rx ry rz (rad)
+    Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
+    bool valid_node(int node) const { return node >= 0 && node < int(structure_->position().size()); }
+    double yield_value(int element) const;  ///< f_y of eq 14, the larger of its sections; 0 when broken
+
+    struct Counts {
+        long yielded = 0, broken = 0, elastic = 0, touched = 0;
+    };
+    /// Members of the group (-1: all): broken if one of its elements is, else yielded if one has ever been fully
+    /// plastic, else elastic; touched, whatever else it is, if one has been in contact.
+    Counts count_members(int group) const;
+
+protected:
+    void fail(std::string why);
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.state_, s.ledger_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_);
+    }
+    std::shared_ptr<const Structure> structure_;
+    State state_;
+    Ledger ledger_;
+    std::unordered_map<int, Vec6> reaction_;  ///< of nodes with a freedom that is held
+    Verdict verdict_ = Verdict::running;
+    std::vector<Waking> wakings_;
+    std::string reason_;
+    long first_step_, breaks_ = 0;
+};
+
+}  // namespace hinge

@@ -1,0 +1,336 @@
+#include "run/statics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/errors.h"
+#include "core/rotation.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+/// Keeps the tangent of a perfect hinge from being singular by itself; far below anything that shows in a result.
+constexpr double hinge_regularisation = 1e-4;
+
+double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].head<3>().dot(b[i].head<3>());
+    return sum;
+}
+
+}  // namespace
+
+Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
+    : Run(std::move(structure), std::move(start)),
+      settings_(std::move(settings)),
+      held_(state_.held),
+      sweep_(*structure_, pool_, false),
+      effective_(std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::direct)) {
+    const Model& model = structure_->model();
+    const std::size_t nodes = structure_->position().size();
+    for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
+    for (auto* v : {&load_, &gravity_load_, &nodal_, &right_, &change_, &response_, &last_move_})
+        v->assign(nodes, Vec6::Zero());
+    moved_.assign(nodes, Vec3::Zero());
+    double length = 0;
+    for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
+        const Element& e = structure_->elements()[i];
+        length += e.length;
+        if (model.gravity() && !state_.broken[i])
+            for (int end : {0, 1})
+                gravity_load_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
+    }
+    if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
+    for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
+    // forces that rounding of the positions alone makes: below them equilibrium cannot be told
+    for (const Element& e : structure_->elements())
+        noise_ = std::max(
+            noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
+    noise_ *= std::sqrt(double(nodes));
+    for (const NodalLoad& l : model.loads()) {
+        const double factor = l.history ? l.history(0) : 1.0;
+        load_[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
+        load_[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
+    }
+    for (std::size_t i = 0; i < nodes; ++i) load_[i] += gravity_load_[i];
+    state_.factor = 0;
+    trial_ = pose_of(state_);
+    force_ = state_.force;
+    for (std::size_t i = 0; i < state_.hinge.size(); ++i)
+        if (state_.hinge[i]) flowing_.push_back(int(i));
+    sweep_.take_up(state_);
+    effective_->set_held(held_);
+    step_size_ = 1.0 / settings_.steps;
+    recover();
+    refuse_mechanism();
+    const bool moments =
+        std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    if (moments && structure_->large()) {
+        effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
+        effective_->set_held(held_);
+        built_ = false;
+    }
+}
+
+void Statics::recover() {
+    const auto start = std::chrono::steady_clock::now();
+    for (Vec6& n : nodal_) n.setZero();
+    sweep_.run(state_, trial_, nodal_, force_, yielding_);
+    times_[0].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool Statics::renew_and_factorise() {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<int> list;
+    if (structure_->large() || !built_) {
+        for (std::size_t i = 0; i < state_.broken.size(); ++i)
+            if (!state_.broken[i]) list.push_back(int(i));
+    } else {
+        list = was_yielding_;
+        for (const Yielding& y : yielding_) list.push_back(y.element);
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    was_yielding_.clear();
+    std::vector<Mat6> tangents(yielding_.size());
+    std::vector<const Mat6*> given(list.size(), nullptr);
+    double section[2];
+    const int n = sweep_.sections(section);
+    for (std::size_t i = 0; i < yielding_.size(); ++i) {
+        const Yielding& y = yielding_[i];
+        const Element& e = structure_->elements()[y.element];
+        const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
+        const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
+        tangents[i] =
+            beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) +
+            hinge_regularisation *
+                (Vec6() << e.rigidity.EIx, e.rigidity.EIx, e.rigidity.EIy, e.rigidity.EIy, e.rigidity.EA, e.rigidity.GJ)
+                    .finished()
+                    .asDiagonal()
+                    .toDenseMatrix() /
+                e.length;
+        given[std::lower_bound(list.begin(), list.end(), y.element) - list.begin()] = &tangents[i];
+        was_yielding_.push_back(y.element);
+    }
+    force_.swap(state_.force);
+    effective_->build(list, state_, trial_, given);
+    force_.swap(state_.force);
+    built_ = true;
+    effective_->assemble();
+    times_[1].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto solving = std::chrono::steady_clock::now();
+    const bool good = effective_->factorise();
+    times_[2].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - solving).count();
+    return good;
+}
+
+void Statics::refuse_mechanism() {
+    renew_and_factorise();
+    const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
+    if (loose < 0) return;
+    static const char* way[] = {"move along x", "move along y", "move along z",
+                                "turn about x", "turn about y", "turn about z"};
+    bool supported = false;
+    for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
+    throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
+                     (supported ? "the structure, or a part of it, is a mechanism or not supported against it"
+                                : "the model has no supports, so it can move as a rigid body") +
+                     "; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)");
+}
+
+double Statics::out_of_balance(double& scale) const {
+    double r = 0, s = 0;
+    for (std::size_t i = 0; i < nodal_.size(); ++i)
+        for (int c = 0; c < 6; ++c) {
+            const double unit = c < 3 ? 1 : 1 / mean_length_, f = trial_factor_ * load_[i][c];
+            if (!(held_[i] >> c & 1)) r += std::pow(unit * (f - nodal_[i][c]), 2);
+            s += std::pow(unit * f, 2) + std::pow(unit * nodal_[i][c], 2);
+        }
+    scale = std::sqrt(s);
+    return std::sqrt(r);
+}
+
+void Statics::move(double factor, const std::vector<Vec6>& by) {
+    trial_factor_ = factor;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        trial_.displacement[i] += by[i].head<3>();
+        moved_[i] += by[i].tail<3>();
+        if (structure_->large()) trial_.rotation[i] = turned(by[i].tail<3>(), trial_.rotation[i]);
+        else trial_.turn[i] += by[i].tail<3>();
+    }
+}
+
+/// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the
+/// arc (in units of the first step's).
+Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
+    trial_ = pose_of(state_);
+    trial_factor_ = state_.factor;
+    for (Vec3& m : moved_) m.setZero();
+    std::vector<Vec6> total(nodal_.size(), Vec6::Zero()), step(nodal_.size());
+    double arc = 0;
+    recover();
+    // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
+    yielding_ = flowing_on ? hinges_ : std::vector<Yielding>{};
+    double first = 0, last_balance = 0;
+    for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
+        if (!renew_and_factorise()) return Outcome::diverged;
+        for (std::size_t i = 0; i < nodal_.size(); ++i) {
+            right_[i] = trial_factor_ * load_[i] - nodal_[i];
+            for (int c = 0; c < 6; ++c)
+                if (held_[i] >> c & 1) right_[i][c] = 0;
+            response_[i] = load_[i];
+            for (int c = 0; c < 6; ++c)
+                if (held_[i] >> c & 1) response_[i][c] = 0;
+        }
+        SolverSettings direct;
+        direct.direct = true;
+        const std::vector<Vec6> unit_load = response_;
+        if (!effective_->solve(right_, change_, direct).converged ||
+            !effective_->solve(unit_load, response_, direct).converged)
+            return Outcome::diverged;
+
+        double d_factor = 0;
+        if (settings_.control == Control::load) {
+            d_factor = iteration == 1 ? increment : 0;
+        } else if (settings_.control == Control::displacement) {
+            const int n = settings_.node, c = settings_.component;
+            const auto at = [&](const std::vector<Vec6>& v) { return v[n][c]; };
+            const double wanted =
+                iteration == 1 ? increment * settings_.target : increment * settings_.target - at(total);
+            if (at(response_) == 0) return Outcome::diverged;
+            d_factor = (wanted - at(change_)) / at(response_);
+        } else if (iteration == 1) {
+            const double size = std::sqrt(dot(response_, response_));
+            if (last_arc_ == 0) last_arc_ = size * step_size_;  // the first step is a load step
+            arc = last_arc_ * increment;
+            const double forward = dot(last_move_, response_);
+            d_factor = (forward < 0 ? -1 : 1) * arc / size;
+        } else {  // |total + change + d response| = arc: of the two roots, the one that goes on
+            for (std::size_t i = 0; i < step.size(); ++i) step[i] = total[i] + change_[i];
+            const double a = dot(response_, response_), b = dot(step, response_), c = dot(step, step) - arc * arc,
+                         disc = b * b - a * c;
+            if (disc < 0) return Outcome::diverged;
+            const double r1 = (-b + std::sqrt(disc)) / a, r2 = (-b - std::sqrt(disc)) / a;
+            d_factor = dot(total, step) + r1 * dot(total, response_) >= dot(total, step) + r2 * dot(total, response_)
+                           ? r1
+                           : r2;
+        }
+        double size = 0, turn = 0;
+        for (std::size_t i = 0; i < step.size(); ++i) {
+            step[i] = change_[i] + d_factor * response_[i];
+            size = std::max(size, step[i].head<3>().cwiseAbs().maxCoeff());
+            turn = std::max(turn, step[i].tail<3>().cwiseAbs().maxCoeff());
+        }
+        if (!std::isfinite(size + turn) || size > 10 * reach_ || (structure_->large() && turn > 1.5))
+            return Outcome::diverged;
+        // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that
+        // makes the balance worse is taken by half, and by half again.
+        const Pose before = trial_;
+        const std::vector<Vec3> moved_before = moved_;
+        const double factor_before = trial_factor_;
+        double scale = 0, r = 0, share = 1;
+        for (int halving = 0;; ++halving, share /= 2) {
+            if (halving > 0) {
+                trial_ = before;
+                moved_ = moved_before;
+                for (Vec6& v : step) v *= 0.5;
+            }
+            move(factor_before + share * d_factor, step);
+            recover();
+            r = out_of_balance(scale);
+            if (iteration == 1 || halving == 12 || !std::isfinite(r) || r <= (1 - 1e-3 * share) * last_balance) break;
+        }
+        last_balance = r;
+        for (std::size_t i = 0; i < step.size(); ++i) total[i] += step[i];
+        if (!std::isfinite(r)) return Outcome::diverged;
+        if (iteration == 1) first = std::max(r, 1e-300);
+        const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && turn <= 1e-11 && r <= 1e-6 * scale;
+        if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
+            if (sweep_.twisted() >= 0) return Outcome::diverged;
+            converged_in_ = iteration;
+            last_move_ = total;
+            return Outcome::converged;
+        }
+        if (iteration > 8 && r > 1e3 * first) return Outcome::diverged;
+    }
+    return Outcome::diverged;
+}
+
+void Statics::commit(double before) {
+    for (std::size_t i = 0; i < load_.size(); ++i) {
+        const Vec3 du = trial_.displacement[i] - state_.displacement[i];
+        const double mean = 0.5 * (before + trial_factor_);
+        // gravity is let on slowly: the part of it that is not there yet is held back by the load
+        state_.accumulated.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) -
+                                   gravity_load_[i].head<3>().dot(du);
+        if (held_[i]) {
+            Vec6& r = reaction_[int(i)];
+            for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;
+        }
+    }
+    state_.displacement = trial_.displacement;
+    state_.rotation = trial_.rotation;
+    state_.turn = trial_.turn;
+    state_.force = force_;
+    state_.factor = trial_factor_;
+    hinges_ = yielding_;
+    for (Yielding& y : hinges_)
+        for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;
+    const std::vector<int> moved = commit_flow(*structure_, state_, yielding_, flowing_);
+    if (!moved.empty()) {
+        sweep_.take_up(state_);
+        was_yielding_.insert(was_yielding_.end(), moved.begin(), moved.end());
+    }
+    ++state_.step;
+}
+
+bool Statics::advance() {
+    if (verdict_ != Verdict::running) return false;
+    // the way still to go: to factor 1, to the target, or the steps allowed
+    const bool arc = settings_.control == Control::arc;
+    const double done = settings_.control == Control::displacement ? progress_ : state_.factor;
+    if (arc ? steps_done() >= settings_.steps : done >= 1 - 1e-12) {
+        verdict_ = Verdict::completed;
+        return false;
+    }
+    double increment = arc ? arc_scale_ : std::min(step_size_, 1 - done);
+    if (!arc && 1 - done - increment < 1e-9) increment = 1 - done;
+    const double before = state_.factor;
+    while (equilibrate(increment, true) != Outcome::converged &&
+           (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
+        increment /= 2;
+        if (increment < settings_.smallest_step) {
+            char text[200];
+            std::snprintf(text, sizeof text,
+                          "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a "
+                          "mechanism or a snap; "
+                          "control by displacement or arc length can go on",
+                          state_.factor, state_.step + 1, increment);
+            fail(sweep_.twisted() >= 0 ? text + ("; " + sweep_.twisted_reason()) : text);
+            return false;
+        }
+        step_size_ = increment;
+        if (arc) arc_scale_ = increment;
+    }
+    commit(before);
+    progress_ += increment;
+    if (arc)
+        arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5),
+                              30.0);  // five iterations a step
+    else if (converged_in_ <= 6) step_size_ = std::min(2 * step_size_, 1.0 / settings_.steps);
+    if (arc ? steps_done() >= settings_.steps
+            : (settings_.control == Control::displacement ? progress_ : state_.factor) >= 1 - 1e-12)
+        verdict_ = Verdict::completed;
+    return true;
+}
+
+std::vector<Effect> Statics::effects() const {
+    std::vector<Effect> list = effects_of(*structure_, false, true);
+    for (Effect& e : list)
+        if (e.name == "large displacement") e.seconds = times_[0].seconds;
+    return list;
+}
+
+}  // namespace hinge

@@ -1,0 +1,16 @@
+// Which parts of a structure hang together.
+#pragma once
+
+#include "state/state.h"
+
+namespace hinge {
+
+struct Bodies {
+    int count = 0;
+    std::vector<int> of_node;  ///< -1: without an element
+};
+
+/// Bodies that whole elements hold together in `state`; numbered by their first nodes.
+Bodies find_bodies(const Structure& structure, const State& state);
+
+}  // namespace hinge

@@ -1,0 +1,177 @@
+#include "state/breaking.h"
+
+#include "beam/mass.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+Mat3 frame(const Structure& structure, const State& state, int index) {
+    if (!structure.large()) return structure.elements()[index].axes.toRotationMatrix();
+    return axes_of(place_element(structure, index, state));
+}
+
+Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
+    return structure.inertia(index).matrix(frame(structure, state, index));
+}
+
+Vec12 element_velocity(const Element& e, const State& state) {
+    Vec12 v;
+    v << state.velocity[e.node[0]], state.velocity[e.node[1]];
+    return v;
+}
+
+/// Momentum rows (linear, and angular about `about`) of nodal momenta p (12) at the element's nodes.
+Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& about) {
+    Vec6 h;
+    h << p.segment<3>(0) + p.segment<3>(6), p.segment<3>(3) + p.segment<3>(9) +
+                                                (x1 - about).cross(Vec3(p.segment<3>(0))) +
+                                                (x2 - about).cross(Vec3(p.segment<3>(6)));
+    return h;
+}
+
+}  // namespace
+
+Mat6 offset_mass_in_space(const OffsetMass& h, const Quat& rotation) {
+    const Mat3 R = rotation.toRotationMatrix();
+    return beam::offset_mass_matrix(h.mass, R * h.moment, R * h.inertia * R.transpose());
+}
+
+Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
+
+double kinetic_energy(const Structure& structure, const State& state, int index, const Mat3& axes) {
+    const Element& e = structure.elements()[index];
+    const Mat3 back = axes.transpose();
+    const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
+    const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = back * a.tail<3>(), wb = back * b.tail<3>();
+    const beam::Inertia m = structure.inertia(index);
+    return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
+                  wb.dot(m.rotary[1].cwiseProduct(wb))) +
+           m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
+}
+
+double kinetic_energy_of_offset_masses(const State& state) {
+    double energy = 0;
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
+        if (state.offset_mass[i].mass > 0)
+            energy += 0.5 * state.velocity[i].dot(offset_mass_in_space(state.offset_mass[i], state.rotation[i]) *
+                                                  state.velocity[i]);
+    return energy;
+}
+
+double kinetic_energy(const Structure& structure, const State& state) {
+    double energy = 0;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i)
+        if (!state.broken[i]) energy += kinetic_energy(structure, state, int(i), frame(structure, state, int(i)));
+    return energy + kinetic_energy_of_offset_masses(state);
+}
+
+Momentum momentum(const Structure& structure, const State& state) {
+    Momentum total{0, Vec3::Zero(), Vec3::Zero()};
+    Vec6 h = Vec6::Zero();
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Element& e = structure.elements()[i];
+        const Mat12 M = mass_matrix(structure, state, int(i));
+        h +=
+            momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
+                        structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
+        total.mass += e.rigidity.rhoA * e.length;
+    }
+    for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
+        if (state.offset_mass[i].mass == 0) continue;
+        const Vec6 p = offset_mass_in_space(state.offset_mass[i], state.rotation[i]) * state.velocity[i];
+        h.head<3>() += p.head<3>();
+        h.tail<3>() += p.tail<3>() + (structure.position()[i] + state.displacement[i]).cross(Vec3(p.head<3>()));
+        total.mass += state.offset_mass[i].mass;
+    }
+    total.linear = h.head<3>();
+    total.angular = h.tail<3>();
+    return total;
+}
+
+BreakReport break_off(const Structure& structure, State& state, int index, int end, std::vector<Vec6>& impulse) {
+    const Element& e = structure.elements()[index];
+    BreakReport report;
+    const int a = end == 2 ? 0 : 1, carrier = e.node[a], freed = e.node[1 - a];
+    report.carrier = carrier;
+    const auto where = [&](int node) -> Vec3 { return structure.position()[node] + state.displacement[node]; };
+    const beam::Stiffness k = stiffness_now(structure, state, index);
+    const Vec6 stretched = element_deformation(structure, index, state) - state.plastic[index];
+    report.elastic = 0.5 * stretched.dot(k.times(stretched));
+
+    // what the element carries now, about the carrier
+    const Mat3 axes = frame(structure, state, index);
+    const Mat12 M = mass_matrix(structure, state, index);
+    const Vec12 v = element_velocity(e, state);
+    const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(carrier));
+
+    state.broken[index] = std::int8_t(end);
+    state.force[index].setZero();
+    if (state.offset_mass.empty()) state.offset_mass.assign(structure.position().size(), {});
+    const Vec3 span = where(freed) - where(carrier);
+    const double stretch = e.length / span.norm();
+    beam::Rigidity same_mass = e.rigidity;
+    same_mass.rhoA *= stretch;
+    same_mass.rhoIx *= stretch;
+    same_mass.rhoIy *= stretch;
+    const beam::RigidOffset stub =
+        structure.lumped() ? beam::lumped_rigid_offset(same_mass, span) : beam::rigid_offset(same_mass, span, axes);
+    const Mat6 offset_mass = beam::offset_mass_matrix(stub.mass, stub.moment, stub.inertia);
+
+    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's
+    // velocity
+    const Vec6 at_carrier = offset_mass * state.velocity[carrier];
+    impulse[carrier] += carried - at_carrier;
+    report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);
+
+    OffsetMass& h = state.offset_mass[carrier];
+    const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
+    if (state.offset_arm.empty()) state.offset_arm.assign(structure.elements().size(), Vec3::Zero());
+    state.offset_arm[index] = back * span;
+    h.mass += stub.mass;
+    h.moment += back * stub.moment;
+    h.inertia += back * stub.inertia * back.transpose();
+
+    bool alone = state.offset_mass[freed].mass == 0;
+    for (int other : structure.elements_at(freed)) alone &= state.broken[other] != 0;
+    if (alone) {
+        report.orphaned = true;
+        state.gone[freed] = 1;
+        state.held[freed] = 63;
+        state.velocity[freed].setZero();
+        state.acceleration[freed].setZero();
+    }
+    state.accumulated.fracture_elastic += report.elastic;
+    state.accumulated.fracture_kinetic += report.kinetic;
+    return report;
+}
+
+double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
+    for (std::size_t i = 0; i < impulse.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
+                state.accumulated.work -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated.fracture_kinetic -= impulse[i][c] * state.velocity[i][c];
+                impulse[i][c] = 0;
+            }
+    std::vector<Vec6> change;
+    mass.solve(impulse, change, state, 1e-13);
+    double cost = 0;
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
+        state.velocity[i] += change[i];
+    }
+    state.accumulated.fracture_kinetic += cost;
+    return cost;
+}
+
+BreakReport break_element(const Structure& structure, State& state, int index, int end) {
+    std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
+    BreakReport report = break_off(structure, state, index, end, impulse);
+    Mass mass(structure, state);
+    report.kinetic += pass_on(state, mass, impulse);
+    return report;
+}
+
+}  // namespace hinge

@@ -1,0 +1,53 @@
+#include "state/hinges.h"
+
+#include <algorithm>
+
+namespace hinge {
+
+void move_point(const Structure& structure, State& state, int element, double s) {
+    const Element& e = structure.elements()[element];
+    const Vec6& p = state.force[element];
+    state.plastic[element] +=
+        stiffness_now(structure, state, element).solve(p) - beam::stiffness(e.rigidity, e.length, s).solve(p);
+    state.point[element] = s;
+}
+
+std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,
+                             std::vector<int>& flowing) {
+    const std::vector<int> before = flowing;
+    for (int e : before) state.hinge[e] = 0;
+    flowing.clear();
+    for (const Yielding& y : yielding) {
+        state.plastic[y.element] += y.flow.plastic;
+        state.plastic_work[y.element] += y.flow.dissipation;
+        state.accumulated.plastic += y.flow.dissipation;
+        std::uint8_t bits = hinge_at_middle;
+        if (!structure.conventional())
+            bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);
+        state.hinge[y.element] = bits;
+        state.yielded[y.element] |= bits;
+        flowing.push_back(y.element);
+    }
+    std::vector<int> moved;
+    if (structure.model().options().shift != Shift::whole || structure.conventional()) return moved;
+    const auto wanted = [&](int index) {
+        const Element& e = structure.elements()[index];
+        if (const std::uint8_t bits = state.hinge[index]) return bits & hinge_at_1 ? 1.0 : -1.0;  // s = -r
+        const bool partner_flows = e.partner >= 0 && state.hinge[e.partner] && !state.broken[e.partner];
+        return partner_flows && structure.model().options().formulation == Formulation::asi_gauss ? 0.0 : e.s;
+    };
+    std::vector<int> look = before;
+    look.insert(look.end(), flowing.begin(), flowing.end());
+    for (std::size_t i = 0, n = look.size(); i < n; ++i)
+        if (const int partner = structure.elements()[look[i]].partner; partner >= 0) look.push_back(partner);
+    std::sort(look.begin(), look.end());
+    look.erase(std::unique(look.begin(), look.end()), look.end());
+    for (int e : look)
+        if (const double s = wanted(e); !state.broken[e] && s != state.point[e]) {
+            move_point(structure, state, e, s);
+            moved.push_back(e);
+        }
+    return moved;
+}
+
+}  // namespace hinge

@@ -1,0 +1,80 @@
+#include "state/state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace hinge {
+
+State initial_state(const Structure& structure) {
+    const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
+    State s;
+    s.displacement.assign(nodes, Vec3::Zero());
+    s.rotation.assign(nodes, Quat::Identity());
+    if (!structure.large()) s.turn.assign(nodes, Vec3::Zero());
+    s.velocity = structure.initial_velocity();
+    s.acceleration.assign(nodes, Vec6::Zero());
+    s.held = structure.fixed();
+    s.gone.assign(nodes, 0);
+    for (std::size_t i = 0; i < nodes; ++i) {
+        if (structure.elements_at(int(i)).empty()) s.held[i] = 63, s.gone[i] = 1;
+        for (int c = 0; c < 6; ++c)
+            if (s.held[i] >> c & 1) s.velocity[i][c] = 0;
+    }
+    s.plastic.assign(elements, Vec6::Zero());
+    s.force.assign(elements, Vec6::Zero());
+    for (const Element& e : structure.elements()) s.point.push_back(e.s);
+    s.plastic_work.assign(elements, 0);
+    s.hinge.assign(elements, 0);
+    s.yielded.assign(elements, 0);
+    s.touched.assign(elements, 0);
+    s.broken.assign(elements, 0);
+    return s;
+}
+
+bool makes_sense(const State& s, const Structure& structure) {
+    const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
+    const auto long_as = [](std::size_t n, const auto&... arrays) { return ((arrays.size() == n) && ...); };
+    const auto none_or = [](std::size_t n, const auto& array) { return array.empty() || array.size() == n; };
+    const bool whole =
+        long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) &&
+        long_as(structure.large() ? 0 : nodes, s.turn) &&
+        long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) &&
+        none_or(nodes, s.offset_mass) && none_or(elements, s.offset_arm);
+    if (!whole) return false;
+    for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
+        if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;
+    const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
+    return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
+           std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) &&
+           (!any_broken || (!s.offset_mass.empty() && !s.offset_arm.empty()));
+}
+
+bool is_finite(const State& s) {
+    const auto finite = [](double x) { return std::isfinite(x); };
+    const Accumulated& b = s.accumulated;
+    bool good = true;
+    for (double x :
+         {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical})
+        good = good && finite(x);
+    State::for_each_field(s, [&](const char*, const auto& array) {
+        if (static_cast<const void*>(&array) == &s.kept) return;  // a rule of the script may keep what it likes
+        if constexpr (sizeof(array[0]) > 1) {                     // doubles or made of them; else bytes
+            const auto* first = reinterpret_cast<const double*>(array.data());
+            good = good && std::all_of(first, first + array.size() * sizeof(array[0]) / sizeof(double), finite);
+        }
+    });
+    return good;
+}
+
+std::uint64_t hash(const State& state) {
+    std::uint64_t h = 14695981039346656037ull;
+    State::for_each_field(state, [&](const char* name, const auto& array) {
+        if (std::strcmp(name, "strained") == 0) return;  // says what was asked, not how the structure is
+        const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
+        for (std::size_t i = 0, n = array.size() * sizeof(array[0]); i < n; ++i) h = (h ^ bytes[i]) * 1099511628211ull;
+    });
+    return h;
+}
+
+}  // namespace hinge

@@ -1,0 +1,118 @@
+// Everything that changes while a run goes on: dense arrays, and one list of them that drives copies, snapshots and
+// hashes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "contact/contact.h"
+#include "model/structure.h"
+
+namespace hinge {
+
+/// Mass hung rigidly on a node: the stubs of broken elements (paper, fig 5). In the node's own frame.
+struct OffsetMass {
+    double mass = 0;              ///< kg
+    Vec3 moment = Vec3::Zero();   ///< first moment about the node, kg m
+    Mat3 inertia = Mat3::Zero();  ///< about the node, kg m^2
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.mass, s.moment, s.inertia);
+    }
+};
+
+enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
+
+/// Sums kept from step to step, J.
+struct Accumulated {
+    double work = 0;              ///< done by loads
+    double plastic = 0;           ///< dissipated in hinges
+    double fracture_elastic = 0;  ///< strain energy released by broken elements
+    double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
+    double contact_released = 0;  ///< released with ties, heat of friction
+    double numerical = 0;         ///< taken out by a dissipative integrator
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.work, s.plastic, s.fracture_elastic, s.fracture_kinetic, s.contact_released, s.numerical);
+    }
+};
+
+struct State {
+    // nodes
+    std::vector<Vec3> displacement;  ///< m
+    std::vector<Quat> rotation;      ///< large displacement: since the start
+    std::vector<Vec3> turn;          ///< small displacement alone: rotation vector, rad
+    std::vector<Vec6> velocity;      ///< m/s and rad/s, in space
+    std::vector<Vec6> acceleration;  ///< m/s^2 and rad/s^2, in space
+    std::vector<std::uint8_t> held;  ///< bits as in Structure::fixed; all six for a node that has lost its elements
+    std::vector<OffsetMass> offset_mass;  ///< empty until something breaks, then one a node
+    // elements
+    std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h
+    std::vector<Vec6> force;            ///< p of timoshenko.h, N m and N
+    std::vector<double> point;          ///< s
+    std::vector<double> plastic_work;   ///< J
+    std::vector<std::uint8_t> hinge;    ///< HingeBits: flowing in the last step
+    std::vector<std::uint8_t> yielded;  ///< HingeBits: has ever flowed
+    std::vector<std::uint8_t> touched;  ///< 1: has been in contact
+    std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
+    std::vector<Vec3> offset_arm;       ///< of broken elements: from the node that carries it to its free end, in that
+                                        ///< node's frame, m; empty until something breaks
+    std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
+    std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
+                                   ///< |curvature_x|, |curvature_y|, |axial strain| of each element
+    std::vector<double>
+        kept;  ///< what fracture rules of the script keep: of both ends of each element; empty where none does
+
+    double time = 0;
+    long step = 0;
+    double factor = 1;  ///< load factor reached in statics
+    Accumulated accumulated;
+    std::optional<contact::Contact> contact;
+
+    /// Calls f(name, array) for each array, in a fixed order.
+    template <class Self, class F>
+    static void for_each_field(Self& s, F f) {
+        f("displacement", s.displacement);
+        f("rotation", s.rotation);
+        f("turn", s.turn);
+        f("velocity", s.velocity);
+        f("acceleration", s.acceleration);
+        f("held", s.held);
+        f("offset_mass", s.offset_mass);
+        f("plastic", s.plastic);
+        f("force", s.force);
+        f("point", s.point);
+        f("plastic_work", s.plastic_work);
+        f("hinge", s.hinge);
+        f("yielded", s.yielded);
+        f("touched", s.touched);
+        f("broken", s.broken);
+        f("offset_arm", s.offset_arm);
+        f("gone", s.gone);
+        f("strained", s.strained);
+        f("kept", s.kept);
+    }
+    /// For a checkpoint (core/archive.h). Whether there is contact the model says.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        for_each_field(s, [&](const char*, auto& array) { a(array); });
+        a(s.time, s.step, s.factor, s.accumulated);
+        if (s.contact) a(*s.contact);
+    }
+};
+
+/// The state at the start: declared positions and velocities, no stress.
+State initial_state(const Structure& structure);
+
+/// Whether what was read can be a state of the structure: each array as long as it must be, nothing that refers beyond
+/// it.
+bool makes_sense(const State& state, const Structure& structure);
+bool is_finite(const State& state);  ///< each of its numbers
+
+/// A hash of every array: equal states have equal hashes, whatever the machine's thread count.
+std::uint64_t hash(const State& state);
+
+}  // namespace hinge

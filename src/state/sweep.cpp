@@ -1,0 +1,442 @@
+#include "state/sweep.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "beam/mass.h"
+#include "core/built.h"
+#include "state/hinges.h"
+
+namespace hinge {
+
+using beam::lane_count;
+using beam::Lanes;
+using beam::Placement;
+using beam::Quadruple;
+using beam::Triple;
+
+/// Elements 8 i to 8 i + 7, in that order.
+struct Sweep::Block {
+    int node[2][lane_count];
+    Lanes chord[3];
+    const Kind* kind;
+    unsigned whole;  // a bit for each that is not broken
+};
+
+/// What blocks of the same eight sections, lengths and directions share: in a regular frame, nearly all of them.
+struct Sweep::Kind {
+    Lanes length, axes[4];                       // w x y z
+    Lanes k[8];                                  // x11 x12 x22 y11 y12 y22 axial twist
+    Lanes yield[4];                              // x y n z
+    Lanes mass, rotary[3];                       // rho A L/6, rho I L/6: the linear mass
+    Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
+    bool can_yield;
+};
+
+struct Sweep::Found {
+    std::vector<Yielding> yielding;
+    std::vector<int> turned;
+    int twisted = -1;
+};
+
+/// The mean of an element's two y axes, each of length one, where its ends have twisted against each other by 160
+/// degrees.
+constexpr double least_mean_y = 0.17;
+
+/// Blocks that one thread takes at a time.
+constexpr int piece = 64;
+
+Sweep::Sweep(const Structure& structure, ThreadPool& pool, bool inertia)
+    : structure_(structure), pool_(pool), inertia_(inertia) {}
+
+Sweep::~Sweep() = default;
+
+int Sweep::sections(double* r) const {
+    if (structure_.conventional()) return r[0] = 0, 1;
+    return r[0] = -1, r[1] = 1, 2;
+}
+
+void Sweep::mark_built(int element, const Mat3& frame) {
+    if (!watching_) return;
+    Lanes* built = &built_[6 * std::size_t(element / lane_count)];
+    for (int c = 0; c < 3; ++c)
+        built[c][element % lane_count] = frame(c, 2), built[3 + c][element % lane_count] = frame(c, 1);
+}
+
+void Sweep::watch_turning(double tolerance) {
+    watching_ = true;
+    turn_limit_ = tolerance * tolerance;
+    built_.assign(6 * blocks_.size(), Lanes{});
+}
+
+void Sweep::take_up(const State& state) {
+    const int count = int(state.broken.size());
+    blocks_.resize((count + lane_count - 1) / lane_count);
+    kinds_.clear();
+    std::map<std::array<const void*, lane_count>, const Kind*> known;
+    for (int block = 0; block < int(blocks_.size()); ++block) {
+        Block& b = blocks_[block];
+        b.whole = 0;
+        std::array<const void*, lane_count> alike;
+        bool as_declared = true;
+        int index[lane_count];
+        for (int i = 0; i < lane_count; ++i) {
+            index[i] = std::min(block * lane_count + i,
+                                count - 1);  // a short block repeats its last element and drops the copies
+            const Element& e = structure_.elements()[index[i]];
+            alike[i] = &e.stiffness;
+            as_declared = as_declared && state.point[index[i]] == e.s;
+            b.node[0][i] = e.node[0];
+            b.node[1][i] = e.node[1];
+            for (int c = 0; c < 3; ++c) b.chord[c][i] = e.chord[c];
+            if (block * lane_count + i < count && !state.broken[index[i]]) b.whole |= 1u << i;
+        }
+        if (as_declared) {
+            const Kind*& kind = known[alike];
+            if (!kind) kind = &add_kind(state, index);
+            b.kind = kind;
+        } else {
+            b.kind = &add_kind(state, index);
+        }
+    }
+}
+
+const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
+    kinds_.emplace_back();
+    Kind& kind = kinds_.back();
+    kind.can_yield = false;
+    for (int i = 0; i < lane_count; ++i) {
+        const Element& e = structure_.elements()[index[i]];
+        const beam::Stiffness k = stiffness_now(structure_, state, index[i]);
+        kind.length[i] = e.length;
+        const double q[4] = {e.axes.w(), e.axes.x(), e.axes.y(), e.axes.z()};
+        for (int c = 0; c < 4; ++c) kind.axes[c][i] = q[c];
+        const double ks[8] = {k.x11, k.x12, k.x22, k.y11, k.y12, k.y22, k.axial, k.twist};
+        for (int c = 0; c < 8; ++c) kind.k[c][i] = ks[c];
+        const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
+        for (int c = 0; c < 4; ++c) kind.yield[c][i] = w[c];
+        kind.mass[i] = e.rigidity.rhoA * e.length / 6;
+        const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
+        for (int c = 0; c < 3; ++c) kind.rotary[c][i] = rotary[c];
+        const beam::Inertia linear = beam::linear_inertia(e.rigidity, e.length), whole = structure_.inertia(index[i]);
+        for (int end : {0, 1}) {
+            kind.more[end][i] = whole.own[end] - linear.own[end];
+            kind.more_rotary[end][i] = whole.rotary[end].x() - linear.rotary[end].x();
+        }
+        kind.more_across[i] = whole.across - linear.across;
+        kind.can_yield |= !e.yield.elastic();
+    }
+    return kind;
+}
+
+void Sweep::raise(int element) { blocks_[element / lane_count].whole |= 1u << element % lane_count; }
+
+void Sweep::drop(int element) {
+    blocks_[element / lane_count].whole &= ~(1u << element % lane_count);
+    if (place_.empty()) return;
+    for (int e : {0, 1})
+        if (const int place = place_[2 * element + e]; place >= 0) left_[place].setZero();
+}
+
+std::vector<std::uint8_t> Sweep::taking_part() const {
+    std::vector<std::uint8_t> whole;
+    for (const Block& b : blocks_) whole.push_back(std::uint8_t(b.whole));
+    return whole;
+}
+
+std::vector<double> Sweep::frames() const {
+    const auto* first = reinterpret_cast<const double*>(built_.data());
+    return {first, first + built_.size() * lane_count};
+}
+
+/// False, and nothing has changed, where somebody would take part who is broken or not there.
+bool Sweep::take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built) {
+    if (whole.size() != blocks_.size() || built.size() != built_.size() * lane_count) return false;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        if (whole[i] & ~blocks_[i].whole) return false;
+    for (std::size_t i = 0; i < whole.size(); ++i) blocks_[i].whole = whole[i];
+    std::copy(built.begin(), built.end(), reinterpret_cast<double*>(built_.data()));
+    for (Vec6& l : left_) l.setZero();
+    return true;
+}
+
+namespace {
+
+/// Three numbers of each node, from the given one of its numbers on.
+template <class T>
+[[gnu::always_inline]] inline Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
+    Lanes v[lane_count];
+    beam::pick_rows<3>(from.data()->data() + offset, node, sizeof(T) / sizeof(double), v);
+    return {v[0], v[1], v[2]};
+}
+
+[[gnu::always_inline]] inline Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
+    Lanes v[lane_count];
+    beam::pick_rows<4>(from.data()->coeffs().data(), node, 4, v);  // x y z w
+    return {v[3], v[0], v[1], v[2]};
+}
+
+struct Motion {
+    Triple<Lanes> linear, angular;
+};
+[[gnu::always_inline]] inline Motion gather_motion(const std::vector<Vec6>& from, const int* node) {
+    Lanes v[lane_count];
+    beam::pick_rows<6>(from.data()->data(), node, 6, v);
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+/// Small displacement: the frame of the start, and the deformation to first order.
+Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& length) {
+    const Lanes zero = {}, one = beam::spread(1.0, length);
+    Placement<Lanes> p;
+    p.frame = beam::turned_triad(axes, {one, zero, zero, zero});
+    p.length = length;
+    p.theta[0] = p.theta[1] = {zero, zero, zero};
+    p.y[0] = p.y[1] = {zero, one, zero};
+    p.y_mean_y = one;
+    p.y_mean_z = zero;
+    return p;
+}
+
+void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& turn1,
+                        const Triple<Lanes>& turn2, Lanes d[6]) {
+    const auto& f = p.frame;
+    const Lanes u = dot(f.x, relative) / p.length, v = dot(f.y, relative) / p.length;
+    d[0] = dot(f.x, turn1) + v;
+    d[1] = dot(f.x, turn2) + v;
+    d[2] = dot(f.y, turn1) - u;
+    d[3] = dot(f.y, turn2) - u;
+    d[4] = dot(f.z, relative);
+    d[5] = dot(f.z, turn2) - dot(f.z, turn1);
+}
+
+/// Rotary inertia of a spin w and its rate a in the frame: J a + w x J w, per share of mass.
+Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<Lanes>& a) {
+    const Triple<Lanes> h = {J[0] * w.x, J[1] * w.y, J[2] * w.z};
+    return Triple<Lanes>{J[0] * a.x, J[1] * a.y, J[2] * a.z} + cross(w, h);
+}
+
+}  // namespace
+
+template <bool large, bool inertia, bool cubic>
+void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal,
+                       std::vector<Vec6>& force, Found& found) {
+    double section[2];
+    const int section_count = sections(section);
+    const bool watching = watching_;
+    for (int block = first; block < end; ++block) {
+        const Block& b = blocks_[block];
+        if (!b.whole) continue;
+        const Kind& kind = *b.kind;
+        const int element = block * lane_count;
+        const Triple<Lanes> u1 = gather(pose.displacement, b.node[0]), u2 = gather(pose.displacement, b.node[1]);
+        const Quadruple<Lanes> axes = {kind.axes[0], kind.axes[1], kind.axes[2], kind.axes[3]};
+        Placement<Lanes> place;
+        Lanes d[6];
+        if constexpr (large) {
+            const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
+            place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
+            beam::deformation(place, kind.length, d);
+            if (beam::any_not_below(Lanes{} - place.y_mean_y, -least_mean_y))
+                for (int i = 0; i < lane_count; ++i)
+                    if (b.whole >> i & 1 && place.y_mean_y[i] <= least_mean_y) found.twisted = element + i;
+        } else {
+            place = start_placement(axes, kind.length);
+            linear_deformation(place, u2 - u1, gather(pose.turn, b.node[0]), gather(pose.turn, b.node[1]), d);
+        }
+
+        // elastic forces: p = k (d - d_p)
+        Lanes plastic[lane_count];
+        beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element),
+                           plastic);
+        for (int c = 0; c < 6; ++c) d[c] -= plastic[c];
+        Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1],
+                      kind.k[1] * d[0] + kind.k[2] * d[1],
+                      kind.k[3] * d[2] + kind.k[4] * d[3],
+                      kind.k[4] * d[2] + kind.k[5] * d[3],
+                      kind.k[6] * d[4],
+                      kind.k[7] * d[5]};
+
+        // yield: return to the surface of eq 14
+        if (built::plasticity && kind.can_yield) {
+            Lanes f[2];
+            const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
+            for (int s = 0; s < section_count; ++s) {
+                const Lanes mx = (section[s] - 1) / 2 * p[0] + (section[s] + 1) / 2 * p[1],
+                            my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
+                f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
+            }
+            if (beam::any_above(f[0], 1) || (section_count == 2 && beam::any_above(f[1], 1)))
+                for (int i = 0; i < lane_count; ++i) {
+                    if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
+                    const Element& e = structure_.elements()[element + i];
+                    const beam::Stiffness k = {kind.k[0][i], kind.k[1][i], kind.k[2][i], kind.k[3][i],
+                                               kind.k[4][i], kind.k[5][i], kind.k[6][i], kind.k[7][i]};
+                    Vec6 trial;
+                    for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
+                    if (!trial.allFinite()) continue;  // the step names the culprit
+                    found.yielding.push_back(
+                        {element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
+                    for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
+                }
+        }
+
+        beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);
+
+        if constexpr (inertia) {
+            const Lanes two = beam::spread(2.0, kind.mass);
+            const Motion m1 = gather_motion(pose.acceleration, b.node[0]),
+                         m2 = gather_motion(pose.acceleration, b.node[1]);
+            const Triple<Lanes>&a1 = m1.linear, &a2 = m2.linear;
+            out.force[0] = out.force[0] + kind.mass * (two * a1 + a2);
+            out.force[1] = out.force[1] + kind.mass * (a1 + two * a2);
+            const auto local = [&](const Triple<Lanes>& v) {
+                return Triple<Lanes>{dot(place.frame.x, v), dot(place.frame.y, v), dot(place.frame.z, v)};
+            };
+            const Lanes none = {};
+            Triple<Lanes> w1 = {none, none, none}, w2 = w1;
+            if constexpr (large) {
+                w1 = local(gather(pose.velocity, b.node[0], 3));
+                w2 = local(gather(pose.velocity, b.node[1], 3));
+            }
+            const Triple<Lanes> s1 = local(m1.angular), s2 = local(m2.angular);
+            const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, s1), h2 = rotary_force(kind.rotary, w2, s2);
+            const auto space = [&](const Triple<Lanes>& v) {
+                return v.x * place.frame.x + v.y * place.frame.y + v.z * place.frame.z;
+            };
+            const Triple<Lanes> g1 = space(h1), g2 = space(h2);
+            out.moment[0] = out.moment[0] + two * g1 + g2;
+            out.moment[1] = out.moment[1] + g1 + two * g2;
+            if constexpr (cubic) {
+                out.force[0] = out.force[0] + (kind.more[0] * a1 + kind.more_across * a2);
+                out.force[1] = out.force[1] + (kind.more_across * a1 + kind.more[1] * a2);
+                const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none},
+                            across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
+                out.moment[0] = out.moment[0] + space(rotary_force(across1, w1, s1));
+                out.moment[1] = out.moment[1] + space(rotary_force(across2, w2, s2));
+            }
+        }
+
+        // element by element again
+        Lanes row[2][lane_count],
+            by_end[2][lane_count] = {
+                {out.force[0].x, out.force[0].y, out.force[0].z, out.moment[0].x, out.moment[0].y, out.moment[0].z},
+                {out.force[1].x, out.force[1].y, out.force[1].z, out.moment[1].x, out.moment[1].y, out.moment[1].z}};
+        for (int e : {0, 1}) beam::transpose(by_end[e], row[e]);
+        for (int i = 0; i < lane_count; ++i)
+            for (int e = 0; e < 2 && b.whole >> i & 1; ++e) {
+                const int place = place_.empty() ? -1 : place_[2 * (element + i) + e];
+                if (place < 0) beam::add_six(nodal[b.node[e][i]].data(), row[e][i]);
+                else beam::store_row<6>(left_[place].data(), row[e][i]);
+            }
+        const Lanes forces[lane_count] = {p[0], p[1], p[2], p[3], p[4], p[5]};
+        beam::transpose(forces, row[0]);
+        for (int i = 0; i < lane_count; ++i)
+            if (b.whole >> i & 1) beam::store_row<6>(force[element + i].data(), row[0][i]);
+        if (large && watching) {
+            const Lanes* built = &built_[6 * std::size_t(block)];
+            const auto square = [](const Triple<Lanes>& now, const Lanes* then) {
+                const Triple<Lanes> way = now - Triple<Lanes>{then[0], then[1], then[2]};
+                return dot(way, way);
+            };
+            const Lanes turned = square(place.frame.z, built) + square(place.frame.y, built + 3);
+            if (beam::any_above(turned, turn_limit_))
+                for (int i = 0; i < lane_count; ++i)
+                    if (turned[i] > turn_limit_ && b.whole >> i & 1) found.turned.push_back(element + i);
+        }
+    }
+}
+
+/// Which nodes have elements in more than one piece.
+void Sweep::share_out() {
+    place_.assign(2 * structure_.elements().size(), -1);
+    const auto piece_of = [](int element) { return element / (piece * lane_count); };
+    for (int node = 0; node < int(structure_.position().size()); ++node) {
+        const std::span<const int> at = structure_.elements_at(node);
+        if (at.empty() || piece_of(at.front()) == piece_of(at.back())) continue;
+        const int first = int(left_.size());
+        for (int e : at) {
+            place_[2 * e + (structure_.elements()[e].node[0] == node ? 0 : 1)] = int(left_.size());
+            left_.push_back(Vec6::Zero());
+        }
+        shared_.push_back({node, first, int(left_.size())});
+    }
+}
+
+void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
+                std::vector<Yielding>& yielding) {
+    if (pool_.threads() > 1 && place_.empty()) share_out();
+    found_.resize((blocks_.size() + piece - 1) / piece);
+    pool_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
+        found_[i].yielding.clear();
+        found_[i].turned.clear();
+        found_[i].twisted = -1;
+        const auto go_over = [&]<bool large>() {
+            const auto run_blocks_of = !inertia_            ? &Sweep::run_blocks<large, false, false>
+                                       : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
+                                                            : &Sweep::run_blocks<large, true, false>;
+            (this->*run_blocks_of)(first, end, state, pose, nodal, force, found_[i]);
+        };
+        structure_.large() ? go_over.operator()<true>() : go_over.operator()<false>();
+    });
+    pool_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += left_[k];
+    });
+    yielding.clear();
+    turned_.clear();
+    twisted_ = -1;
+    for (const Found& f : found_) {
+        yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
+        turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
+        twisted_ = std::max(twisted_, f.twisted);
+    }
+    for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
+}
+
+std::string Sweep::twisted_reason() const {
+    return "the two ends of " + structure_.element_name(twisted_) +
+           " have twisted by 160 degrees against each other, and at half a turn an element's frame jumps; more "
+           "elements a member, or fracture, may help";
+}
+
+Mat3 axes_of(const beam::Placement<double>& p) {
+    Mat3 axes;
+    axes << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z,
+        p.frame.z.z;
+    return axes;
+}
+
+beam::Placement<double> place_element(const Structure& structure, int index, const Places& at) {
+    const Element& e = structure.elements()[index];
+    const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
+    if (structure.large()) {
+        const Vec3 chord = e.chord + (at.displacement[e.node[1]] - at.displacement[e.node[0]]);
+        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]),
+                                   quad(at.rotation[e.node[1]]), quad(e.axes));
+    }
+    return beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes));
+}
+
+Vec6 element_deformation(const Structure& structure, int index, const Places& at) {
+    return element_deformation(structure, index, at,
+                               structure.large() ? place_element(structure, index, at) : beam::Placement<double>{});
+}
+
+Vec6 element_deformation(const Structure& structure, int index, const Places& at,
+                         const beam::Placement<double>& placement) {
+    Vec6 d;
+    const Element& e = structure.elements()[index];
+    if (structure.large()) {
+        beam::deformation(placement, e.length, d.data());
+        return d;
+    }
+    const Mat3 axes = e.axes.toRotationMatrix().transpose();
+    Vec12 u;
+    u << axes * at.displacement[e.node[0]], axes * at.turn[e.node[0]], axes * at.displacement[e.node[1]],
+        axes * at.turn[e.node[1]];
+    return beam::linear_deformation(e.length) * u;
+}
+
+}  // namespace hinge

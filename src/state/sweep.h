@@ -1,0 +1,125 @@
+// The sweep over the elements, eight at a time: deformation, forces, yield, and inertia, summed into the nodes.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "beam/corotation.h"
+#include "beam/yield.h"
+#include "core/thread_pool.h"
+#include "state/state.h"
+
+namespace hinge {
+
+/// Where the nodes are tried to be, and how they move there.
+struct Pose {
+    std::vector<Vec3> displacement;
+    std::vector<Quat> rotation;
+    std::vector<Vec3> turn;
+    std::vector<Vec6> velocity, acceleration;
+};
+
+/// What one element did on the way to the pose.
+struct Yielding {
+    int element;
+    beam::Flow flow;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.flow);
+    }
+};
+
+class Sweep {
+public:
+    /// `inertia`: add consistent-mass inertia and gyroscopic forces of the pose's acceleration and velocity.
+    Sweep(const Structure& structure, ThreadPool& pool, bool inertia);
+    ~Sweep();
+
+    /// Takes up which elements are whole and where their points stand. Call when a point has moved.
+    void take_up(const State& state);
+    void drop(int element);   ///< it broke, or rests
+    void raise(int element);  ///< it no longer rests
+
+    /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; what resists), writes p of each element to
+    /// `force`, and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes
+    /// nothing in it.
+    void run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
+             std::vector<Yielding>& yielding);
+
+    /// Elements whose frame has turned by more than `tolerance` (rad) since they were last marked. Filled by run.
+    const std::vector<int>& turned() const { return turned_; }
+    void watch_turning(double tolerance);
+    /// An element whose ends have twisted against each other by more than 160 degrees, near the half turn at which its
+    /// frame jumps; -1 when there is none. Filled by run; large displacement.
+    int twisted() const { return twisted_; }
+    std::string twisted_reason() const;  ///< why a run cannot go on with it
+    /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
+    void mark_built(int element, const Mat3& frame);
+
+    int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
+    long updates() const { return updates_; }
+
+    /// What a checkpoint holds, read after take_up: who takes part, and the frames of the last builds.
+    template <class A>
+    static void fields(const Sweep& s, A& a) {
+        a(s.taking_part(), s.frames(), s.updates_);
+    }
+    template <class A>
+    static void fields(Sweep& s, A& a) {
+        std::vector<std::uint8_t> whole;
+        std::vector<double> built;
+        a(whole, built, s.updates_);
+        a.must(s.take_part(whole, built));
+    }
+
+private:
+    struct Block;
+    struct Kind;
+    const Kind& add_kind(const State& state, const int* index);
+    struct Found;  ///< what one piece of the sweep came upon
+    template <bool large, bool inertia, bool cubic>
+    void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
+                    Found& found);
+    void share_out();
+    std::vector<std::uint8_t> taking_part() const;  ///< a byte a block, a bit for each of its elements
+    std::vector<double> frames() const;
+    bool take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
+
+    const Structure& structure_;
+    ThreadPool& pool_;
+    bool inertia_;
+    std::vector<Block> blocks_;
+    std::deque<Kind> kinds_;
+    std::vector<Found> found_;
+    // several threads: what elements of several pieces do to one node is left in `left_` and added up afterwards
+    struct Shared {
+        int node, first, end;
+    };
+    std::vector<Shared> shared_;  ///< places in left_ of each such node, in the order of its elements
+    std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
+    std::vector<Vec6> left_;
+    std::vector<beam::Lanes> built_;  ///< six a block: frame z and y at the last build
+    std::vector<int> turned_;
+    int twisted_ = -1;
+    double turn_limit_ = 1e300;
+    bool watching_ = false;
+    long updates_ = 0;
+};
+
+/// Where the nodes are, of a state or of a pose.
+struct Places {
+    const std::vector<Vec3>& displacement;
+    const std::vector<Quat>& rotation;
+    const std::vector<Vec3>& turn;
+    Places(const State& s) : displacement(s.displacement), rotation(s.rotation), turn(s.turn) {}
+    Places(const Pose& p) : displacement(p.displacement), rotation(p.rotation), turn(p.turn) {}
+};
+
+/// Where one element is (for its tangent and for reading it).
+Mat3 axes_of(const beam::Placement<double>& placement);  ///< columns: the local axes in space
+beam::Placement<double> place_element(const Structure& structure, int element, const Places& at);
+Vec6 element_deformation(const Structure& structure, int element, const Places& at);
+Vec6 element_deformation(const Structure& structure, int element, const Places& at,
+                         const beam::Placement<double>& placement);
+
+}  // namespace hinge
