@@ -1,43 +1,55 @@
-// The energy ledger (eq 20 and what it leaves out): where the energy is, where it went, and what is missing.
+// The energy balance (eq 20 and what it leaves out) as a list of named accounts, J. Effects register them; whoever
+// prints, sums up or judges them reads the list.
 #pragma once
 
-#include "state/breaking.h"
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace hinge {
 
-/// All in J. remainder = initial + work - (kinetic + gravity + elastic + plastic + fracture + contact + numerical): the
-/// numerical error.
-struct Energy {
-    double initial = 0;  ///< kinetic + elastic at the start of the run
-    double kinetic = 0;
-    double gravity = 0;  ///< potential, zero at the start of the run
-    double elastic = 0;
-    double plastic = 0;   ///< dissipated in hinges since the start of the run
-    double fracture = 0;  ///< released by fracture: strain energy, and kinetic energy of stubs
-    double contact = 0;   ///< stored in ties and touches now; released with ties, heat of friction
-    double contact_stored = 0, contact_released = 0, fracture_elastic = 0, fracture_kinetic = 0;
-    double numerical = 0;  ///< taken out by a dissipative integrator
-    double work = 0;       ///< done by loads (not gravity)
-    double remainder = 0;
-};
-
-class Ledger {
+/// Sums by name, J, in the order in which the names were first used. A name that was never used stands for 0.
+class Accounts {
 public:
-    /// Takes `start` as the zero of everything that is counted from the start of the run.
-    Ledger(const Structure& structure, const State& start);
-    Energy balance(const State& state) const;
+    double& operator[](std::string_view name);
+    double operator[](std::string_view name) const;
+    auto begin() const { return sums_.begin(); }
+    auto end() const { return sums_.end(); }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.potential_at_start_, s.accumulated_at_start_, s.initial_);
+        a(s.sums_);
     }
 
 private:
-    double potential(const State& state) const;
-    void add_elements(const State& state, Energy& energy) const;
-    const Structure& structure_;
-    double potential_at_start_ = 0;
-    Accumulated accumulated_at_start_;
-    double initial_ = 0;
+    std::vector<std::pair<std::string, double>> sums_;  // a handful: going through them beats any map
 };
+
+/// What an effect registers.
+struct AccountInfo {
+    std::string_view name;
+    int place;                     ///< where it stands in the list: rising
+    std::string_view meaning;      ///< for people
+    std::string_view part_of = {}; ///< the account that it is a part of; "" for one that stands in the balance itself
+    bool always = false;           ///< in every list, as the contract of summary.json asks, whatever a scene calls for
+};
+
+/// Supplied: what raises the sum. Everything else is held, or was taken out.
+inline constexpr std::string_view supplied_account = "work";
+
+/// The balance of a state: error = initial + work - (all other accounts), which is what the numerics made or lost.
+struct Energy {
+    double initial = 0;          ///< kinetic + elastic at the start of the run
+    Accounts accounts;           ///< those registered, parts included; an account with parts is their sum
+    double remainder = 0;        ///< the energy balance error
+    /// An account, or "initial" or "remainder".
+    double operator[](std::string_view name) const;
+};
+
+/// Rising by place.
+using AccountList = std::vector<AccountInfo>;
+
+/// Sums parts into the accounts that they are part of and finds the energy balance error. `sums` holds the others.
+Energy balance(const AccountList& list, double initial, const Accounts& sums);
 
 }  // namespace hinge

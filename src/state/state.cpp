@@ -52,11 +52,8 @@ bool makes_sense(const State& s, const Structure& structure) {
 
 bool is_finite(const State& s) {
     const auto finite = [](double x) { return std::isfinite(x); };
-    const Accumulated& b = s.accumulated;
-    bool good = true;
-    for (double x :
-         {s.time, s.factor, b.work, b.plastic, b.fracture_elastic, b.fracture_kinetic, b.contact_released, b.numerical})
-        good = good && finite(x);
+    bool good = finite(s.time) && finite(s.factor);
+    for (const auto& [name, sum] : s.accumulated) good = good && finite(sum);
     State::for_each_field(s, [&](const char*, const auto& array) {
         if (static_cast<const void*>(&array) == &s.kept) return;  // a rule of the script may keep what it likes
         if constexpr (sizeof(array[0]) > 1) {                     // doubles or made of them; else bytes
@@ -74,6 +71,13 @@ std::uint64_t hash(const State& state) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
         for (std::size_t i = 0, n = array.size() * sizeof(array[0]); i < n; ++i) h = (h ^ bytes[i]) * 1099511628211ull;
     });
+    for (const auto& [name, data] : state.data) {
+        if (!data->in_hash()) continue;
+        std::string bytes;
+        Writer write(bytes);
+        data->save(write);
+        for (const unsigned char byte : bytes) h = (h ^ byte) * 1099511628211ull;
+    }
     return h;
 }
 

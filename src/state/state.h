@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "contact/contact.h"
+#include "core/archive.h"
 #include "model/structure.h"
+#include "state/energy.h"
 
 namespace hinge {
 
@@ -25,19 +28,69 @@ struct OffsetMass {
 
 enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
 
-/// Sums kept from step to step, J.
-struct Accumulated {
-    double work = 0;              ///< done by loads
-    double plastic = 0;           ///< dissipated in hinges
-    double fracture_elastic = 0;  ///< strain energy released by broken elements
-    double fracture_kinetic = 0;  ///< kinetic energy lost when a stub is taken over
-    double contact_released = 0;  ///< released with ties, heat of friction
-    double numerical = 0;         ///< taken out by a dissipative integrator
+/// What an effect keeps from step to step beside the arrays of the state. It is copied with the state, so that a run
+/// may go on from another, and a step be taken back.
+class EffectData {
+public:
+    virtual ~EffectData() = default;
+    virtual std::unique_ptr<EffectData> copy() const = 0;
+    virtual void save(Writer& to) const = 0;
+    virtual void restore(Reader& from) = 0;
+    virtual bool in_hash() const { return true; }
+};
 
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.work, s.plastic, s.fracture_elastic, s.fracture_kinetic, s.contact_released, s.numerical);
+/// Effect data that holds a T. T lists its fields for a checkpoint (core/archive.h).
+template <class T>
+class DataOf : public EffectData {
+public:
+    T value;
+    explicit DataOf(T v) : value(std::move(v)) {}
+    std::unique_ptr<EffectData> copy() const override { return std::make_unique<DataOf>(value); }
+    void save(Writer& to) const override { to(value); }
+    void restore(Reader& from) override { from(value); }
+    bool in_hash() const override {
+        if constexpr (requires { T::in_state_hash; }) return T::in_state_hash;
+        return true;
     }
+};
+
+/// The data of all effects that keep any, each under the effect's name.
+class EffectDataList {
+public:
+    EffectDataList() = default;
+    EffectDataList(EffectDataList&&) = default;
+    EffectDataList& operator=(EffectDataList&&) = default;
+    EffectDataList(const EffectDataList& other) { *this = other; }
+    EffectDataList& operator=(const EffectDataList& other) {
+        EffectDataList copies;
+        for (const auto& [name, data] : other.list_) copies.list_.emplace_back(name, data->copy());
+        std::swap(list_, copies.list_);
+        return *this;
+    }
+    /// Null where the effect keeps nothing.
+    template <class T>
+    T* find(std::string_view effect) const {
+        for (const auto& [name, data] : list_)
+            if (name == effect)
+                if (auto* own = dynamic_cast<DataOf<T>*>(data.get())) return &own->value;
+        return nullptr;
+    }
+    template <class T>
+    T& set(std::string_view effect, T value) {
+        erase(effect);
+        auto own = std::make_unique<DataOf<T>>(std::move(value));
+        T& kept = own->value;
+        list_.emplace_back(effect, std::move(own));
+        return kept;
+    }
+    void erase(std::string_view effect) {
+        std::erase_if(list_, [&](const auto& entry) { return entry.first == effect; });
+    }
+    auto begin() const { return list_.begin(); }
+    auto end() const { return list_.end(); }
+
+private:
+    std::vector<std::pair<std::string, std::unique_ptr<EffectData>>> list_;
 };
 
 struct State {
@@ -69,8 +122,8 @@ struct State {
     double time = 0;
     long step = 0;
     double factor = 1;  ///< load factor reached in statics
-    Accumulated accumulated;
-    std::optional<contact::Contact> contact;
+    Accounts accumulated;  ///< energy that steps have added up, J
+    EffectDataList data;
 
     /// Calls f(name, array) for each array, in a fixed order.
     template <class Self, class F>
@@ -95,12 +148,15 @@ struct State {
         f("strained", s.strained);
         f("kept", s.kept);
     }
-    /// For a checkpoint (core/archive.h). Whether there is contact the model says.
+    /// For a checkpoint (core/archive.h). Which effects keep data the model says.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         for_each_field(s, [&](const char*, auto& array) { a(array); });
         a(s.time, s.step, s.factor, s.accumulated);
-        if (s.contact) a(*s.contact);
+        for (const auto& [name, data] : s.data) {
+            if constexpr (A::reading) data->restore(a);
+            else if constexpr (std::is_same_v<A, Writer>) data->save(a);
+        }
     }
 };
 

@@ -1,0 +1,267 @@
+// An effect: one thing that acts on a structure, as one object in one file.
+//
+// It owns its data, its part of a checkpoint, its undo and its accounts of the energy balance; it says whether a scene
+// calls for it, and why. Statics, both integrators, the energy balance and the plan walk one list of them
+// (all_effects.h); what a scene does not call for is not in the list. Every call has an empty default, so that an
+// effect holds only what it does. README.md in src/ shows how to add one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "state/bodies.h"
+#include "state/breaking.h"
+#include "state/sweep.h"
+
+namespace hinge {
+
+/// A line of the plan: whether an effect is simulated, and why.
+struct PlanLine {
+    std::string name;
+    bool active;
+    std::string because;   ///< why it is in the step, or not
+    std::string asked_at;  ///< the script's line that asks for it, "" where none does
+    double seconds = 0;    ///< spent in it so far
+};
+
+/// What a run is, for who decides whether it calls for an effect.
+struct RunKind {
+    bool dynamic = false;
+    bool explicit_steps = false;
+    bool geometric = true;  ///< initial-stress stiffness is asked for
+    bool rest = true;       ///< bodies at rest may be left alone
+};
+
+/// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
+/// dt^2 ((1/2 - beta) a + beta a'). Forces meet (1 - alpha) a' + alpha a: Bossak's weighting, 0 for Newmark's method.
+struct Scheme {
+    double beta = 0.25, gamma = 0.5, alpha = 0;
+};
+
+/// What the stages and effects of a run work on. Each array means one thing; six numbers a node are in space: force and
+/// moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
+struct Workspace {
+    const Structure& structure;
+    State& state;  ///< where the last step that was kept ended
+    ThreadPool& pool;
+    Sweep& sweep;
+    RunKind kind;
+    Scheme scheme;
+    Pose trial;                            ///< where the step is tried to end
+    std::vector<Vec3> turned;              ///< rotation vector of each node over the step, rad
+    std::vector<Vec6> external;            ///< F of eq 15
+    std::vector<Vec6> resisting;           ///< R of eq 15, with inertia where the trial accelerates
+    std::vector<Vec6> force;               ///< p of each element at the trial pose
+    std::vector<Yielding> yielding;        ///< elements that flow on the way to the trial pose, rising
+    std::vector<int> supported;            ///< nodes with a degree of freedom that is held
+    std::unordered_map<int, Vec6>& reaction;  ///< of nodes with a degree of freedom that is held
+    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: accelerations that the last step's forces met,
+                                                ///< and this one's
+    double shortest_dt = 0;                ///< s: dt, with "auto" the shortest
+};
+
+/// An element that breaks at the end of a step, at end 1 or 2.
+struct Break {
+    int element, end;
+};
+
+/// A step of dynamics on its way.
+struct Step {
+    double begin = 0, dt = 0;    ///< s
+    bool longer = false;         ///< than the script's own dt: not for impacts
+    int iteration = 0;           ///< Newton iterations done; 0: stresses are recovered for the first time
+    std::vector<Break> breaks;   ///< what breaks at its end, rising
+    std::string failure;         ///< why it cannot go on, "" while it can
+    double end() const { return begin + dt; }
+};
+
+/// What effects add to the left side of eq 15, node by node: (1 - alpha) M + gamma dt C + beta dt^2 K, or K in statics.
+class Blocks {
+public:
+    /// `of_damping`: gamma / (beta dt), 0 in statics.
+    explicit Blocks(double of_damping = 0) : of_damping_(of_damping) {}
+    /// d(force)/d(displacement) of two nodes, N/m ..., and of one node against the ground.
+    void stiffness(int a, int b, const Mat12& K) { pairs.push_back({a, b, K}); }
+    void stiffness(int node, const Mat6& K) { nodes.push_back({node, K}); }
+    /// d(force)/d(velocity), N s/m ...
+    void damping(int a, int b, const Mat12& C) {
+        if (of_damping_ != 0) pairs.push_back({a, b, of_damping_ * C});
+    }
+    void damping(int node, const Mat6& C) {
+        if (of_damping_ != 0) nodes.push_back({node, of_damping_ * C});
+    }
+    struct Pair {
+        int a, b;
+        Mat12 K;
+    };
+    struct Node {
+        int node;
+        Mat6 K;
+    };
+    std::vector<Pair> pairs;
+    std::vector<Node> nodes;
+
+private:
+    double of_damping_;
+};
+
+/// change = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to it.
+struct ImpulseResponse {
+    double square = 0, linear = 0, by_supports = 0;
+    std::vector<Vec6> change;  ///< of the velocities
+};
+
+/// Something reached an element in this step, or broke it: a body at rest that it belongs to takes part again.
+struct Reached {
+    int element;
+    const char* how;
+};
+
+/// What an effect may ask of the run that it is part of.
+class Host {
+public:
+    virtual ~Host() = default;
+    /// The element's stiffness is not what the effective stiffness has of it.
+    virtual void stiffness_changed(int element) = 0;
+    /// What effects join nodes by has changed: Effect::add_blocks is asked of all, at that place.
+    virtual void blocks_changed(const Places& at) = 0;
+    /// Mass that hangs rigidly on a node, 6 x 6 in space, in the effective stiffness.
+    virtual void set_offset_mass(int node, const Mat6& mass) = 0;
+    /// These nodes (not negative) take no part in the solution; empty: all do.
+    virtual void leave_out(const std::vector<int>& resting) = 0;
+    /// A force has vanished at once: the next step begins with the acceleration found anew.
+    virtual void accelerations_anew() = 0;
+    /// Elements' part in M has changed.
+    virtual void mass_changed(int element) = 0;
+    /// What an impulse does to the nodes where the step is tried to end.
+    virtual ImpulseResponse respond(const std::vector<Vec6>& impulse) = 0;
+    /// Adds impulses to the velocities of the state as it is (pass_on of state/breaking.h).
+    virtual void pass_on(std::vector<Vec6>& impulse) = 0;
+    /// F of a node changes for good: a weight is gone. All effects hear of it.
+    virtual void change_steady_load(int node, const Vec3& force) = 0;
+    virtual void reached(const std::vector<Reached>& elements) = 0;
+    virtual void note_waking(const std::string& effect, bool awake, const std::string& why) = 0;
+    /// Work that supports that move do as the nodes get such a velocity at once.
+    virtual double work_on_momentum(const std::vector<Vec6>& velocity) = 0;
+    virtual void count_break() = 0;
+    virtual bool has_effective_stiffness() const = 0;
+};
+
+class Effect {
+public:
+    Effect(const char* name, Workspace& w, Host& host) : name_(name), w_(w), host_(host) {}
+    virtual ~Effect() = default;
+    Effect(const Effect&) = delete;
+    const char* name() const { return name_; }
+
+    // ---- what acts ------------------------------------------------------------------------------------------------
+    /// F that does not change with time or place (weights), as the state is at the start.
+    virtual void add_steady_loads(std::vector<Vec6>& external) const { (void)external; }
+    /// F as statics has it at load factor 1, beside the steady loads, where the nodes are.
+    virtual void add_static_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
+    /// Whether add_static_loads depends on where the nodes are.
+    virtual bool loads_follow() const { return false; }
+    /// Whether the steady loads have a potential energy in an account of their own, so that they do no work.
+    virtual bool has_potential() const { return false; }
+    /// Adds what it resists with at the workspace's trial pose. `time`: that of the pose, s.
+    virtual void add_forces(double time, std::vector<Vec6>& resisting) { (void)time, (void)resisting; }
+    /// Adds the derivative of those forces.
+    virtual void add_blocks(const Places& at, Blocks& blocks) const { (void)at, (void)blocks; }
+    /// Whether add_blocks has something to add just now.
+    virtual bool has_blocks() const { return false; }
+    /// Whether its blocks change with every pose: they are renewed wherever stresses are recovered.
+    virtual bool blocks_follow() const { return false; }
+
+    // ---- a step of dynamics, in this order ------------------------------------------------------------------------
+    /// F at the end of the step, and what is prescribed there. Functions of the script are asked.
+    virtual void begin(const Step& step) { (void)step; }
+    /// Who meets whom in the coming step. False: the step is too long for what comes, and a shorter one is begun.
+    virtual bool meet(const Step& step) { return (void)step, true; }
+    /// The trial pose is predicted: what is prescribed is put in its place.
+    virtual void predicted(const Step& step) { (void)step; }
+    /// The trial was corrected by this change of the accelerations (explicit steps: from none).
+    virtual void corrected(const Step& step, const std::vector<Vec6>& change) { (void)step, (void)change; }
+    /// Whether the solution holds to the forces that it was found with; false: once more.
+    virtual bool settled() { return true; }
+    /// The trial is solved; `change`: the last correction.
+    virtual void solved(const Step& step, const std::vector<Vec6>& change) { (void)step, (void)change; }
+    /// Where the step has ended: what ends with it.
+    virtual void end(const Step& step) { (void)step; }
+    /// What the step would add to the accounts if it were kept.
+    virtual void add_up(const Step& step, Accounts& sums) const { (void)step, (void)sums; }
+    /// What breaks, and what the script is told. The last stage that may fail.
+    virtual void decide(Step& step) { (void)step; }
+    /// The step is kept: before the trial becomes the state, and after.
+    virtual void keep(const Step& step) { (void)step; }
+    virtual void kept(const Step& step) { (void)step; }
+    /// An element breaks (after kept), with what its breaking asks of the nodes in `impulse`; and all have.
+    virtual void breaks(const Break& b, std::vector<Vec6>& impulse) { (void)b, (void)impulse; }
+    virtual void broke(const Break& b) { (void)b; }
+    virtual void all_broke() {}
+
+    // ---- undo -----------------------------------------------------------------------------------------------------
+    /// A step begins that may be taken back; it is taken back; it stands.
+    virtual void remember() {}
+    virtual void take_back() {}
+    virtual void forget() {}
+    virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
+
+    // ---- the acceleration anew: at the start, and when a force has vanished at once ---------------------------------
+    virtual void loads_at(double time) { (void)time; }   ///< F at a time, without asking the script again
+    virtual void restart_begins() {}
+    virtual void prescribe(std::vector<Vec6>& acceleration) const { (void)acceleration; }
+    virtual void restart_ends() {}
+    /// The run is set up and the first acceleration is known. `out_of_balance`: F - R where the run starts.
+    virtual void started(const std::vector<Vec6>& out_of_balance) { (void)out_of_balance; }
+
+    // ---- what others want to know -----------------------------------------------------------------------------------
+    virtual void steady_load_changed(int node, const Vec3& force) { (void)node, (void)force; }
+    virtual void reached(const std::vector<Reached>& elements) { (void)elements; }
+    virtual void effective_stiffness_begins() {}
+    /// The matrix of an element's effective stiffness, with nothing held, each time it is built.
+    virtual bool watches_matrix(int element) const { return (void)element, false; }
+    virtual void matrix_built(int element, const Mat12& A) { (void)element, (void)A; }
+    /// Bodies that it may move are not at rest.
+    virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
+    virtual double work_on_momentum(const std::vector<Vec6>& velocity) const { return (void)velocity, 0; }
+    /// Whether steps may be longer than the shortest: nothing happens that needs those.
+    virtual bool calm() const { return true; }
+    /// Whether what it prescribes changes at one of these times after now, s.
+    virtual bool changes_within(double now, std::span<const double> after) const { return (void)now, (void)after, false; }
+    /// For effects that sleep: whether it had something to do in the step, and what.
+    virtual bool sleeps() const { return false; }
+    virtual bool busy() const { return false; }
+    virtual std::string why_awake() const { return {}; }
+
+    // ---- energy and checkpoint --------------------------------------------------------------------------------------
+    /// What it stores in such a state, J, by account.
+    virtual void add_energy(const State& state, Accounts& sums) const { (void)state, (void)sums; }
+    virtual void save(Writer& to) const { (void)to; }
+    virtual void restore(Reader& from) { (void)from; }
+    /// After all was read: finds anew what follows from the state. False where what was read makes no sense.
+    virtual bool restored(std::span<const State* const> states) { return (void)states, true; }
+
+protected:
+    /// save and restore of a class that tells its fields once.
+    template <class Self>
+    static void save_fields(const Self& self, Writer& to) { Self::fields(self, to); }
+
+    const char* name_;
+    Workspace& w_;
+    Host& host_;
+};
+
+/// An effect as the engine knows it before a run.
+struct EffectKind {
+    const char* name;
+    std::vector<AccountInfo> accounts;
+    /// Its lines of the plan.
+    std::vector<PlanLine> (*plan)(const Structure& structure, const RunKind& kind);
+    /// The effect, or null where the scene does not call for it.
+    std::unique_ptr<Effect> (*make)(Workspace& w, Host& host);
+};
+
+}  // namespace hinge
