@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "effects/contact.h"
 #include "state/breaking.h"
 #include "run/dynamics.h"
 #include "run/statics.h"

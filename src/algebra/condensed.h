@@ -28,16 +28,6 @@ struct SolveReport {
     bool converged = true;
 };
 
-/// What joins two nodes beside the elements: a stiffness, 12x12.
-struct Coupling {
-    int a, b;
-    Mat12 K;
-    template <class Self, class A>
-    static void fields(Self& s, A& archive) {
-        archive(s.a, s.b, s.K);
-    }
-};
-
 /// Number: of the blocks; vectors are double.
 template <class Number>
 class Condensed {

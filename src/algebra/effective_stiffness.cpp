@@ -71,6 +71,13 @@ void EffectiveStiffness::remove(int element) {
     for (int node : structure_.elements()[element].node) mark(node);
 }
 
+void EffectiveStiffness::set_blocks(Blocks blocks) {
+    set_couplings(std::move(blocks.pairs));
+    for (const Blocks::Node& n : matrices_.node_blocks()) mark(n.node);
+    for (Blocks::Node& n : blocks.nodes) mark(n.node), n.K *= stiffness_factor_;
+    matrices_.set_node_blocks(std::move(blocks.nodes));
+}
+
 void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
     for (const auto* list : {&couplings_, &couplings})
         for (const Coupling& c : *list) mark(c.a), mark(c.b);

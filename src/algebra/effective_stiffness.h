@@ -7,6 +7,7 @@
 
 #include "algebra/condensed.h"
 #include "algebra/direct_factors.h"
+#include "algebra/node_blocks.h"
 #include "state/sweep.h"
 
 namespace hinge {
@@ -33,7 +34,9 @@ public:
     void remove(int element);
     /// Another k: every element must be built anew, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
-    /// Replaces everything that joins nodes beside the elements: ties (12x12, already a stiffness) and hung masses.
+    /// Replaces all that effects add beside the elements, already as a stiffness (but offset masses, set one by one).
+    void set_blocks(Blocks blocks);
+    /// Of those, what joins two nodes.
     void set_couplings(std::vector<Coupling> couplings);
     void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out

@@ -105,6 +105,8 @@ Mat6 ElementMatrices::own(int node) const {
                        : own_of(&wide_part_[stride_ * std::size_t(e)], end);
     }
     if (!offset_mass_.empty()) sum += offset_mass_[node];
+    for (const Blocks::Node& block : node_blocks_)
+        if (block.node == node) sum += block.K;
     sum = masked(node, node, sum);
     for (int c = 0; c < 6; ++c)
         if (held_[node] >> c & 1) sum(c, c) = 1;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "algebra/node_blocks.h"
 #include "core/large_pages.h"
 #include "model/structure.h"
 
@@ -19,6 +20,9 @@ public:
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     Mat12 whole(int element) const;
     void set_offset_mass(int node, const Mat6& mass);
+    /// What effects add to nodes by themselves; several of one node add up. Replaces what was there.
+    void set_node_blocks(std::vector<Blocks::Node> blocks) { node_blocks_ = std::move(blocks); }
+    const std::vector<Blocks::Node>& node_blocks() const { return node_blocks_; }
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
     const std::vector<std::uint8_t>& held() const { return held_; }
 
@@ -31,11 +35,14 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         const std::size_t numbers[] = {s.wide_part_.size(), s.narrow_part_.size(), s.empty_.size(), s.held_.size()};
-        a(s.wide_part_, s.narrow_part_, s.empty_, s.offset_mass_, s.held_);
+        a(s.wide_part_, s.narrow_part_, s.empty_, s.offset_mass_, s.held_, s.node_blocks_);
         if constexpr (A::reading)
             a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] &&
                    s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
                    (s.offset_mass_.empty() || s.offset_mass_.size() == s.held_.size()));
+        if constexpr (A::reading)
+            for (const auto& block : s.node_blocks_)
+                a.must(block.node >= 0 && std::size_t(block.node) < s.held_.size());
     }
 
 private:
@@ -52,6 +59,7 @@ private:
     LargeVector<float> narrow_part_;
     std::vector<char> empty_;
     std::vector<Mat6> offset_mass_;  // of each node, empty if none
+    std::vector<Blocks::Node> node_blocks_;
     std::vector<std::uint8_t> held_;
 };
 

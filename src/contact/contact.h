@@ -197,6 +197,7 @@ public:
     void take_back();
     void forget() { noting_ = false; }
 
+    static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
     /// All that the bits of later steps depend on (core/archive.h).
     template <class Self, class A>
     static void fields(Self& s, A& a) {

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "algebra/node_blocks.h"
+#include "core/built.h"
 #include "core/thread_pool.h"
 #include "state/bodies.h"
 #include "state/breaking.h"
@@ -60,7 +62,8 @@ struct Workspace {
     std::unordered_map<int, Vec6>& reaction;  ///< of nodes with a degree of freedom that is held
     std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: accelerations that the last step's forces met,
                                                 ///< and this one's
-    double shortest_dt = 0;                ///< s: dt, with "auto" the shortest
+    std::vector<int> resting;  ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    bool points_moved = false; ///< integration points have moved: the sweep takes them up when the step is kept
 };
 
 /// An element that breaks at the end of a step, at end 1 or 2.
@@ -76,36 +79,6 @@ struct Step {
     std::vector<Break> breaks;   ///< what breaks at its end, rising
     std::string failure;         ///< why it cannot go on, "" while it can
     double end() const { return begin + dt; }
-};
-
-/// What effects add to the left side of eq 15, node by node: (1 - alpha) M + gamma dt C + beta dt^2 K, or K in statics.
-class Blocks {
-public:
-    /// `of_damping`: gamma / (beta dt), 0 in statics.
-    explicit Blocks(double of_damping = 0) : of_damping_(of_damping) {}
-    /// d(force)/d(displacement) of two nodes, N/m ..., and of one node against the ground.
-    void stiffness(int a, int b, const Mat12& K) { pairs.push_back({a, b, K}); }
-    void stiffness(int node, const Mat6& K) { nodes.push_back({node, K}); }
-    /// d(force)/d(velocity), N s/m ...
-    void damping(int a, int b, const Mat12& C) {
-        if (of_damping_ != 0) pairs.push_back({a, b, of_damping_ * C});
-    }
-    void damping(int node, const Mat6& C) {
-        if (of_damping_ != 0) nodes.push_back({node, of_damping_ * C});
-    }
-    struct Pair {
-        int a, b;
-        Mat12 K;
-    };
-    struct Node {
-        int node;
-        Mat6 K;
-    };
-    std::vector<Pair> pairs;
-    std::vector<Node> nodes;
-
-private:
-    double of_damping_;
 };
 
 /// change = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to it.
@@ -138,14 +111,12 @@ public:
     virtual void mass_changed(int element) = 0;
     /// What an impulse does to the nodes where the step is tried to end.
     virtual ImpulseResponse respond(const std::vector<Vec6>& impulse) = 0;
-    /// Adds impulses to the velocities of the state as it is (pass_on of state/breaking.h).
-    virtual void pass_on(std::vector<Vec6>& impulse) = 0;
     /// F of a node changes for good: a weight is gone. All effects hear of it.
     virtual void change_steady_load(int node, const Vec3& force) = 0;
     virtual void reached(const std::vector<Reached>& elements) = 0;
     virtual void note_waking(const std::string& effect, bool awake, const std::string& why) = 0;
-    /// Work that supports that move do as the nodes get such a velocity at once.
-    virtual double work_on_momentum(const std::vector<Vec6>& velocity) = 0;
+    /// Effect::keep_from_rest of all.
+    virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
     virtual void count_break() = 0;
     virtual bool has_effective_stiffness() const = 0;
 };
@@ -160,6 +131,8 @@ public:
     // ---- what acts ------------------------------------------------------------------------------------------------
     /// F that does not change with time or place (weights), as the state is at the start.
     virtual void add_steady_loads(std::vector<Vec6>& external) const { (void)external; }
+    /// The steady loads of all effects are summed up in the workspace.
+    virtual void steady_loads_known() {}
     /// F as statics has it at load factor 1, beside the steady loads, where the nodes are.
     virtual void add_static_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
     /// Whether add_static_loads depends on where the nodes are.
@@ -178,6 +151,8 @@ public:
     // ---- a step of dynamics, in this order ------------------------------------------------------------------------
     /// F at the end of the step, and what is prescribed there. Functions of the script are asked.
     virtual void begin(const Step& step) { (void)step; }
+    /// Whether meet and end have something to do in this scene.
+    virtual bool meets() const { return false; }
     /// Who meets whom in the coming step. False: the step is too long for what comes, and a shorter one is begun.
     virtual bool meet(const Step& step) { return (void)step, true; }
     /// The trial pose is predicted: what is prescribed is put in its place.
@@ -192,6 +167,8 @@ public:
     virtual void end(const Step& step) { (void)step; }
     /// What the step would add to the accounts if it were kept.
     virtual void add_up(const Step& step, Accounts& sums) const { (void)step, (void)sums; }
+    /// The name of what decide does, null where it does nothing.
+    virtual const char* decides() const { return nullptr; }
     /// What breaks, and what the script is told. The last stage that may fail.
     virtual void decide(Step& step) { (void)step; }
     /// The step is kept: before the trial becomes the state, and after.
@@ -209,6 +186,9 @@ public:
     virtual void forget() {}
     virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
 
+    /// Whether forces may vanish at once, so that M by itself is needed.
+    virtual bool makes_forces_vanish() const { return false; }
+
     // ---- the acceleration anew: at the start, and when a force has vanished at once ---------------------------------
     virtual void loads_at(double time) { (void)time; }   ///< F at a time, without asking the script again
     virtual void restart_begins() {}
@@ -222,11 +202,14 @@ public:
     virtual void reached(const std::vector<Reached>& elements) { (void)elements; }
     virtual void effective_stiffness_begins() {}
     /// The matrix of an element's effective stiffness, with nothing held, each time it is built.
+    virtual bool watches_matrices() const { return false; }
     virtual bool watches_matrix(int element) const { return (void)element, false; }
     virtual void matrix_built(int element, const Mat12& A) { (void)element, (void)A; }
     /// Bodies that it may move are not at rest.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
     virtual double work_on_momentum(const std::vector<Vec6>& velocity) const { return (void)velocity, 0; }
+    /// The same where the step is tried to end.
+    virtual double work_on_response(const std::vector<Vec6>& change) const { return (void)change, 0; }
     /// Whether steps may be longer than the shortest: nothing happens that needs those.
     virtual bool calm() const { return true; }
     /// Whether what it prescribes changes at one of these times after now, s.

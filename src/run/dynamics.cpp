@@ -1,455 +1,545 @@
 #include "run/dynamics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/errors.h"
-#include "core/rotation.h"
-#include "state/hinges.h"
-#include "state/nodes.h"
-#include "state/turning.h"
+#include "run/central_differences.h"
+#include "run/newmark.h"
 
 namespace hinge {
 namespace {
 
-/// Part of the elastic stiffness by which a plastic tangent may differ from the one in the operator.
-constexpr double same_tangent = 0.2;
+constexpr double most_turn = 0.5;      ///< rad: of a node in a step, with step control
+constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
 
-/// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
-bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
-    if (part == 0) return false;
-    const Mat6 e = k.matrix();
-    for (int j = 0; j < 6; ++j)
-        for (int i = 0; i < 6; ++i)
-            if (std::abs(a(i, j) - b(i, j)) > part * std::sqrt(e(i, i) * e(j, j))) return false;
-    return true;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point t) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count();
-}
+RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.geometric, s.rest}; }
 
 }  // namespace
 
-bool Dynamics::advance() {
-    if (verdict_ != Verdict::running) return false;
-    if (over()) {
-        verdict_ = Verdict::completed;
-        return false;
-    }
-    if (has_rules_ || controlled()) remember();
-    try {
-        do take_step();
-        while (reject_ && again_shorter());
-        if (with_contact()) state_.contact->forget();
-    } catch (const HookError& e) {
-        take_back();
-        char at[100];
-        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1,
-                      state_.time + settings_.dt);
-        throw HookError(e.what() + std::string(at));
-    } catch (...) {
-        if (has_rules_ || controlled()) take_back();
-        throw;
-    }
-    guard();
-    return verdict_ != Verdict::failed;
+Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
+    : Run(std::move(structure), std::move(start), kind_of(settings), settings.threads, !settings.explicit_steps()),
+      settings_(settings),
+      size_(settings.dt, settings.duration, settings.automatic, settings.controlled(), state_.time),
+      mass_(w_),
+      turnover_(*structure_),
+      guard_(settings.energy_tolerance.value_or(structure_->model().options().shift == Shift::whole ? 0 : 0.1),
+             size_.whole()),
+      control_(settings.step_control) {
+    if (explicit_steps() != structure_->lumped())
+        throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
+    w_.scheme = {settings.beta, settings.gamma(), settings.alpha()};
+    w_.turned.assign(structure_->position().size(), Vec3::Zero());
+    meets_ = any_effect(&Effect::meets);
+    breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
+    for (const auto& e : effects_)
+        if (!decides_) decides_ = e->decides();
+    may_take_back_ = any_effect(&Effect::calls_script) || control_.on();
+
+    at_.loads = stages_.add("loads", "loads");
+    if (meets_) at_.contact = stages_.add("contact", "contact");
+    if (breaks_or_parts_) at_.restart = stages_.add("restart", "fracture");
+    at_.predict = stages_.add("predict", "inertia");
+    at_.recover = stages_.add("recover stresses", "large displacement");
+    if (explicit_steps()) integrator_ = std::make_unique<CentralDifferences>(w_, mass_, stages_);
+    else integrator_ = std::make_unique<Newmark>(w_, mass_, stages_, settings_);
+    at_.correct = integrator_->correct_stage();
+    if (meets_) at_.ends = stages_.add("contact ends", "contact");
+    if (control_.on()) at_.control = stages_.add("step control", "inertia");
+    if (decides_) at_.decide = stages_.add(decides_, decides_);
+    at_.commit = stages_.add("commit", "inertia");
+
+    sweep_.take_up(state_);
+    std::vector<Vec6> out_of_balance;
+    find_acceleration(out_of_balance);
+    integrator_->begin(effects_);
+    for (const auto& e : effects_) e->effective_stiffness_begins();
+    if (any_effect(&Effect::has_blocks)) blocks_changed(state_);
+    for (const auto& e : effects_) e->started(out_of_balance);
+    for (const auto& e : effects_)
+        if (e->sleeps()) sleepers_.emplace_back();
+    if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
 }
 
+// ---- a step -------------------------------------------------------------------------------------------------------
+
+/// Does a stage of the step, unless one before it has failed, and counts its time.
+template <class F>
+void Dynamics::stage(int stage, F f) {
+    if (step_.failure.empty()) stages_.timed(stage, f);
+}
+
+/// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
-    if (settings_.automatic || controlled()) choose_step();
-    reject_ = false;
-    std::size_t recover_at = 0;
-    iteration_ = 0;
-    for (std::size_t i = 0; i < stages_.size(); ++i) {
-        Stage& stage = stages_[i];
-        if (stage.run == &Dynamics::recover) recover_at = i;
-        const auto start = std::chrono::steady_clock::now();
-        (this->*stage.run)();
-        stage.seconds += seconds_since(start);
-        if (!failure_.empty()) {
-            char at[64];
-            std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + settings_.dt);
-            if (reject_ = controlled(); !reject_) fail(at + failure_);
-            else failure_ = at + failure_;
-            return;
-        }
-        if (stage.run != &Dynamics::correct) continue;
-        if (again_) {
-            i = recover_at - 1;   // Newton: once more
-        } else if (from_rest_) {  // the stresses so far are those the last solve started from
-            const auto settling = std::chrono::steady_clock::now();
-            recover();
-            if (can_yield()) yield();
-            stages_[recover_at].seconds += seconds_since(settling);
-        }
-    }
-    if (over()) verdict_ = Verdict::completed;
-}
-
-// ---- stages ------------------------------------------------------------------------------------------------------
-
-/// After something broke or was released: the acceleration anew.
-void Dynamics::restart() {
-    if (!restart_) return;
-    find_acceleration();
-    loads();
-}
-
-/// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
-/// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
-void Dynamics::predict() {
-    const double dt = settings_.dt, beta = settings_.beta, alpha = settings_.alpha(), gamma = settings_.gamma();
-    if (from_rest_) {
-        for (std::size_t i = 0; i < increment_.size(); ++i) {
-            trial_.displacement[i] = state_.displacement[i];
-            increment_[i].setZero();
-            trial_.acceleration[i] =
-                -1 / (beta * dt) * state_.velocity[i] - (0.5 - beta) / beta * state_.acceleration[i];
-            trial_.velocity[i] =
-                state_.velocity[i] + dt * ((1 - gamma) * state_.acceleration[i] + gamma * trial_.acceleration[i]);
-            if (alpha != 0)
-                trial_.acceleration[i] = (1 - alpha) * trial_.acceleration[i] + alpha * state_.acceleration[i];
-        }
-        move_supports();
-        return move_to_increment(0, int(increment_.size()));
-    }
-    const bool keep =
-        effective_ != nullptr;  // in explicit steps stubs say what they resist beside their mass times the acceleration
-    pool_.share(int(increment_.size()), some_nodes, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) {
-            const Lanes v = load_row<6>(state_.velocity[i].data()), a = load_row<6>(state_.acceleration[i].data());
-            const Lanes step = dt * v + (0.5 * dt * dt) * a;
-            store_row<3>(trial_.displacement[i].data(), load_row<3>(state_.displacement[i].data()) + step);
-            store_row<3>(increment_[i].data(), second_three(step));
-            store_row<6>(trial_.velocity[i].data(), v + dt * a);
-            store_row<6>(trial_.acceleration[i].data(), keep ? a : Lanes{});
-        }
-        move_to_increment(first, end);
+    choose_length();
+    step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
+    stage(at_.loads, [&] { begin_step(); });                     // F at the end of the step
+    if (meets_) stage(at_.contact, [&] { meet(); });             // [who meets whom: eqs 17 to 19]
+    if (anew_) stage(at_.restart, [&] { restart(); });           // [the acceleration anew: a force has vanished]
+    stage(at_.predict, [&] {                                     // what is known of the motion
+        integrator_->predict(step_);
+        for (const auto& e : effects_) e->predicted(step_);
     });
-    move_supports();
+    bool more = true;
+    while (more && step_.failure.empty()) {                      // Newton's loop; the paper goes through it once
+        stage(at_.recover, [&] { recover(step_.end()); });       // R: eqs 3, 10, 13, and the return to eq 14
+        if (step_.failure.empty()) integrator_->solve(step_);    // [yield: eq 10a], effective stiffness, eq 15
+        stage(at_.correct, [&] { more = correct(); });
+    }
+    stage(at_.recover, [&] { settle(); });                       // stresses where a long step has led
+    if (meets_) stage(at_.ends, [&] {                            // [ties that are due, contacts that began or ended]
+        for (const auto& e : effects_) e->end(step_);
+    });
+    if (control_.on()) stage(at_.control, [&] { weigh(); });     // [whether the step is kept]
+    if (decides_) stage(at_.decide, [&] {                        // [eq 16; the script is told]
+        for (const auto& e : effects_) e->decide(step_);
+    });
+    stage(at_.commit, [&] { commit(); });                        // what was tried becomes the state
+}
+
+void Dynamics::begin_step() {
+    for (const auto& e : effects_) e->begin(step_);
+}
+
+/// A step too long for what comes is begun again as a shorter one.
+void Dynamics::meet() {
+    for (const auto& e : effects_) {
+        if (e->meet(step_)) continue;
+        take_steps_of(size_.own_length());
+        step_.dt = size_.dt(), step_.longer = false;
+        begin_step();
+        return meet();
+    }
+}
+
+void Dynamics::restart() {
+    std::vector<Vec6> unused;
+    find_acceleration(unused);
+    begin_step();
 }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
-void Dynamics::recover() {
-    for (Vec6& n : nodal_) n.setZero();
-    sweep_.run(state_, trial_, nodal_, force_, yielding_);
-    if (from_rest_ && iteration_ == 0) yielding_ = hinges_;  // nothing has moved yet: what flowed is taken to flow on
-    if (built::fracture && !state_.offset_mass.empty()) add_hung_inertia();
-    if (in_contact()) {
-        place_contact(trial_.displacement);
-        state_.contact->add_internal_forces(contact_position_, trial_.rotation, nodal_);
-        if (!state_.contact->surface_contacts().empty()) renew_couplings(trial_.rotation);
-    }
-    for (int e : sweep_.turned()) wants_rebuild(e);
-    if (iteration_ == 0 && sweep_.twisted() >= 0) failure_ = sweep_.twisted_reason();
+void Dynamics::recover(double time) {
+    for (Vec6& n : w_.resisting) n.setZero();
+    sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
+    integrator_->recovered(step_);
+    for (const auto& e : effects_) e->add_forces(time, w_.resisting);
+    if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
+    for (int e : sweep_.turned()) stiffness_changed(e);
+    if (step_.iteration == 0 && sweep_.twisted() >= 0) step_.failure = sweep_.twisted_reason();
 }
 
-/// Which elements flow: their part of the operator takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short
-/// steps, where inertia rules the operator, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
-void Dynamics::yield() {
-    tangents_.resize(yielding_.size());
-    double section[2];
-    const int n = sweep_.sections(section);
-    std::size_t next = 0;
-    for (int e : was_yielding_) {
-        while (next < yielding_.size() && yielding_[next].element < e) ++next;
-        const bool flows_on = next < yielding_.size() && yielding_[next].element == e;
-        if (!flows_on && !state_.broken[e]) wants_rebuild(e), built_.erase(e);
-    }
-    was_yielding_.clear();
-    for (std::size_t i = 0; i < yielding_.size(); ++i) {
-        const Yielding& y = yielding_[i];
-        const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
-        tangents_[i] = beam::plastic_tangent(y.flow.p, k, structure_->elements()[y.element].yield, section,
-                                             y.flow.lambda, active, n);
-        was_yielding_.push_back(y.element);
-        const double same = from_rest_ || settings_.iterations > 1 ? 0 : same_tangent;
-        const auto there = built_.find(y.element);
-        if (there == built_.end() || !near(tangents_[i], there->second, k, same)) wants_rebuild(y.element);
-    }
+/// True: another iteration follows.
+bool Dynamics::correct() {
+    const bool again = integrator_->correct(step_);
+    for (const auto& e : effects_) e->corrected(step_, integrator_->change());
+    if (again) return true;
+    if (integrator_->may_go_on(step_))
+        for (const auto& e : effects_)
+            if (!e->settled()) return true;
+    integrator_->solved(step_);
+    for (const auto& e : effects_) e->solved(step_, integrator_->change());
+    return false;
 }
 
-/// Rebuilds M + beta dt^2 K for the elements that turned, yielded or broke.
-void Dynamics::renew_operator() {
-    if (!rebuild_.empty()) {
-        std::erase_if(rebuild_, [&](int e) { return state_.broken[e] != 0; });
-        std::sort(rebuild_.begin(), rebuild_.end());
-        std::vector<const Mat6*> given(rebuild_.size(), nullptr);
-        for (std::size_t i = 0; i < yielding_.size(); ++i) {
-            const auto at = std::lower_bound(rebuild_.begin(), rebuild_.end(), yielding_[i].element);
-            if (at == rebuild_.end() || *at != yielding_[i].element) continue;
-            given[at - rebuild_.begin()] = &tangents_[i];
-            built_[*at] = tangents_[i];
-        }
-        force_.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
-        effective_->build(rebuild_, state_, trial_, given);
-        for (std::size_t i = 0; i < rebuild_.size() && !support_parts_.empty(); ++i)
-            if (const auto at = support_parts_.find(rebuild_[i]); at != support_parts_.end())
-                at->second = effective_->part(rebuild_[i], state_, trial_, given[i]);
-        force_.swap(state_.force);
-        for (int e : rebuild_) {
-            sweep_.mark_built(e, axes_of(place_element(*structure_, e, trial_)));
-            in_rebuild_[e] = 0;
-            if (mass_ && !in_mass_stale_[e]) in_mass_stale_[e] = 1, mass_stale_.push_back(e);
-        }
-        rebuild_.clear();
-    }
-    effective_->assemble();
-}
-
-/// (M + beta dt^2 K) da = F - R - M a.
-void Dynamics::solve() {
-    const int nodes = int(nodal_.size());
-    std::vector<Vec6>& right = nodal_;
-    const double check = pool_.sum(nodes, some_nodes, [&](int first, int end) {
-        double sum = 0;
-        for (int i = first; i < end; ++i) {
-            right[i] = external_[i] - nodal_[i];
-            sum += right[i].squaredNorm();
-        }
-        return sum;
-    });
-    if (!std::isfinite(check)) {
-        failure_ = name_the_culprit();
-        return;
-    }
-    take_reactions(right);
-    // a change of the velocities by 3e-13 of themselves is rounding: at rest or in free flight there is nothing to
-    // solve
-    fastest_of_.assign((nodes + some_nodes - 1) / some_nodes, {});
-    const double motion = pool_.sum(nodes, some_nodes, [&](int first, int end) {
-        double sum = 0;
-        for (int i = first; i < end; ++i) {
-            const double v2 = trial_.velocity[i].head<3>().squaredNorm();
-            sum += lumped_mass_[i] * v2;
-            if (Fastest& most = fastest_of_[first / some_nodes]; v2 > most.speed) most = {v2, i, 0};
-        }
-        return sum;
-    });
-    note_fastest();
-    motion_ = motion;
-    settings_.solver.floor = motion * std::pow(3e-13 / settings_.dt, 2);
-    const SolveReport report = effective_->solve(right, change_, settings_.solver);
-    if (!report.converged)
-        failure_ = settings_.solver.direct
-                       ? "the operator could not be factorised"
-                       : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
-                             " iterations; a shorter dt makes the system easier";
-}
-
-/// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
-void Dynamics::correct() {
-    const double dt = settings_.dt, to_u = settings_.beta * dt * dt, to_v = settings_.gamma() * dt,
-                 to_a = 1 - settings_.alpha();
-    if (settings_.iterations > 1) {  // Newton that swings between two sets of hinges is held back
-        double whole = 0;
-        for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
-        if (iteration_ == 0) damping_ = 1;
-        else if (whole > 0.25 * last_change_) damping_ = std::max(0.1, 0.6 * damping_);
-        else damping_ = std::min(1.0, 1.5 * damping_);
-        last_change_ = whole;
-        if (damping_ < 1)
-            for (Vec6& c : change_) c *= damping_;
-    }
-    const bool by_spin = from_rest_ && structure_->large();
-    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of
-                  // its vector
-        for (std::size_t i = 0; i < change_.size(); ++i) {
-            const Vec3 before = increment_[i];
-            trial_.rotation[i] = turned(to_u * change_[i].tail<3>(), trial_.rotation[i]);
-            increment_[i] = rotation_vector(trial_.rotation[i] * state_.rotation[i].conjugate());
-            change_[i].tail<3>() = (increment_[i] - before) / to_u;
-        }
-    const double size = pool_.sum(int(change_.size()), some_nodes, [&](int first, int end) {
-        Lanes sum{};
-        for (int i = first; i < end; ++i) {
-            const Lanes change = load_row<6>(change_[i].data());
-            store_row<6>(trial_.acceleration[i].data(), load_row<6>(trial_.acceleration[i].data()) + to_a * change);
-            store_row<6>(trial_.velocity[i].data(), load_row<6>(trial_.velocity[i].data()) + to_v * change);
-            store_row<3>(trial_.displacement[i].data(), load_row<3>(trial_.displacement[i].data()) + to_u * change);
-            if (!by_spin)
-                store_row<3>(increment_[i].data(), load_row<3>(increment_[i].data()) + to_u * second_three(change));
-            sum += change * change;
-        }
-        if (!by_spin) move_to_increment(first, end);
-        return sum[0] + sum[1] + sum[2];
-    });
-    meet_supports();
-    if (settings_.automatic) {
-        double jump = 0;
-        for (std::size_t i = 0; i < change_.size(); ++i) jump += lumped_mass_[i] * change_[i].head<3>().squaredNorm();
-        jump_ = motion_ > 0 ? dt * std::sqrt(jump / motion_) : 0;
-    }
-    ++iteration_;
-    if (iteration_ == 1) first_change_ = size;
-    again_ = iteration_ < settings_.iterations && size > settings_.tolerance * settings_.tolerance * first_change_;
-    if (!again_ && settings_.iterations == 1 && iteration_ < 8 && in_contact() &&
-        !state_.contact->surface_contacts().empty()) {
-        place_contact(trial_.displacement);
-        again_ = state_.contact->unsettled(contact_position_, trial_.rotation);
-    }
-    if (!again_) {
-        if (settings_.alpha() != 0) leave_met();
-        if (built::fracture) keep_stub_momentum(change_);
-    }
-    if (settings_.iterations > 1 && iteration_ == settings_.iterations && size > 1e-6 * first_change_ &&
-        first_change_ > 1e-12)
-        failure_ = "Newton did not converge in " + std::to_string(iteration_) + " iterations (last correction " +
-                   std::to_string(std::sqrt(size / first_change_)) +
-                   " of the first); a shorter dt or more iterations may help";
+/// With the displacement predictor the stresses so far are those that the last solution started from.
+void Dynamics::settle() {
+    if (!integrator_->recovers_last()) return;
+    recover(step_.end());
+    integrator_->recovered_last();
 }
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
-    if (with_contact()) note_contacts();
-    book_supports();
-    state_.accumulated.work += work_of_loads();
-    for (Loaded& l : loaded_) l.before = l.now;
-    state_.accumulated.numerical += numerical_;
-    stub_rate_.swap(next_stub_rate_);
-    if (settings_.alpha() != 0) met_.swap(next_met_);
-    state_.displacement.swap(trial_.displacement);
-    state_.rotation.swap(trial_.rotation);
-    state_.turn.swap(trial_.turn);
-    state_.velocity.swap(trial_.velocity);
-    state_.acceleration.swap(trial_.acceleration);
-    state_.force.swap(force_);
-    if (from_rest_) {
-        hinges_ = yielding_;
-        for (Yielding& y : hinges_)
-            for (double& lambda : y.flow.lambda)
-                lambda = lambda > 0 ? 1e-300 : 0;  // the next step's D_p is that of a beginning
-    }
-    for (int e : commit_flow(*structure_, state_, yielding_, flowing_)) {
-        take_up_ = true;
-        wants_rebuild(e);
-    }
-    if (with_fracture())
-        for (const Yielding& y : yielding_) heed_fracture(y.element);
-    if (built::fracture && !to_break_.empty()) {
-        wake_bodies();
-        right_.assign(nodal_.size(), Vec6::Zero());  // what breaking asks of the nodes
-    }
-    for (const auto& [element, end] : to_break_) {
-        const Element& e = structure_->elements()[element];
-        ++breaks_;
-        const BreakReport report = break_off(*structure_, state_, element, end, right_);
-        if (effective_) effective_->remove(element), effective_->set_held(state_.held);
-        renew_hung_operator(report.carrier);
-        if (!in_mass_stale_[element]) in_mass_stale_[element] = 1, mass_stale_.push_back(element);
-        if (structure_->model().gravity())
-            for (int at : {0, 1}) {
-                const int n = e.node[at];
-                const Vec3 weight = structure_->inertia(element).weight(at) * *structure_->model().gravity();
-                external_[n].head<3>() -= weight;
-                for (Loaded& l : loaded_)
-                    if (l.node == n) l.gravity.head<3>() -= weight;
-            }
-        if (with_contact()) {
-            state_.accumulated.contact_released += state_.contact->drop(element);
-            bars_changed_ = true;
-        }
-        sweep_.drop(element);
-        if (report.orphaned)
-            for (int n : e.node)
-                if (state_.gone[n]) held_nodes_.push_back(n);
-        std::erase(fracture_candidates_, element);
-    }
-    if (take_up_) sweep_.take_up(state_);
-    take_up_ = false;
-    if (built::fracture && !to_break_.empty()) {
-        renew_mass(pose_of(state_));
-        const double before = work_on_momentum(state_.velocity);
-        pass_on(state_, *mass_, right_);
-        state_.accumulated.work += work_on_momentum(state_.velocity) - before;
-        if (with_contact()) {
-            list_bars();
-            place_contact(state_.displacement);
-            state_.contact->hang_on(bars_, contact_position_, state_.rotation);
-            renew_couplings(state_.rotation);
-        }
-        to_break_.clear();
-        restart_ = true;
-    }
-    if (controlled() && restart_)
-        kept_remainder_ = energy().remainder;  // what breaking and letting go left in the ledger is no step's
+    for (const auto& e : effects_) e->add_up(step_, state_.accumulated);
+    state_.accumulated["numerical"] += integrator_->dissipated(step_);
+    for (const auto& e : effects_) e->keep(step_);
+    integrator_->keep();
+    state_.displacement.swap(w_.trial.displacement);
+    state_.rotation.swap(w_.trial.rotation);
+    state_.turn.swap(w_.trial.turn);
+    state_.velocity.swap(w_.trial.velocity);
+    state_.acceleration.swap(w_.trial.acceleration);
+    state_.force.swap(w_.force);
+    integrator_->kept();
+    for (const auto& e : effects_) e->kept(step_);
+    if (built::fracture && !step_.breaks.empty()) break_elements();
+    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
+    if (control_.on() && anew_) control_.start_from(energy().remainder);
     watch_effects();
     ++state_.step;
-    pace_.done += pace_.length;
-    if (settings_.automatic || controlled()) state_.time = pace_.start + double(pace_.done) * pace_.unit;
-    else state_.time += settings_.dt;
+    size_.count_step();
+    if (size_.varies()) state_.time = size_.end();
+    else state_.time += step_.dt;
+}
+
+/// Elements break: each becomes an offset mass, and what that asks of the nodes is passed on to all velocities.
+void Dynamics::break_elements() {
+    std::vector<Reached> broken;
+    for (const Break& b : step_.breaks) broken.push_back({b.element, "broken"});
+    reached(broken);
+    std::vector<Vec6> impulse(w_.resisting.size(), Vec6::Zero());
+    for (const Break& b : step_.breaks) {
+        for (const auto& e : effects_) e->breaks(b, impulse);
+        integrator_->removed(b.element);
+        for (const auto& e : effects_) e->broke(b);
+        sweep_.drop(b.element);
+    }
+    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
+    Mass& mass = mass_.renewed(pose_of(state_));
+    const double before = work_on_momentum(state_.velocity);
+    pass_on(state_, mass, impulse);
+    state_.accumulated["work"] += work_on_momentum(state_.velocity) - before;
+    for (const auto& e : effects_) e->all_broke();
+    anew_ = true;
+}
+
+// ---- what the steps stand on ----------------------------------------------------------------------------------------
+
+/// M a = F - R: at the start, and again whenever a force has vanished at once. With the acceleration of before, half a
+/// step of a force that is no longer there would go into the velocities.
+void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
+    const auto prescribe = [&] {
+        for (const auto& e : effects_) e->prescribe(state_.acceleration);
+    };
+    for (const auto& e : effects_) e->restart_begins();
+    for (Vec6& a : state_.acceleration) a.setZero();
+    prescribe();
+    w_.trial = pose_of(state_);
+    step_.iteration = 0;
+    recover(state_.time);
+    for (const auto& e : effects_) e->loads_at(state_.time);
+    Mass& mass = mass_.renewed(w_.trial);
+    out_of_balance.resize(w_.resisting.size());
+    for (std::size_t i = 0; i < out_of_balance.size(); ++i) out_of_balance[i] = w_.external[i] - w_.resisting[i];
+    for (int n : w_.supported) {
+        Vec6& r = reaction_[n];
+        r.setZero();
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[n] >> c & 1) r[c] = -out_of_balance[n][c], out_of_balance[n][c] = 0;
+    }
+    mass.solve(out_of_balance, state_.acceleration, state_, 1e-12);
+    w_.yielding.clear();
+    anew_ = false;
+    for (const auto& e : effects_) e->restart_ends();
+    prescribe();
+    if (w_.scheme.alpha != 0) w_.weighted = state_.acceleration;
+}
+
+ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
+    ImpulseResponse out;
+    std::vector<Vec6> right = impulse;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        out.linear += right[i].dot(w_.trial.velocity[i]);
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[i] >> c & 1) out.by_supports -= right[i][c] * w_.trial.velocity[i][c], right[i][c] = 0;
+    }
+    mass_.renewed(w_.trial).solve(right, out.change, state_, 1e-10);
+    for (std::size_t i = 0; i < right.size(); ++i) out.square += 0.5 * right[i].dot(out.change[i]);
+    for (const auto& e : effects_) out.by_supports += e->work_on_response(out.change);
+    return out;
+}
+
+double Dynamics::work_on_momentum(const std::vector<Vec6>& velocity) const {
+    double work = 0;
+    for (const auto& e : effects_) work += e->work_on_momentum(velocity);
+    return work;
+}
+
+void Dynamics::blocks_changed(const Places& at) {
+    if (EffectiveStiffness* effective = integrator_->effective())
+        effective->set_blocks(blocks_at(at, w_.scheme.gamma / (w_.scheme.beta * size_.dt())));
+}
+
+void Dynamics::set_offset_mass(int node, const Mat6& mass) {
+    if (EffectiveStiffness* effective = integrator_->effective()) effective->set_offset_mass(node, mass);
+}
+
+void Dynamics::leave_out(const std::vector<int>& resting) {
+    if (EffectiveStiffness* effective = integrator_->effective()) effective->leave_out(resting);
+}
+
+bool Dynamics::any_effect(bool (Effect::*asks)() const) const {
+    return std::any_of(effects_.begin(), effects_.end(), [&](const auto& e) { return (*e.*asks)(); });
+}
+
+/// Called once a step: effects that sleep wake when they have something to do.
+void Dynamics::watch_effects() {
+    auto sleeper = sleepers_.begin();
+    for (const auto& e : effects_) {
+        if (!e->sleeps()) continue;
+        Sleeper& s = *sleeper++;
+        if (e->busy()) {
+            if (!s.awake) note_waking(e->name(), true, e->why_awake());
+            s.awake = true;
+            s.quiet = 0;
+        } else if (s.awake && ++s.quiet >= quiet_steps) {
+            s.awake = false;
+            note_waking(e->name(), false, "nothing to do for " + std::to_string(quiet_steps) + " steps");
+        }
+    }
+}
+
+// ---- the run --------------------------------------------------------------------------------------------------------
+
+bool Dynamics::advance() {
+    if (verdict_ != Verdict::running) return false;
+    if (size_.over()) {
+        verdict_ = Verdict::completed;
+        return false;
+    }
+    if (may_take_back_) remember();
+    try {
+        do {
+            rejected_ = false;
+            take_step();
+            if (step_.failure.empty()) break;
+            char at[64];
+            std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + step_.dt);
+            step_.failure = at + step_.failure;
+            rejected_ = control_.on();
+            if (!rejected_) fail(step_.failure);
+        } while (rejected_ && again_shorter());
+        for (const auto& e : effects_) e->forget();
+    } catch (const HookError& e) {
+        take_back();
+        char at[100];
+        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1,
+                      state_.time + size_.dt());
+        throw HookError(e.what() + std::string(at));
+    } catch (...) {
+        if (may_take_back_) take_back();
+        throw;
+    }
+    if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
+    guard();
+    return verdict_ != Verdict::failed;
+}
+
+void Dynamics::choose_length() {
+    if (!size_.varies()) return;
+    const auto calm = [&] {
+        return !anew_ && std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->calm(); });
+    };
+    const auto changes = [&] {
+        double after[StepSize::long_step];
+        for (long i = 0; i < StepSize::long_step; ++i) after[i] = double(i + 1) * size_.own();
+        return std::any_of(effects_.begin(), effects_.end(),
+                           [&](const auto& e) { return e->changes_within(state_.time, after); });
+    };
+    take_steps_of(size_.next(calm(), integrator_->jump(), changes));
+}
+
+void Dynamics::take_steps_of(long length) {
+    if (length == size_.length()) return;
+    const long own = size_.own_length();
+    if (std::max(length, size_.length()) > own)
+        note_waking("long steps", length > own,
+                    length > own ? "nothing yields, breaks or touches" : "back to the shortest");
+    else if (length == own) note_waking("short steps", false, "back to dt");
+    set_length(length);
+}
+
+void Dynamics::set_length(long length) {
+    if (!size_.set_length(length)) return;
+    integrator_->dt_changed(size_.dt());
+    if (any_effect(&Effect::has_blocks)) blocks_changed(state_);
 }
 
 // ---- steps that are taken back --------------------------------------------------------------------------------------
 
 /// Whatever a step changes before it commits, beside what is tried.
 void Dynamics::remember() {
-    kept_before_.clear();
-    strained_before_.clear();
-    if (with_contact()) state_.contact->remember();
-    undo_ = {state_.accumulated, pace_, restart_, bars_changed_, contact_age_, fastest_};
+    for (const auto& e : effects_) e->remember();
+    before_ = {state_.accumulated, size_, anew_, integrator_->fastest};
 }
 
 /// A rule of the script failed, or step control takes the step back: all as it was before.
 void Dynamics::take_back() {
-    for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
-    for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
-    set_length(undo_.pace.length);
-    state_.accumulated = undo_.accumulated;
-    pace_ = undo_.pace;
-    restart_ = undo_.restart, bars_changed_ = undo_.bars_changed, contact_age_ = undo_.contact_age,
-    fastest_ = undo_.fastest;
-    to_break_.clear();
-    if (!with_contact()) return;
-    state_.contact->take_back();
-    place_contact(state_.displacement);
-    renew_couplings(state_.rotation);
+    set_length(before_.size->length());
+    state_.accumulated = before_.accumulated;
+    size_ = *before_.size;
+    anew_ = before_.anew;
+    integrator_->fastest = before_.fastest;
+    step_.breaks.clear();
+    for (const auto& e : effects_) e->take_back();
 }
 
-// ---- what the stages use ------------------------------------------------------------------------------------------
-
-/// The element's part of the operator is to be built anew.
-void Dynamics::wants_rebuild(int element) {
-    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+/// The step is taken back and halved; false when it is the finest already: the run ends.
+bool Dynamics::again_shorter() {
+    const std::string why = std::move(step_.failure);
+    const long tried = size_.length();
+    take_back();
+    if (tried > 1) {
+        const long next = size_.halved(tried);
+        if (tried == size_.own_length()) note_waking("short steps", true, why);
+        set_length(next);
+        remember();
+        return true;
+    }
+    char finest[80];
+    std::snprintf(finest, sizeof finest, "; dt was halved down to %.3g s, and no shorter step is tried", size_.dt());
+    fail(why + finest);
+    return false;
 }
 
-void Dynamics::move_to_increment(int first, int end) {
-    if (structure_->large()) return turn_all(increment_, state_.rotation, trial_.rotation, first, end);
-    for (int i = first; i < end; ++i) trial_.turn[i] = state_.turn[i] + increment_[i];
+/// The energy balance of what is tried; the state is as before afterwards.
+Energy Dynamics::energy_of_trial() {
+    const Accounts accumulated = state_.accumulated;
+    std::vector<Vec6> plastic;
+    const auto exchange = [this] {
+        state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
+            state_.turn.swap(w_.trial.turn), state_.velocity.swap(w_.trial.velocity);
+    };
+    for (const auto& e : effects_) e->add_up(step_, state_.accumulated);
+    state_.accumulated["numerical"] += integrator_->dissipated(step_);
+    for (const Yielding& y : w_.yielding) {
+        plastic.push_back(state_.plastic[y.element]);
+        state_.plastic[y.element] += y.flow.plastic;
+    }
+    exchange();
+    const Energy energy = energy_of(state_);
+    exchange();
+    for (std::size_t i = 0; i < w_.yielding.size(); ++i) state_.plastic[w_.yielding[i].element] = plastic[i];
+    state_.accumulated = accumulated;
+    return energy;
 }
 
-/// What the supports must add to hold their freedoms: out of the forces, into the reactions.
-void Dynamics::take_reactions(std::vector<Vec6>& right) {
-    for (int n : held_nodes_) {
-        Vec6& r = reaction_[n];
-        r.setZero();
-        for (int c = 0; c < 6; ++c)
-            if (state_.held[n] >> c & 1) r[c] = -right[n][c], right[n][c] = 0;
+/// Step control: whether the step is kept.
+void Dynamics::weigh() {
+    if (structure_->large())
+        for (std::size_t i = 0; i < w_.turned.size(); ++i)
+            if (const double turn = w_.turned[i].norm(); !(turn <= most_turn)) {
+                char what[120];
+                std::snprintf(what, sizeof what, " would turn by %.3g rad in a step, more than %.2g", turn, most_turn);
+                step_.failure = structure_->node_name(int(i)) + what;
+                return;
+            }
+    if (auto why = control_.refuse(energy_of_trial(), accounts_, turnover_, size_)) step_.failure = std::move(*why);
+}
+
+/// After a step that went well, or one that failed: whether the energy balance still closes.
+void Dynamics::guard() {
+    const bool running = verdict_ == Verdict::running, failed = verdict_ == Verdict::failed;
+    if (!guard_.due(state_, running)) return;
+    char what[160] = "";
+    if (const Fastest& fast = fastest(); fast.node >= 0)
+        std::snprintf(what, sizeof what, "; fastest was %s with %.3g m/s at t = %.6g s",
+                      structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
+    const auto lost = guard_.look(state_, turnover_.share(energy(), accounts_), running, what);
+    if (!lost) return;
+    std::string why = failed ? reason_ + "; before it, " + *lost : *lost;
+    why += "; a shorter dt";
+    if (!control_.on()) why += " or step_control";
+    if (!explicit_steps() && settings_.alpha() == 0) why += " or rho_infinity below 1";
+    fail(why + " may hold");
+}
+
+// ---- what it says of itself -----------------------------------------------------------------------------------------
+
+EffectiveStiffness::Counts Dynamics::solver_counts() const {
+    const EffectiveStiffness* effective = integrator_->effective();
+    return effective ? effective->counts() : EffectiveStiffness::Counts{};
+}
+
+double Dynamics::time_product(int repeats) const {
+    const EffectiveStiffness* effective = integrator_->effective();
+    return effective ? effective->time_product(repeats) : 0;
+}
+
+std::vector<PlanLine> Dynamics::effects() const {
+    std::vector<PlanLine> list = plan_of(*structure_, w_.kind);
+    char how[160];
+    std::snprintf(how, sizeof how,
+                  explicit_steps()      ? "explicit steps of %.3g us, lumped masses"
+                  : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens"
+                                        : "Newmark's method, steps of %.3g us",
+                  1e6 * shortest());
+    std::string because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
+    if (control_.on())
+        std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy",
+                      100 * settings_.step_control),
+            because += how;
+    if (settings_.alpha() != 0)
+        std::snprintf(how, sizeof how, ", of the highest frequencies %.3g is left after a step",
+                      settings_.rho_infinity),
+            because += how;
+    list.front().because = because;
+    stages_.add_to(list);
+    return list;
+}
+
+// ---- checkpoints ----------------------------------------------------------------------------------------------------
+
+/// Parts of the effective stiffness, of M and of contact's list of pairs were made at one time or another and are
+/// renewed when something has turned or travelled far enough: they are kept as they are. What follows from the state
+/// and from them alone (blocks condensed to the joints, bars, which sections elements share) is found anew.
+template <class Self, class A>
+void Dynamics::fields(Self& s, A& a) {
+    Run::fields(s, a);
+    a(s.size_, s.control_, s.turnover_, s.stages_, s.w_.external, s.w_.force, s.w_.supported, s.w_.yielding,
+      s.w_.weighted, s.anew_, s.sleepers_);
+    if constexpr (A::reading) s.guard_.make_room(s.state_);
+    a(s.guard_);
+    for (const auto& e : s.effects_)
+        if constexpr (A::reading) e->restore(a);
+        else e->save(a);
+    if constexpr (A::reading) s.integrator_->restore(a);
+    else s.integrator_->save(a);
+    a(s.mass_);
+}
+
+void Dynamics::save(std::string& to) const {
+    Writer write(to);
+    fields(*this, write);
+    write(sweep_);
+}
+
+void Dynamics::restore(std::string_view saved) {
+    std::string now;
+    save(now);
+    try {
+        read(saved);
+    } catch (...) {
+        read(now);
+        throw;
     }
 }
 
-/// Takes up what each piece of the nodes found: squared speeds.
-void Dynamics::note_fastest() {
-    for (const Fastest& f : fastest_of_)
-        if (f.speed > fastest_.speed * fastest_.speed)
-            fastest_ = {std::sqrt(f.speed), f.node, state_.time + settings_.dt};
+void Dynamics::read(std::string_view saved) {
+    Reader reader(saved);
+    fields(*this, reader);
+    reader.must(makes_sense());
+    w_.trial = pose_of(state_);
+    std::vector<const State*> states{&state_};
+    if (const State* good = guard_.good_state()) states.push_back(good);
+    for (const auto& e : effects_) reader.must(e->restored(states));
+    sweep_.take_up(state_);
+    reader(sweep_);
+    reader.must(reader.rest().empty());
 }
 
-std::string Dynamics::name_the_culprit() const {
-    for (std::size_t i = 0; i < force_.size(); ++i)
-        if (!state_.broken[i] && !force_[i].allFinite())
-            return "the forces of " + structure_->element_name(int(i)) + " are not finite";
-    for (std::size_t i = 0; i < nodal_.size(); ++i)
-        if (!nodal_[i].allFinite()) return "the forces at " + structure_->node_name(int(i)) + " are not finite";
-    for (std::size_t i = 0; i < external_.size(); ++i)
-        if (!external_[i].allFinite()) return "the load on " + structure_->node_name(int(i)) + " is not finite";
-    std::size_t most = 0;  // each is finite, what they add up to is not
-    for (std::size_t i = 0; i < nodal_.size(); ++i)
-        if (nodal_[i].cwiseAbs().maxCoeff() > nodal_[most].cwiseAbs().maxCoeff()) most = i;
-    return "the forces at " + structure_->node_name(int(most)) + " grow without bound";
+/// Whether what was read fits the structure and its settings.
+bool Dynamics::makes_sense() const {
+    const int nodes = int(structure_->position().size()), elements = int(structure_->elements().size());
+    const auto within = [](int n) { return [n](int i) { return i >= 0 && i < n; }; };
+    const auto all = [](const auto& list, auto good) { return std::all_of(list.begin(), list.end(), good); };
+    const bool states = hinge::makes_sense(state_, *structure_) &&
+                        (verdict_ == Verdict::failed || is_finite(state_)) &&
+                        (!guard_.good_state() ||
+                         (hinge::makes_sense(*guard_.good_state(), *structure_) && is_finite(*guard_.good_state())));
+    const bool lengths = int(w_.external.size()) == nodes && int(w_.force.size()) == elements &&
+                         int(w_.weighted.size()) == (settings_.alpha() == 0 ? 0 : nodes);
+    bool held = true;  // stay where they are, in explicit steps
+    for (int n = 0; states && mass_.now() && structure_->lumped() && n < nodes; ++n)
+        for (int c = 0; c < 6; ++c)
+            held = held && (!(state_.held[n] >> c & 1) || mass_.now()->lumped_inverse()[n][c] == 0);
+    std::size_t sleepers = 0;
+    for (const auto& e : effects_) sleepers += e->sleeps();
+    return states && lengths && held && size_.makes_sense() && sleepers_.size() == sleepers &&
+           verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
+           all(w_.yielding, [&](const Yielding& y) { return within(elements)(y.element); }) &&
+           all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;
 }
 
 }  // namespace hinge

@@ -15,11 +15,57 @@ const char* name(Verdict v) {
     }
 }
 
-Run::Run(std::shared_ptr<const Structure> structure, State start)
+Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia)
     : structure_(std::move(structure)),
       state_(std::move(start)),
-      ledger_(*structure_, state_),
-      first_step_(state_.step) {}
+      pool_(threads),
+      sweep_(*structure_, pool_, inertia),
+      w_{*structure_, state_, pool_, sweep_, kind, {}, pose_of(state_), {}, {}, {}, state_.force, {}, {}, reaction_, {}, {}, {}, false},
+      effects_(effects_of(w_, *this)),
+      accounts_(accounts_of(effects_)),
+      at_start_(state_.accumulated),
+      first_step_(state_.step) {
+    const std::size_t nodes = structure_->position().size();
+    const Energy start_energy = energy_of(state_);
+    initial_ = start_energy["kinetic"] + start_energy["elastic"];
+    w_.external.assign(nodes, Vec6::Zero());
+    w_.resisting.assign(nodes, Vec6::Zero());
+    for (const auto& e : effects_) e->add_steady_loads(w_.external);
+    for (const auto& e : effects_) e->steady_loads_known();
+    for (std::size_t i = 0; i < nodes; ++i)
+        if (state_.held[i]) w_.supported.push_back(int(i));
+}
+
+Energy Run::energy_of(const State& state) const {
+    Accounts sums;
+    for (const auto& [name, sum] : state.accumulated) sums[name] = sum - at_start_[name];
+    for (const auto& e : effects_) e->add_energy(state, sums);
+    return balance(accounts_, initial_, sums);
+}
+
+Blocks Run::blocks_at(const Places& at, double of_damping) const {
+    Blocks blocks(of_damping);
+    for (const auto& e : effects_)
+        if (e->has_blocks()) e->add_blocks(at, blocks);
+    return blocks;
+}
+
+void Run::change_steady_load(int node, const Vec3& force) {
+    w_.external[node].head<3>() += force;
+    for (const auto& e : effects_) e->steady_load_changed(node, force);
+}
+
+void Run::reached(const std::vector<Reached>& elements) {
+    for (const auto& e : effects_) e->reached(elements);
+}
+
+void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
+    for (const auto& e : effects_) e->keep_from_rest(bodies, rests);
+}
+
+void Run::note_waking(const std::string& effect, bool awake, const std::string& why) {
+    if (wakings_.size() < 1000) wakings_.push_back({state_.time, effect, awake, why});
+}
 
 void Run::stop() {
     if (verdict_ == Verdict::running) verdict_ = Verdict::stopped, reason_ = "stopped by the script";

@@ -6,8 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "run/effects.h"
-#include "state/energy.h"
+#include "effects/all_effects.h"
 
 namespace hinge {
 
@@ -20,17 +19,17 @@ struct StageTime {
     double seconds = 0;
 };
 
-class Run {
+class Run : protected Host {
 public:
-    Run(std::shared_ptr<const Structure> structure, State start);
-    virtual ~Run() = default;
+    Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia);
+    ~Run() override = default;
 
     /// One step. False when there is none left (see verdict); the state is then that of the last good step.
     virtual bool advance() = 0;
     virtual long planned_steps() const = 0;
     virtual const char* kind() const = 0;  ///< "static" or "dynamic"
     virtual std::vector<StageTime> stage_times() const = 0;
-    virtual std::vector<Effect> effects() const = 0;
+    virtual std::vector<PlanLine> effects() const = 0;
 
     void stop();  ///< the script has seen enough
     Verdict verdict() const { return verdict_; }
@@ -38,7 +37,9 @@ public:
     const State& state() const { return state_; }
     const Structure& structure() const { return *structure_; }
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
-    Energy energy() const { return ledger_.balance(state_); }
+    Energy energy() const { return energy_of(state_); }
+    /// The accounts of the energy balance, in the order in which they are shown.
+    const AccountList& accounts() const { return accounts_; }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
     struct Waking {
         double time;
@@ -53,10 +54,10 @@ public:
     const std::vector<Waking>& wakings() const { return wakings_; }
     long breaks() const { return breaks_; }  ///< elements that broke in this run
     long steps_done() const { return state_.step - first_step_; }
+    long element_updates() const { return sweep_.updates(); }
 
-    Vec6 displacement(int node) const;  ///< ux uy uz (m), rotation vector rx ry rz (rad)
-    Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
-    bool valid_node(int node) const { return node >= 0 && node < int(structure_->position().size()); }
+    Vec6 displacement(int node) const;      ///< ux uy uz (m), rotation vector rx ry rz (rad)
+    Vec6 reaction(int node) const;          ///< forces (N) and moments (N m) that the supports exert on the node
     double yield_value(int element) const;  ///< f_y of eq 14, the larger of its sections; 0 when broken
 
     struct Counts {
@@ -68,14 +69,39 @@ public:
 
 protected:
     void fail(std::string why);
+    Energy energy_of(const State& state) const;
+    Blocks blocks_at(const Places& at, double of_damping) const;
+
+    // Host: what a static run has no use for does nothing.
+    void stiffness_changed(int) override {}
+    void blocks_changed(const Places&) override {}
+    void set_offset_mass(int, const Mat6&) override {}
+    void leave_out(const std::vector<int>&) override {}
+    void accelerations_anew() override {}
+    void mass_changed(int) override {}
+    ImpulseResponse respond(const std::vector<Vec6>&) override { return {}; }
+    void change_steady_load(int node, const Vec3& force) override;
+    void reached(const std::vector<Reached>& elements) override;
+    void note_waking(const std::string& effect, bool awake, const std::string& why) override;
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
+    void count_break() override { ++breaks_; }
+    bool has_effective_stiffness() const override { return true; }
+
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.state_, s.ledger_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_);
+        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_);
     }
+
     std::shared_ptr<const Structure> structure_;
     State state_;
-    Ledger ledger_;
-    std::unordered_map<int, Vec6> reaction_;  ///< of nodes with a freedom that is held
+    std::unordered_map<int, Vec6> reaction_;  ///< of nodes with a degree of freedom that is held
+    ThreadPool pool_;
+    Sweep sweep_;
+    Workspace w_;
+    EffectList effects_;
+    AccountList accounts_;
+    double initial_ = 0;   ///< J, kinetic and elastic energy at the start
+    Accounts at_start_;    ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
     std::vector<Waking> wakings_;
     std::string reason_;

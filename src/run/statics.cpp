@@ -1,12 +1,11 @@
 #include "run/statics.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/errors.h"
 #include "core/rotation.h"
-#include "state/hinges.h"
+#include "run/yield_tangents.h"
 
 namespace hinge {
 namespace {
@@ -23,106 +22,93 @@ double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // transla
 }  // namespace
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
-    : Run(std::move(structure), std::move(start)),
+    : Run(std::move(structure), std::move(start), RunKind{}, 1, false),
       settings_(std::move(settings)),
       held_(state_.held),
-      sweep_(*structure_, pool_, false),
       effective_(std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::direct)) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
-    for (auto* v : {&load_, &gravity_load_, &nodal_, &right_, &change_, &response_, &last_move_})
-        v->assign(nodes, Vec6::Zero());
-    moved_.assign(nodes, Vec3::Zero());
+    for (auto* v : {&potential_, &right_, &change_, &response_, &last_move_}) v->assign(nodes, Vec6::Zero());
+    w_.turned.assign(nodes, Vec3::Zero());
     double length = 0;
-    for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
-        const Element& e = structure_->elements()[i];
-        length += e.length;
-        if (model.gravity() && !state_.broken[i])
-            for (int end : {0, 1})
-                gravity_load_[e.node[end]].head<3>() += structure_->inertia(int(i)).weight(end) * *model.gravity();
-    }
+    for (const Element& e : structure_->elements()) length += e.length;
     if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
     for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
     // forces that rounding of the positions alone makes: below them equilibrium cannot be told
     for (const Element& e : structure_->elements())
-        noise_ = std::max(
-            noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
+        noise_ = std::max(noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
     noise_ *= std::sqrt(double(nodes));
-    for (const NodalLoad& l : model.loads()) {
-        const double factor = l.history ? l.history(0) : 1.0;
-        load_[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
-        load_[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
-    }
-    for (std::size_t i = 0; i < nodes; ++i) load_[i] += gravity_load_[i];
+    for (const auto& e : effects_) loads_follow_ = loads_follow_ || e->loads_follow();
+    find_loads();
     state_.factor = 0;
-    trial_ = pose_of(state_);
-    force_ = state_.force;
-    for (std::size_t i = 0; i < state_.hinge.size(); ++i)
-        if (state_.hinge[i]) flowing_.push_back(int(i));
     sweep_.take_up(state_);
     effective_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
-    const bool moments =
-        std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
-    if (moments && structure_->large()) {
+    const bool moments = std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    if ((moments || loads_follow_) && structure_->large()) {
         effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
         effective_->set_held(held_);
         built_ = false;
     }
 }
 
+/// F at factor 1, where the nodes are tried to be.
+void Statics::find_loads() {
+    std::vector<Vec6> all(w_.external.size(), Vec6::Zero());
+    std::vector<Vec6>& others = all;
+    for (Vec6& v : potential_) v.setZero();
+    for (const auto& e : effects_) {
+        std::vector<Vec6>& sum = e->has_potential() ? potential_ : others;
+        e->add_steady_loads(sum);
+        e->add_static_loads(w_.trial, sum);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) w_.external[i] = others[i] + potential_[i];
+}
+
 void Statics::recover() {
-    const auto start = std::chrono::steady_clock::now();
-    for (Vec6& n : nodal_) n.setZero();
-    sweep_.run(state_, trial_, nodal_, force_, yielding_);
-    times_[0].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stages_.timed(recover_stage_, [&] {
+        for (Vec6& n : w_.resisting) n.setZero();
+        sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
+        for (const auto& e : effects_) e->add_forces(0, w_.resisting);
+        if (loads_follow_) find_loads();
+    });
 }
 
 bool Statics::renew_and_factorise() {
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<int> list;
-    if (structure_->large() || !built_) {
-        for (std::size_t i = 0; i < state_.broken.size(); ++i)
-            if (!state_.broken[i]) list.push_back(int(i));
-    } else {
-        list = was_yielding_;
-        for (const Yielding& y : yielding_) list.push_back(y.element);
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-    was_yielding_.clear();
-    std::vector<Mat6> tangents(yielding_.size());
-    std::vector<const Mat6*> given(list.size(), nullptr);
-    double section[2];
-    const int n = sweep_.sections(section);
-    for (std::size_t i = 0; i < yielding_.size(); ++i) {
-        const Yielding& y = yielding_[i];
-        const Element& e = structure_->elements()[y.element];
-        const beam::Stiffness k = stiffness_now(*structure_, state_, y.element);
-        const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        tangents[i] =
-            beam::plastic_tangent(y.flow.p, k, e.yield, section, y.flow.lambda, active, n) +
-            hinge_regularisation *
-                (Vec6() << e.rigidity.EIx, e.rigidity.EIx, e.rigidity.EIy, e.rigidity.EIy, e.rigidity.EA, e.rigidity.GJ)
-                    .finished()
-                    .asDiagonal()
-                    .toDenseMatrix() /
-                e.length;
-        given[std::lower_bound(list.begin(), list.end(), y.element) - list.begin()] = &tangents[i];
-        was_yielding_.push_back(y.element);
-    }
-    force_.swap(state_.force);
-    effective_->build(list, state_, trial_, given);
-    force_.swap(state_.force);
-    built_ = true;
-    effective_->assemble();
-    times_[1].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const auto solving = std::chrono::steady_clock::now();
-    const bool good = effective_->factorise();
-    times_[2].seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - solving).count();
+    stages_.timed(stiffness_stage_, [&] {
+        std::vector<int> list;
+        if (structure_->large() || !built_) {
+            for (std::size_t i = 0; i < state_.broken.size(); ++i)
+                if (!state_.broken[i]) list.push_back(int(i));
+        } else {
+            list = was_yielding_;
+            for (const Yielding& y : w_.yielding) list.push_back(y.element);
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+        was_yielding_.clear();
+        std::vector<Mat6> tangents = yield_tangents(*structure_, state_, sweep_, w_.yielding);
+        for (std::size_t i = 0; i < tangents.size(); ++i) {
+            const Element& e = structure_->elements()[w_.yielding[i].element];
+            const beam::Rigidity& r = e.rigidity;
+            Vec6 bare;
+            bare << r.EIx, r.EIx, r.EIy, r.EIy, r.EA, r.GJ;
+            tangents[i] = tangents[i] + hinge_regularisation * bare.asDiagonal().toDenseMatrix() / e.length;
+            was_yielding_.push_back(w_.yielding[i].element);
+        }
+        w_.force.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
+        effective_->build(list, state_, w_.trial, tangents_of(list, w_.yielding, tangents));
+        w_.force.swap(state_.force);
+        Blocks blocks = blocks_at(w_.trial, 0);
+        if (!blocks.pairs.empty() || !blocks.nodes.empty()) effective_->set_blocks(std::move(blocks));
+        built_ = true;
+        effective_->assemble();
+    });
+    bool good = false;
+    stages_.timed(solve_stage_, [&] { good = effective_->factorise(); });
     return good;
 }
 
@@ -142,11 +128,11 @@ void Statics::refuse_mechanism() {
 
 double Statics::out_of_balance(double& scale) const {
     double r = 0, s = 0;
-    for (std::size_t i = 0; i < nodal_.size(); ++i)
+    for (std::size_t i = 0; i < w_.resisting.size(); ++i)
         for (int c = 0; c < 6; ++c) {
-            const double unit = c < 3 ? 1 : 1 / mean_length_, f = trial_factor_ * load_[i][c];
-            if (!(held_[i] >> c & 1)) r += std::pow(unit * (f - nodal_[i][c]), 2);
-            s += std::pow(unit * f, 2) + std::pow(unit * nodal_[i][c], 2);
+            const double unit = c < 3 ? 1 : 1 / mean_length_, f = trial_factor_ * w_.external[i][c];
+            if (!(held_[i] >> c & 1)) r += std::pow(unit * (f - w_.resisting[i][c]), 2);
+            s += std::pow(unit * f, 2) + std::pow(unit * w_.resisting[i][c], 2);
         }
     scale = std::sqrt(s);
     return std::sqrt(r);
@@ -155,32 +141,32 @@ double Statics::out_of_balance(double& scale) const {
 void Statics::move(double factor, const std::vector<Vec6>& by) {
     trial_factor_ = factor;
     for (std::size_t i = 0; i < by.size(); ++i) {
-        trial_.displacement[i] += by[i].head<3>();
-        moved_[i] += by[i].tail<3>();
-        if (structure_->large()) trial_.rotation[i] = turned(by[i].tail<3>(), trial_.rotation[i]);
-        else trial_.turn[i] += by[i].tail<3>();
+        w_.trial.displacement[i] += by[i].head<3>();
+        w_.turned[i] += by[i].tail<3>();
+        if (structure_->large()) w_.trial.rotation[i] = turned(by[i].tail<3>(), w_.trial.rotation[i]);
+        else w_.trial.turn[i] += by[i].tail<3>();
     }
 }
 
 /// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the
 /// arc (in units of the first step's).
 Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
-    trial_ = pose_of(state_);
+    w_.trial = pose_of(state_);
     trial_factor_ = state_.factor;
-    for (Vec3& m : moved_) m.setZero();
-    std::vector<Vec6> total(nodal_.size(), Vec6::Zero()), step(nodal_.size());
+    for (Vec3& m : w_.turned) m.setZero();
+    std::vector<Vec6> total(w_.resisting.size(), Vec6::Zero()), step(w_.resisting.size());
     double arc = 0;
     recover();
     // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
-    yielding_ = flowing_on ? hinges_ : std::vector<Yielding>{};
+    w_.yielding = flowing_on ? hinges_ : std::vector<Yielding>{};
     double first = 0, last_balance = 0;
     for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
         if (!renew_and_factorise()) return Outcome::diverged;
-        for (std::size_t i = 0; i < nodal_.size(); ++i) {
-            right_[i] = trial_factor_ * load_[i] - nodal_[i];
+        for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
+            right_[i] = trial_factor_ * w_.external[i] - w_.resisting[i];
             for (int c = 0; c < 6; ++c)
                 if (held_[i] >> c & 1) right_[i][c] = 0;
-            response_[i] = load_[i];
+            response_[i] = w_.external[i];
             for (int c = 0; c < 6; ++c)
                 if (held_[i] >> c & 1) response_[i][c] = 0;
         }
@@ -227,14 +213,14 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             return Outcome::diverged;
         // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that
         // makes the balance worse is taken by half, and by half again.
-        const Pose before = trial_;
-        const std::vector<Vec3> moved_before = moved_;
+        const Pose before = w_.trial;
+        const std::vector<Vec3> moved_before = w_.turned;
         const double factor_before = trial_factor_;
         double scale = 0, r = 0, share = 1;
         for (int halving = 0;; ++halving, share /= 2) {
             if (halving > 0) {
-                trial_ = before;
-                moved_ = moved_before;
+                w_.trial = before;
+                w_.turned = moved_before;
                 for (Vec6& v : step) v *= 0.5;
             }
             move(factor_before + share * d_factor, step);
@@ -259,30 +245,29 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
 }
 
 void Statics::commit(double before) {
-    for (std::size_t i = 0; i < load_.size(); ++i) {
-        const Vec3 du = trial_.displacement[i] - state_.displacement[i];
+    const Step step{state_.time, 0, false, 0, {}, {}};
+    double& work = state_.accumulated["work"];
+    for (std::size_t i = 0; i < w_.external.size(); ++i) {
+        const Vec3 du = w_.trial.displacement[i] - state_.displacement[i];
         const double mean = 0.5 * (before + trial_factor_);
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
-        state_.accumulated.work += mean * (load_[i].head<3>().dot(du) + load_[i].tail<3>().dot(moved_[i])) -
-                                   gravity_load_[i].head<3>().dot(du);
+        work += mean * (w_.external[i].head<3>().dot(du) + w_.external[i].tail<3>().dot(w_.turned[i])) -
+                (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.turned[i]));
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
-            for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? nodal_[i][c] - trial_factor_ * load_[i][c] : 0;
+            for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - trial_factor_ * w_.external[i][c] : 0;
         }
     }
-    state_.displacement = trial_.displacement;
-    state_.rotation = trial_.rotation;
-    state_.turn = trial_.turn;
-    state_.force = force_;
+    for (const auto& e : effects_) e->add_up(step, state_.accumulated);
+    for (const auto& e : effects_) e->keep(step);
+    state_.displacement = w_.trial.displacement;
+    state_.rotation = w_.trial.rotation;
+    state_.turn = w_.trial.turn;
+    state_.force = w_.force;
     state_.factor = trial_factor_;
-    hinges_ = yielding_;
-    for (Yielding& y : hinges_)
-        for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;
-    const std::vector<int> moved = commit_flow(*structure_, state_, yielding_, flowing_);
-    if (!moved.empty()) {
-        sweep_.take_up(state_);
-        was_yielding_.insert(was_yielding_.end(), moved.begin(), moved.end());
-    }
+    hinges_ = flowing_on(w_.yielding);
+    for (const auto& e : effects_) e->kept(step);
+    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
     ++state_.step;
 }
 
@@ -326,10 +311,9 @@ bool Statics::advance() {
     return true;
 }
 
-std::vector<Effect> Statics::effects() const {
-    std::vector<Effect> list = effects_of(*structure_, false, true);
-    for (Effect& e : list)
-        if (e.name == "large displacement") e.seconds = times_[0].seconds;
+std::vector<PlanLine> Statics::effects() const {
+    std::vector<PlanLine> list = plan_of(*structure_, w_.kind);
+    stages_.add_to(list);
     return list;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/effective_stiffness.h"
-#include "run/run.h"
+#include "run/stages.h"
 
 namespace hinge {
 
@@ -30,14 +30,14 @@ public:
     bool advance() override;
     long planned_steps() const override { return settings_.steps; }
     const char* kind() const override { return "static"; }
-    std::vector<StageTime> stage_times() const override { return times_; }
-    std::vector<Effect> effects() const override;
-    long element_updates() const { return sweep_.updates(); }
+    std::vector<StageTime> stage_times() const override { return stages_.times(); }
+    std::vector<PlanLine> effects() const override;
     EffectiveStiffness::Counts solver_counts() const { return effective_->counts(); }
 
 private:
     enum class Outcome { converged, diverged };
     Outcome equilibrate(double increment, bool flowing_on);
+    void find_loads();
     void recover();
     bool renew_and_factorise();
     double out_of_balance(double& scale) const;
@@ -47,19 +47,20 @@ private:
 
     StaticSettings settings_;
     std::vector<std::uint8_t> held_;
-    ThreadPool pool_;
-    Sweep sweep_;
     std::unique_ptr<EffectiveStiffness> effective_;
-    Pose trial_;
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
            noise_ = 0;
     int converged_in_ = 0;
-    std::vector<Vec6> load_, gravity_load_, nodal_, right_, change_, response_, force_, last_move_;
-    std::vector<Vec3> moved_;
-    std::vector<Yielding> yielding_, hinges_;  ///< of this iteration; of the last equilibrium
-    std::vector<int> was_yielding_, flowing_;
-    bool built_ = false;
-    std::vector<StageTime> times_ = {{"recover stresses"}, {"operator"}, {"solve"}};
+    std::vector<Vec6> potential_;              ///< the part of F that has a potential energy in an account of its own
+    std::vector<Vec6> right_, change_;         ///< F - R, and the move that it asks for
+    std::vector<Vec6> response_;               ///< the move that F at factor 1 asks for
+    std::vector<Vec6> last_move_;
+    std::vector<Yielding> hinges_;             ///< of the last equilibrium
+    std::vector<int> was_yielding_;
+    bool built_ = false, loads_follow_ = false;
+    Stages stages_;
+    int recover_stage_ = stages_.add("recover stresses", "large displacement"),
+        stiffness_stage_ = stages_.add("stiffness", ""), solve_stage_ = stages_.add("solve", "");
 };
 
 }  // namespace hinge

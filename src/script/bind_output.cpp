@@ -367,21 +367,12 @@ Json to_json(lua_State* L, int index, int depth) {
     return object;
 }
 
-Json energy_json(const Energy& e) {
-    return {{"initial", e.initial},
-            {"kinetic", e.kinetic},
-            {"gravity", e.gravity},
-            {"elastic", e.elastic},
-            {"plastic", e.plastic},
-            {"fracture", e.fracture},
-            {"fracture_elastic", e.fracture_elastic},
-            {"fracture_kinetic", e.fracture_kinetic},
-            {"contact", e.contact},
-            {"contact_stored", e.contact_stored},
-            {"contact_released", e.contact_released},
-            {"numerical", e.numerical},
-            {"work", e.work},
-            {"remainder", e.remainder}};
+Json energy_json(const Run& run) {
+    const Energy e = run.energy();
+    Json j = {{"initial", e.initial}};
+    for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
+    j["remainder"] = e.remainder;
+    return j;
 }
 
 /// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns
@@ -419,7 +410,7 @@ int write_summary(lua_State* L) {
         j["wall_seconds"] = r->wall;
         if (r->resumed_at > 0) j["resumed_at"] = r->resumed_at;
         j["effects"] = Json::array();
-        for (const Effect& e : effects_of(*r)) {
+        for (const PlanLine& e : effects_of(*r)) {
             j["effects"].push_back(
                 {{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
             if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
@@ -429,7 +420,7 @@ int write_summary(lua_State* L) {
             j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
-        j["energy"] = energy_json(run.energy());
+        j["energy"] = energy_json(run);
         j["worst_remainder"] = r->worst_remainder;
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
             j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};

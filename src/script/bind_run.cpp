@@ -1,4 +1,5 @@
 // A run in a script's hands: its steps, and what can be read of it.
+#include "effects/contact.h"
 #include <algorithm>
 #include <cstring>
 
@@ -169,23 +170,17 @@ int run_snapshot(lua_State* L) {
     return 1;
 }
 
-void push_energy(lua_State* L, const Energy& e) {
-    const std::pair<const char*, double> values[] = {{"initial", e.initial},
-                                                     {"kinetic", e.kinetic},
-                                                     {"gravity", e.gravity},
-                                                     {"elastic", e.elastic},
-                                                     {"plastic", e.plastic},
-                                                     {"fracture", e.fracture},
-                                                     {"fracture_elastic", e.fracture_elastic},
-                                                     {"fracture_kinetic", e.fracture_kinetic},
-                                                     {"contact", e.contact},
-                                                     {"contact_stored", e.contact_stored},
-                                                     {"contact_released", e.contact_released},
-                                                     {"numerical", e.numerical},
-                                                     {"work", e.work},
-                                                     {"remainder", e.remainder}};
-    lua_createtable(L, 0, 14);
-    for (const auto& [name, v] : values) lua_pushnumber(L, v), lua_setfield(L, -2, name);
+void push_energy(lua_State* L, const Run& run) {
+    const Energy e = run.energy();
+    lua_createtable(L, 0, int(run.accounts().size()) + 2);
+    const auto put = [L](std::string_view name, double value) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushnumber(L, value);
+        lua_rawset(L, -3);
+    };
+    put("initial", e.initial);
+    for (const AccountInfo& account : run.accounts()) put(account.name, e[account.name]);
+    put("remainder", e.remainder);
 }
 
 int fields(lua_State* L) {
@@ -198,11 +193,11 @@ int fields(lua_State* L) {
     else if (key == "index") lua_pushinteger(L, run.steps_done());
     else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
     else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt")
-        d ? lua_pushnumber(L, d->settings().dt) : lua_pushnil(L);
+        d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
     else if (key == "verdict") lua_pushstring(L, name(run.verdict()));
     else if (key == "reason") lua_pushstring(L, run.reason().c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
-    else if (key == "energy") push_energy(L, run.energy());
+    else if (key == "energy") push_energy(L, run);
     else if (key == "worst_remainder") lua_pushnumber(L, r.worst_remainder);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
     else if (key == "hash")
@@ -215,8 +210,8 @@ int fields(lua_State* L) {
                            .c_str());
     else if (key == "contacts") {
         lua_createtable(L, 0, 2);
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().bound : 0), lua_setfield(L, -2, "bound");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().released : 0),
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0), lua_setfield(L, -2, "bound");
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().released : 0),
             lua_setfield(L, -2, "released");
     } else if (key == "counts") {
         const auto* d = dynamic_cast<const Dynamics*>(&run);
@@ -234,9 +229,9 @@ int fields(lua_State* L) {
                                : 0),
             lua_setfield(L, -2, "element_updates");
         lua_pushinteger(L, d ? d->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().pair_tests : 0),
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().pair_tests : 0),
             lua_setfield(L, -2, "pair_tests");
-        lua_pushinteger(L, run.state().contact ? run.state().contact->counts().list_builds : 0),
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().list_builds : 0),
             lua_setfield(L, -2, "pair_lists");
     } else if (key == "wakings") {
         lua_newtable(L);
@@ -263,7 +258,7 @@ int fields(lua_State* L) {
     } else if (key == "effects") {
         lua_newtable(L);
         int i = 0;
-        for (const Effect& e : run.effects()) {
+        for (const PlanLine& e : run.effects()) {
             lua_createtable(L, 0, 5);
             lua_pushstring(L, e.name.c_str()), lua_setfield(L, -2, "name");
             lua_pushboolean(L, e.active), lua_setfield(L, -2, "active");

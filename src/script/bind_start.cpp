@@ -137,7 +137,7 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
     if (!word.empty() && !automatic)
         o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!in_explicit_steps)
-        return automatic ? Dynamics::shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
+        return automatic ? shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
     const StableStep limit = stable_step(structure);
     if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model()));
     const double dt = o.number("dt", "s", Range::positive);

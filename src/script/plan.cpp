@@ -4,8 +4,8 @@
 
 namespace hinge::script {
 
-std::vector<Effect> effects_of(const RunRecord& record) {
-    std::vector<Effect> list = record.run->effects();
+std::vector<PlanLine> effects_of(const RunRecord& record) {
+    std::vector<PlanLine> list = record.run->effects();
     const std::string rows = record.every > 1 ? "a row of history.csv every " + std::to_string(record.every) + " steps"
                                               : "a row of history.csv at every step";
     list.push_back({"recording", record.every > 0, record.every > 0 ? rows : "record = false", ""});
@@ -19,10 +19,10 @@ std::string plan_of(const RunRecord& record) {
                        ": " + std::to_string(s.model().members().size()) + " members, " +
                        std::to_string(s.elements().size()) + " elements, " + std::to_string(s.free_dofs()) +
                        " free freedoms, " + std::to_string(run.planned_steps()) + " steps\n";
-    const std::vector<Effect> list = effects_of(record);
+    const std::vector<PlanLine> list = effects_of(record);
     std::size_t name = 0, why = 0;
-    for (const Effect& e : list) name = std::max(name, e.name.size()), why = std::max(why, e.because.size());
-    for (const Effect& e : list)
+    for (const PlanLine& e : list) name = std::max(name, e.name.size()), why = std::max(why, e.because.size());
+    for (const PlanLine& e : list)
         text += "  " + e.name + std::string(name - e.name.size() + 2, ' ') + (e.active ? "on   " : "off  ") +
                 e.because + (e.asked_at.empty() ? "" : std::string(why - e.because.size() + 2, ' ') + e.asked_at) +
                 "\n";

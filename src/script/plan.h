@@ -8,7 +8,7 @@
 namespace hinge::script {
 
 /// The effects of a run, the recording that the script layer does among them.
-std::vector<Effect> effects_of(const RunRecord& record);
+std::vector<PlanLine> effects_of(const RunRecord& record);
 
 /// The run and its effects as a table: name, on or off, why, the script's line.
 std::string plan_of(const RunRecord& record);

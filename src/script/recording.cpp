@@ -52,7 +52,10 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
         } else
             std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
         c->writer = record;
-        std::string header = "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder";
+        std::string header = "time,factor";
+        for (const AccountInfo& account : r.run->accounts())
+            if (account.part_of.empty()) header += "," + std::string(account.name);
+        header += ",remainder";
         for (const auto& p : r.probes) header += "," + p->name;
         write_whole(r.history_path, r.past.empty() ? header + "\n" : r.past);
         r.past.clear();
@@ -68,11 +71,16 @@ void add_row(RunRecord& r) {
     if (r.history_path.empty() || step < r.row_of)
         return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
-    char text[400];
-    std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", r.run->state().time,
-                  r.run->state().factor, e.kinetic, e.gravity, e.elastic, e.plastic, e.fracture, e.contact, e.numerical,
-                  e.work, e.remainder);
+    char text[64];
+    std::snprintf(text, sizeof text, "%.9g,%.9g", r.run->state().time, r.run->state().factor);
     r.rows += text;
+    const auto add = [&](double value) {
+        std::snprintf(text, sizeof text, ",%.9g", value);
+        r.rows += text;
+    };
+    for (const AccountInfo& account : r.run->accounts())
+        if (account.part_of.empty()) add(e[account.name]);
+    add(e.remainder);
     for (const auto& p : r.probes) {
         std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));
         r.rows += text;

@@ -142,8 +142,8 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
         state.velocity[freed].setZero();
         state.acceleration[freed].setZero();
     }
-    state.accumulated.fracture_elastic += report.elastic;
-    state.accumulated.fracture_kinetic += report.kinetic;
+    state.accumulated["fracture_elastic"] += report.elastic;
+    state.accumulated["fracture_kinetic"] += report.kinetic;
     return report;
 }
 
@@ -151,8 +151,8 @@ double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
     for (std::size_t i = 0; i < impulse.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
-                state.accumulated.work -= impulse[i][c] * state.velocity[i][c];
-                state.accumulated.fracture_kinetic -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated["work"] -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated["fracture_kinetic"] -= impulse[i][c] * state.velocity[i][c];
                 impulse[i][c] = 0;
             }
     std::vector<Vec6> change;
@@ -162,7 +162,7 @@ double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
         cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
         state.velocity[i] += change[i];
     }
-    state.accumulated.fracture_kinetic += cost;
+    state.accumulated["fracture_kinetic"] += cost;
     return cost;
 }
 

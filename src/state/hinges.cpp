@@ -20,7 +20,6 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
     for (const Yielding& y : yielding) {
         state.plastic[y.element] += y.flow.plastic;
         state.plastic_work[y.element] += y.flow.dissipation;
-        state.accumulated.plastic += y.flow.dissipation;
         std::uint8_t bits = hinge_at_middle;
         if (!structure.conventional())
             bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);

@@ -25,11 +25,11 @@ Balance sudden_load(double dt, Shift shift) {
     while (run.advance()) {
         const Energy e = run.energy();
         b.worst = std::max(b.worst, std::abs(e.remainder));
-        b.monotone &= e.plastic >= b.plastic;
-        b.plastic = e.plastic;
+        b.monotone &= e["plastic"] >= b.plastic;
+        b.plastic = e["plastic"];
     }
     REQUIRE(run.verdict() == Verdict::completed);
-    b.worst /= run.energy().work;
+    b.worst /= run.energy()["work"];
     return b;
 }
 

@@ -82,7 +82,7 @@ TEST_CASE("checkpoint: contents that make no sense are refused, and the run is a
     for (bool in_explicit_steps : {false, true}) {
         const Crash crash(in_explicit_steps);
         Dynamics run = crash.start();
-        while (run.advance() && (run.count_members(-1).broken == 0 || run.state().contact->idle())) {}
+        while (run.advance() && (run.count_members(-1).broken == 0 || contact_of(run.state())->idle())) {}
         REQUIRE(run.verdict() == Verdict::running);
         const std::string good = saved(run);
         Dynamics other = crash.start();

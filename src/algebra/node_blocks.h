@@ -1,0 +1,51 @@
+// What effects add to the left side of eq 15 beside the elements, in blocks of one node or of two.
+#pragma once
+
+#include <vector>
+
+#include "core/types.h"
+
+namespace hinge {
+
+/// What joins two nodes beside the elements: a stiffness, 12x12.
+struct Coupling {
+    int a, b;
+    Mat12 K;
+    template <class Self, class A>
+    static void fields(Self& s, A& archive) {
+        archive(s.a, s.b, s.K);
+    }
+};
+
+/// The left side is (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
+class Blocks {
+public:
+    /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves.
+    explicit Blocks(double of_damping = 0) : of_damping_(of_damping) {}
+    /// d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], and of one node against the ground; N/m, N, N m.
+    void stiffness(int a, int b, const Mat12& K) { pairs.push_back({a, b, K}); }
+    void stiffness(int node, const Mat6& K) { nodes.push_back({node, K}); }
+    /// d(force)/d(velocity), N s/m, N s, N m s.
+    void damping(int a, int b, const Mat12& C) {
+        if (of_damping_ != 0) pairs.push_back({a, b, of_damping_ * C});
+    }
+    void damping(int node, const Mat6& C) {
+        if (of_damping_ != 0) nodes.push_back({node, of_damping_ * C});
+    }
+
+    struct Node {
+        int node;
+        Mat6 K;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.node, s.K);
+        }
+    };
+    std::vector<Coupling> pairs;
+    std::vector<Node> nodes;
+
+private:
+    double of_damping_;
+};
+
+}  // namespace hinge

@@ -1,0 +1,54 @@
+#include "effects/all_effects.h"
+
+#include <algorithm>
+
+#include "effects/kinds.h"
+
+namespace hinge {
+
+const std::vector<EffectKind>& all_effects() {
+    static const std::vector<EffectKind> list = {
+        inertia_kind(),
+        loads_kind(),
+        gravity_kind(),
+        large_displacement_kind(),
+        plasticity_kind(),
+        fracture_kind(),
+        broken_members_kind(),
+        contact_kind(),
+        moving_supports_kind(),
+        rest_kind(),
+        script_functions_kind(),
+    };
+    return list;
+}
+
+EffectList effects_of(Workspace& w, Host& host) {
+    EffectList list;
+    for (const EffectKind& kind : all_effects())
+        if (kind.make)
+            if (auto effect = kind.make(w, host)) list.push_back(std::move(effect));
+    return list;
+}
+
+AccountList accounts_of(const EffectList& effects) {
+    AccountList list;
+    for (const EffectKind& kind : all_effects()) {
+        const bool called_for =
+            std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e->name() == std::string(kind.name); });
+        for (const AccountInfo& account : kind.accounts)
+            if (account.always || called_for) list.push_back(account);
+    }
+    std::stable_sort(list.begin(), list.end(), [](const AccountInfo& a, const AccountInfo& b) { return a.place < b.place; });
+    return list;
+}
+
+std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {
+    std::vector<PlanLine> lines;
+    for (const EffectKind& effect : all_effects())
+        if (effect.plan)
+            for (PlanLine& line : effect.plan(structure, kind)) lines.push_back(std::move(line));
+    return lines;
+}
+
+}  // namespace hinge

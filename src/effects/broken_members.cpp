@@ -1,0 +1,147 @@
+// What becomes of an element that breaks (figs 4 and 5): its forces are released and it hangs on its other node as a
+// rigid offset mass, which resists, turns and weighs with that node. state/breaking.h has the mechanics of the break.
+#include <cmath>
+
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+/// An offset mass's inertia about its own axis is a thousandth of that across: the effective stiffness must not lag
+/// behind its turning by more than 2 mrad, the cosine of whose half this is.
+constexpr double lag_cosine = 1 - 5e-7;
+
+class BrokenMembers : public Effect {
+public:
+    BrokenMembers(Workspace& w, Host& host) : Effect("broken members", w, host) {
+        if (!w.state.offset_mass.empty()) built_ = w.state.rotation;
+    }
+
+    /// m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        if (!w_.kind.dynamic || w_.state.offset_mass.empty()) return;
+        const Vec3 g = gravity();
+        tried_rate_.assign(w_.state.offset_mass.size(), Vec3::Zero());
+        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+            const OffsetMass& h = w_.state.offset_mass[i];
+            if (h.mass == 0) continue;
+            const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
+            const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
+                       alpha = w_.trial.acceleration[i].tail<3>(), w = w_.trial.velocity[i].tail<3>();
+            const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body),
+                       Ja = R * (h.inertia * (R.transpose() * alpha));
+            tried_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
+            resisting[i].head<3>() += h.mass * a + tried_rate_[i];
+            resisting[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
+            if (w_.trial.rotation[i].coeffs().dot(built_[i].coeffs()) < lag_cosine) renew(int(i));
+        }
+    }
+
+    /// Weights at rest, where the nodes have turned them.
+    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+        const Vec3 g = gravity();
+        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+            const OffsetMass& h = w_.state.offset_mass[i];
+            if (h.mass == 0) continue;
+            external[i].head<3>() += h.mass * g;
+            external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
+        }
+    }
+    bool loads_follow() const override { return !w_.state.offset_mass.empty() && w_.structure.model().gravity(); }
+    bool has_potential() const override { return true; }
+
+    /// An offset mass's part of the momentum, w x S, turns with it: over a step it changes by a little else than the
+    /// trapezium rule makes of the rates that the forces met. The node takes the difference, so that linear momentum
+    /// stays what it was. Called with the change of the acceleration since the stresses were recovered.
+    void solved(const Step& step, const std::vector<Vec6>& change) override {
+        const double alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
+        next_rate_ = tried_rate_;
+        for (std::size_t i = 0; i < next_rate_.size(); ++i) {
+            const OffsetMass& h = w_.state.offset_mass[i];
+            if (h.mass == 0) continue;
+            const Vec3 S = w_.state.rotation[i] * h.moment, next_S = w_.trial.rotation[i] * h.moment;
+            const Vec3 S_met = host_.has_effective_stiffness() ? Vec3(built_[i] * h.moment) : next_S;
+            next_rate_[i] =
+                (tried_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * rate_[i]) / (1 - alpha);
+            const Vec3 met = step.dt * ((1 - gamma) * rate_[i] + gamma * next_rate_[i]);
+            double mass = h.mass;
+            for (int e : w_.structure.elements_at(int(i)))
+                if (!w_.state.broken[e])
+                    mass += 0.5 * w_.structure.elements()[e].rigidity.rhoA * w_.structure.elements()[e].length;
+            const Vec3 missed = (w_.trial.velocity[i].tail<3>().cross(next_S) -
+                                 w_.state.velocity[i].tail<3>().cross(S) - met) /
+                                mass;
+            for (int c = 0; c < 3; ++c)
+                if (!(w_.state.held[i] >> c & 1)) w_.trial.velocity[i][c] -= missed[c];
+        }
+    }
+
+    void keep(const Step&) override { rate_.swap(next_rate_); }
+
+    void breaks(const Break& b, std::vector<Vec6>& impulse) override {
+        const BreakReport report = break_off(w_.structure, w_.state, b.element, b.end, impulse);
+        carrier_ = report.carrier;
+        host_.count_break();
+        if (report.orphaned)
+            for (int n : w_.structure.elements()[b.element].node)
+                if (w_.state.gone[n]) w_.supported.push_back(n);
+    }
+    void broke(const Break& b) override {
+        renew(carrier_);
+        host_.mass_changed(b.element);
+    }
+
+    void restart_ends() override {
+        rate_ = tried_rate_;
+        for (std::size_t i = 0; i < rate_.size(); ++i)
+            rate_[i] += w_.state.acceleration[i].tail<3>().cross(w_.state.rotation[i] * w_.state.offset_mass[i].moment);
+    }
+
+    void effective_stiffness_begins() override {
+        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) renew(int(i));
+    }
+
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (std::size_t n = 0; n < w_.state.offset_mass.size(); ++n)
+            if (w_.state.offset_mass[n].mass > 0 && bodies.of_node[n] >= 0) rests[bodies.of_node[n]] = 0;
+    }
+
+    void add_energy(const State& state, Accounts& sums) const override {
+        sums["kinetic"] += kinetic_energy_of_offset_masses(state);
+    }
+
+    void save(Writer& to) const override { to(built_, rate_); }
+    void restore(Reader& from) override { from(built_, rate_); }
+    bool restored(std::span<const State* const>) override {
+        const std::size_t nodes = w_.structure.position().size();
+        return (built_.empty() || built_.size() == nodes) && (w_.state.offset_mass.empty() || !built_.empty()) &&
+               rate_.size() <= w_.state.offset_mass.size();
+    }
+
+private:
+    Vec3 gravity() const { return w_.structure.model().gravity().value_or(Vec3::Zero()); }
+
+    void renew(int node) {
+        if (w_.state.offset_mass[node].mass == 0) return;
+        built_.resize(w_.state.offset_mass.size(), Quat::Identity());
+        built_[node] = w_.state.rotation[node];
+        host_.set_offset_mass(node, offset_mass_in_space(w_.state.offset_mass[node], w_.state.rotation[node]));
+    }
+
+    std::vector<Quat> built_;  ///< orientation that an offset mass has in the effective stiffness
+    /// Rate of change of w x S that a step's forces met: of the last step, of this one, and where stresses were recovered.
+    std::vector<Vec3> rate_, next_rate_, tried_rate_;
+    int carrier_ = -1;
+};
+
+}  // namespace
+
+EffectKind broken_members_kind() {
+    return {"broken members", {}, nullptr, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                const bool may_break = w.kind.dynamic && !w.structure.model().fracture().empty();
+                if (!built::fracture || (!may_break && w.state.offset_mass.empty())) return nullptr;
+                return std::make_unique<BrokenMembers>(w, host);
+            }};
+}
+
+}  // namespace hinge

@@ -1,0 +1,319 @@
+// Contact between elements (eqs 17 to 19, or by surfaces): who meets whom over a step, what binds or presses them, and
+// what a step that ends or begins a contact has missed. src/contact has the geometry and the laws.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "effects/contact.h"
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+using contact::Contact;
+
+/// Steps between renewals of the ties' tangent where nothing began: they turn slowly, by some mrad a step.
+constexpr long steps_of_tangent = 20;
+
+class ContactEffect : public Effect {
+public:
+    ContactEffect(Workspace& w, Host& host) : Effect(contact_effect, w, host) {
+        if (!w.state.data.find<Contact>(contact_effect)) {
+            std::vector<contact::ContactSettings> rules;
+            for (const ContactRule& rule : declared()) rules.push_back(rule.settings);
+            w.state.data.set(contact_effect, Contact(std::move(rules)));
+        }
+        now().forget();  // it may come from a run in the middle of a step
+    }
+
+    bool meets() const override { return true; }
+    bool makes_forces_vanish() const override { return true; }
+    bool meet(const Step& step) override {
+        if (bars_changed_) list_bars();
+        place(w_.state.displacement);
+        foreseen_.resize(w_.state.velocity.size());
+        for (std::size_t i = 0; i < foreseen_.size(); ++i)
+            foreseen_[i] = w_.state.velocity[i] + (0.5 * step.dt) * w_.state.acceleration[i];
+        contact::PairRule rule_of;
+        if (declared().size() > 1 || declared()[0].between || declared()[0].pairs)
+            rule_of = [this](int a, int b) { return rule_between(a, b); };
+        std::optional<Contact> before;
+        if (step.longer) before = now();
+        const int bound = now().detect(bars_, bars_changed_, {position_, w_.state.rotation, foreseen_}, step.dt,
+                                       w_.state.time, rule_of);
+        if (before && !now().idle()) {  // too long a step to meet in
+            now() = std::move(*before);
+            return false;
+        }
+        bars_changed_ = false;
+        if (!w_.resting.empty() && !now().idle()) {
+            std::vector<Reached> reached;
+            const auto list = [&](const auto& pairs) {
+                for (const auto& pair : pairs)
+                    for (int e : pair.element) reached.push_back({e, "reached"});
+            };
+            list(now().surface_contacts()), list(now().ties());
+            host_.reached(reached);
+        }
+        if (bound > 0 || (!now().idle() && ++age_ % steps_of_tangent == 0)) host_.blocks_changed(w_.state);
+        return true;
+    }
+
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        if (now().idle()) return;
+        place(w_.trial.displacement);
+        now().add_internal_forces(position_, w_.trial.rotation, resisting);
+    }
+    void add_blocks(const Places& at, Blocks& blocks) const override {
+        place(at.displacement);
+        now().add_stiffness(position_, at.rotation, [&](int a, int b, const Mat12& K) { blocks.stiffness(a, b, K); });
+    }
+    bool has_blocks() const override { return !now().idle(); }
+    bool blocks_follow() const override { return !now().surface_contacts().empty(); }
+
+    bool settled() override {
+        if (now().idle() || now().surface_contacts().empty()) return true;
+        place(w_.trial.displacement);
+        return !now().unsettled(position_, w_.trial.rotation);
+    }
+
+    /// Who is released, and what the step got wrong about contacts that began or ended in it.
+    void end(const Step& step) override {
+        if (now().idle()) return;
+        const double time = step.end();
+        place(w_.trial.displacement);
+        impulse_.assign(w_.trial.velocity.size(), Vec6::Zero());
+        now().add_internal_forces(position_, w_.trial.rotation, impulse_);
+
+        std::vector<contact::Released> parted;
+        const double released = now().release(time, &parted);
+        for (Vec6& n : impulse_) n.setZero();
+        const Contact::Settled settled = now().settle(time, step.dt, position_, w_.trial.rotation, impulse_);
+        w_.state.accumulated["contact_released"] += released + settled.heat;
+        if (settled.missed) add_missed(settled.work);
+        for (const contact::Released& tie : parted)
+            if (tie.springs_back) w_.state.accumulated["contact_released"] -= spring_back(step, tie);
+        if (!parted.empty()) {
+            host_.accelerations_anew();
+            host_.blocks_changed(w_.trial);
+        }
+    }
+
+    /// What began and ended: told to the script, and marked.
+    const char* decides() const override { return "events"; }
+    void decide(Step&) override {
+        for (const contact::ContactEvent& event : now().events()) {
+            const int a = member(event.element[0]), b = member(event.element[1]);
+            const int rule = w_.structure.model().contact_rule(a, b);
+            if (rule < 0) continue;
+            if (const auto& tell = event.bound ? declared()[rule].on_touch : declared()[rule].on_release)
+                tell(event, a, b);
+        }
+        for (const contact::ContactEvent& event : now().events())
+            for (int e : event.element) w_.state.touched[e] = 1;
+        now().clear_events();
+    }
+
+    void broke(const Break& b) override {
+        w_.state.accumulated["contact_released"] += now().drop(b.element);
+        bars_changed_ = true;
+    }
+    void all_broke() override {
+        list_bars();
+        place(w_.state.displacement);
+        now().hang_on(bars_, position_, w_.state.rotation);
+        host_.blocks_changed(w_.state);
+    }
+
+    void remember() override {
+        now().remember();
+        bars_changed_before_ = bars_changed_, age_before_ = age_;
+    }
+    void take_back() override {
+        bars_changed_ = bars_changed_before_, age_ = age_before_;
+        now().take_back();
+        host_.blocks_changed(w_.state);
+    }
+    void forget() override { now().forget(); }
+    bool calls_script() const override {
+        return std::any_of(declared().begin(), declared().end(),
+                           [](const ContactRule& r) { return r.pairs || r.on_touch || r.on_release; });
+    }
+
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        const auto keep = [&](const auto& pairs) {
+            for (const auto& pair : pairs)
+                for (int e : pair.element) rests[bodies.of_node[w_.structure.elements()[e].node[0]]] = 0;
+        };
+        keep(now().surface_contacts()), keep(now().ties());
+    }
+    bool calm() const override { return now().idle(); }
+    bool sleeps() const override { return true; }
+    bool busy() const override { return now().nearest().element[0] >= 0 || !now().idle(); }
+    std::string why_awake() const override {
+        const contact::Nearest& nearest = now().nearest();
+        if (nearest.element[0] < 0) return "members bound or touching";
+        char text[64];
+        std::snprintf(text, sizeof text, "2 bodies within %.2g m: ", std::max(0.0, nearest.distance));
+        return text + w_.structure.element_name(nearest.element[0]) + " and " +
+               w_.structure.element_name(nearest.element[1]);
+    }
+
+    void add_energy(const State& state, Accounts& sums) const override {
+        const Contact* there = state.data.find<Contact>(contact_effect);
+        if (!there || there->idle()) return;
+        std::vector<Vec3> x(w_.structure.position());
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += state.displacement[i];
+        Contact copy = *there;
+        std::vector<Vec6> unused(x.size(), Vec6::Zero());
+        copy.add_internal_forces(x, state.rotation, unused);
+        sums["contact_stored"] += copy.stored_energy();
+    }
+
+    void save(Writer& to) const override { to(bars_changed_, age_, pair_rules_); }
+    void restore(Reader& from) override { from(bars_changed_, age_, pair_rules_); }
+    bool restored(std::span<const State* const> states) override {
+        list_bars();
+        for (const State* s : states)
+            if (!s->data.find<Contact>(contact_effect)->makes_sense(int(s->displacement.size()), int(s->broken.size()),
+                                                              int(bars_.size())))
+                return false;
+        return true;
+    }
+
+private:
+    Contact& now() const { return *w_.state.data.find<Contact>(contact_effect); }
+    const std::vector<ContactRule>& declared() const { return w_.structure.model().contact(); }
+    int member(int element) const { return w_.structure.elements()[element].member; }
+
+    void place(const std::vector<Vec3>& displacement) const {
+        position_.resize(displacement.size());
+        for (std::size_t i = 0; i < displacement.size(); ++i)
+            position_[i] = w_.structure.position()[i] + displacement[i];
+    }
+
+    /// By which of contact's rules two elements meet; the script's own rule is asked once for each pair of members.
+    int rule_between(int element_a, int element_b) {
+        const int a = member(element_a), b = member(element_b);
+        const int place = w_.structure.model().contact_rule(a, b);
+        if (place < 0) return -1;
+        const ContactRule& rule = declared()[place];
+        if (!rule.pairs) return now().rule(rule.settings);
+        const auto known = pair_rules_.find({a, b});
+        const std::optional<contact::ContactSettings>& own =
+            known != pair_rules_.end() ? known->second : pair_rules_[{a, b}] = rule.pairs(a, b);
+        return own ? now().rule(*own) : -1;
+    }
+
+    void list_bars() {
+        bars_.clear();
+        const Bodies bodies = find_bodies(w_.structure, w_.state);
+        for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
+            const Element& e = w_.structure.elements()[i];
+            if (!e.touches) continue;
+            contact::Bar bar;
+            bar.element = int(i);
+            bar.radius = e.radius;
+            bar.stiffness = e.rigidity.EA;
+            bar.body = bodies.of_node[e.node[w_.state.broken[i] == 1 ? 1 : 0]];
+            if (w_.state.broken[i]) {
+                const int carrier = e.node[w_.state.broken[i] == 2 ? 0 : 1];
+                bar.node[0] = bar.node[1] = carrier;
+                bar.arm = w_.state.offset_arm[i];
+            } else {
+                for (int end : {0, 1}) bar.node[end] = e.node[end];
+            }
+            bars_.push_back(bar);
+        }
+    }
+
+    void add_to_trial(double x, const ImpulseResponse& response) {
+        w_.state.accumulated["work"] += x * response.by_supports;
+        for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
+    }
+
+    /// The impulses that the step missed (surface_contact.h), scaled so that they do the work that was missed: near 1.
+    void add_missed(double work) {
+        const ImpulseResponse k = host_.respond(impulse_);
+        const double root = k.linear * k.linear + 4 * k.square * work;
+        double x = 1;
+        if (root >= 0 && k.square > 0) {
+            const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square,
+                         near = far != 0 ? -work / k.square / far : 1;
+            const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
+            if (std::abs(exact - 1) < 0.5) x = exact;
+        }
+        add_to_trial(x, k);
+    }
+
+    /// What a tie held when it was released springs back at once, along its own forces and so that the two bars part.
+    /// They are in balance, so momentum is kept; so is the energy.
+    double spring_back(const Step& step, const contact::Released& tie) {
+        for (Vec6& n : impulse_) n.setZero();
+        const auto arm = [&](int i) { return Vec3(w_.trial.rotation[tie.end[i].node] * tie.end[i].arm); };
+        for (int i = 0; i < 4; ++i) {
+            impulse_[tie.end[i].node].head<3>() -= tie.force[i];
+            impulse_[tie.end[i].node].tail<3>() -= arm(i).cross(tie.force[i]);
+        }
+        const ImpulseResponse k = host_.respond(impulse_);
+        if (!(k.square > 0) || !(tie.energy > 0)) return 0;
+        double opening = 0;
+        for (int i = 0; i < 4; ++i) {
+            const Vec6& v = k.change[tie.end[i].node];
+            opening += tie.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
+        }
+        // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself.
+        // The force goes, and so does its part of that: M a+ = M a- + f.
+        double power = 2 * k.square;
+        for (std::size_t i = 0; i < impulse_.size(); ++i) power -= 2 * impulse_[i].dot(w_.trial.acceleration[i]);
+        const double held_back = -0.5 * (w_.scheme.beta - 0.5 * w_.scheme.gamma) * step.dt * step.dt * power;
+        const double energy = std::max(0.0, tie.energy + held_back);
+        const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
+        add_to_trial((-k.linear + std::copysign(root, opening)) / (2 * k.square), k);
+        return tie.energy;
+    }
+
+    std::vector<contact::Bar> bars_;
+    bool bars_changed_ = true, bars_changed_before_ = true;
+    long age_ = 0, age_before_ = 0;       ///< steps with contact
+    mutable std::vector<Vec3> position_;  ///< m, where the nodes were last placed
+    std::vector<Vec6> foreseen_;          ///< mean velocities over the coming step
+    std::vector<Vec6> impulse_;           ///< N s, N m s
+    std::map<std::pair<int, int>, std::optional<contact::ContactSettings>>
+        pair_rules_;  ///< what the script's rule said of two members
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+    const auto& rules = s.model().contact();
+    const bool contact = !rules.empty();
+    const bool friction = std::any_of(rules.begin(), rules.end(), [](const ContactRule& r) {
+        return r.settings.rule == contact::ContactRuleKind::surface && r.settings.friction > 0;
+    });
+    return {{"contact", run.dynamic && contact, contact ? only_in_dynamics(run, "model:contact") : "not declared",
+             s.model().asked_at("contact")},
+            {"friction", run.dynamic && friction,
+             friction  ? only_in_dynamics(run, "model:contact with friction")
+             : contact ? "no friction given to model:contact"
+                       : "no contact",
+             friction ? s.model().asked_at("contact") : ""}};
+}
+
+}  // namespace
+
+EffectKind contact_kind() {
+    return {contact_effect,
+            {{"contact", 60, "stored in contacts now, released with ties, and heat of friction", {}, true},
+             {"contact_stored", 61, "stored in contacts now", "contact", true},
+             {"contact_released", 62, "released with ties, and heat of friction", "contact", true}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::contact || !w.kind.dynamic || w.structure.model().contact().empty()) {
+                    if (w.kind.dynamic) w.state.data.erase(contact_effect);
+                    return nullptr;
+                }
+                return std::make_unique<ContactEffect>(w, host);
+            }};
+}
+
+}  // namespace hinge

@@ -1,0 +1,445 @@
+// When elements break (eq 16): limits of curvature and axial strain, or rules of the script's own.
+#include "beam/fracture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/errors.h"
+#include "effects/kinds.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+using Where = FractureRule::Where;
+
+/// The script's node at an end of an element, -1 inside a member.
+int joint_at(const Structure& s, const Element& e, int end) {
+    return e.node[end - 1] < int(s.model().nodes().size()) ? e.node[end - 1] : -1;
+}
+
+double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
+
+/// Whether limits alone could be met by elastic strain on top of the plastic one. (Elastic curvature is a mean of the
+/// two end moments over EI, and neither is above the fully plastic one.)
+bool within_reach(const FractureRule& rule, const Element& e, const beam::FractureStrains& plastic) {
+    const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
+    return e.yield.elastic() ||
+           rule.curvature_x <= std::abs(plastic.curvature_x) + elastic(e.yield.x, e.rigidity.EIx) ||
+           rule.curvature_y <= std::abs(plastic.curvature_y) + elastic(e.yield.y, e.rigidity.EIy) ||
+           rule.axial_strain <= std::abs(plastic.axial) + elastic(e.yield.n, e.rigidity.EA);
+}
+
+/// Calls a rule of the script's own; where it fails, the message says which rule, and asked of whom.
+template <class Whom, class Ask>
+void saying_which(const FractureRule& rule, Whom whom, Ask ask) {
+    try {
+        ask();
+    } catch (const HookError& e) {
+        throw HookError(std::string(e.what()) + " (fracture rule" +
+                        (rule.asked_at.empty() ? "" : " of " + rule.asked_at) + ", " + whom() + ")");
+    }
+}
+
+/// The flow of an element, where it flows: `yielding` rises, and so must the elements asked for.
+class Flows {
+public:
+    explicit Flows(const std::vector<Yielding>& yielding) : next_(yielding.begin()), end_(yielding.end()) {}
+    const beam::Flow* of(int element) {
+        while (next_ != end_ && next_->element < element) ++next_;
+        return next_ != end_ && next_->element == element ? &next_->flow : nullptr;
+    }
+
+private:
+    std::vector<Yielding>::const_iterator next_, end_;
+};
+
+/// An element that has flowed and has a rule of the script's own: its strains as factors of its forces.
+struct Watched {
+    int element;
+    double x[2], y[2], axial, per_length;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.x, s.y, s.axial, s.per_length);
+    }
+};
+
+class Fracture : public Effect {
+public:
+    Fracture(Workspace& w, Host& host);
+    const char* decides() const override { return "fracture"; }
+    void decide(Step& step) override;
+    bool makes_forces_vanish() const override { return true; }
+    void kept(const Step&) override {
+        for (const Yielding& y : w_.yielding) heed(y.element);
+    }
+    void broke(const Break& b) override { std::erase(candidates_, b.element); }
+
+    void remember() override { kept_before_.clear(), strained_before_.clear(); }
+    void take_back() override {
+        for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
+        for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
+    }
+    bool calls_script() const override {
+        const auto& rules = w_.structure.model().fracture();
+        return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
+    }
+
+    void save(Writer& to) const override { to(candidates_, watched_); }
+    void restore(Reader& from) override { from(candidates_, watched_); }
+    bool restored(std::span<const State* const>) override;
+
+private:
+    class Asked;
+    void heed(int element);
+    void judge(int element, const beam::Flow* flow, bool news);
+    Watched watch_strains(int element) const;
+    void list_news();
+    int weaker_end(int element, const beam::Flow* flow) const;
+    void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow);
+    void ask_sections();
+    void ask_batch(int rule);
+
+    Step* step_ = nullptr;          ///< the one that is decided on
+    std::vector<int> candidates_;   ///< elements that could break without flowing in the step, rising
+    std::vector<char> in_candidates_;
+    std::vector<SectionView> asked_;  ///< in this step, of one rule
+    std::vector<Watched> watched_;    ///< rising
+    std::vector<int> news_;           ///< of those, strained in this step as never before
+    std::vector<std::vector<int>> rule_elements_;  ///< of each rule; filled when a batch asks
+    std::size_t kept_a_section_ = 0;               ///< numbers that rules keep of a section
+    // for a step that is taken back
+    struct Kept {
+        double* at;
+        double before;
+    };
+    struct Strained {
+        double* at;
+        std::array<double, 3> before;
+    };
+    std::vector<Kept> kept_before_;
+    std::vector<Strained> strained_before_;
+};
+
+Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host) {
+    const auto& rules = w.structure.model().fracture();
+    const std::size_t elements = w.structure.elements().size();
+    for (const FractureRule& rule : rules) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
+    const bool news = std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) {
+        return r.hook && r.where == FractureRule::Where::plastic;
+    });
+    if (const std::size_t three = news ? 3 * elements : 0; w.state.strained.size() != three)
+        w.state.strained.assign(three, 0);
+    if (const std::size_t kept = 2 * elements * kept_a_section_; w.state.kept.size() != kept)
+        w.state.kept.assign(kept, 0);
+    in_candidates_.assign(elements, 0);
+    for (std::size_t i = 0; i < elements; ++i) heed(int(i));
+}
+
+bool Fracture::restored(std::span<const State* const> states) {
+    const int n = int(w_.structure.elements().size());
+    const auto within = [n](int e) { return e >= 0 && e < n; };
+    if (!std::all_of(candidates_.begin(), candidates_.end(), within)) return false;
+    for (const Watched& w : watched_)
+        if (!within(w.element)) return false;
+    for (const State* s : states)
+        if (s->strained.size() != w_.state.strained.size() || s->kept.size() != w_.state.kept.size()) return false;
+    in_candidates_.assign(n, 0);
+    for (int e : candidates_) in_candidates_[e] = 1;
+    return true;
+}
+
+/// Eq 16 has to be asked of the element at every step, whether or not it flows.
+void Fracture::heed(int index) {
+    const Element& e = w_.structure.elements()[index];
+    if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
+    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    if (within_reach(rule, e, beam::fracture_strains(w_.state.plastic[index], e.length)) ||
+        (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
+        in_candidates_[index] = 1;
+        candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index),
+                                    index);
+    } else if (rule.hook && rule.where == Where::plastic && w_.state.yielded[index]) {
+        const auto at = std::lower_bound(watched_.begin(), watched_.end(), index,
+                                         [](const Watched& w, int e) { return w.element < e; });
+        if (at == watched_.end() || at->element != index) watched_.insert(at, watch_strains(index));
+    }
+}
+
+/// Of elements that have flowed before, those that are strained as never: what a script's rule is to be asked of
+/// without flow.
+void Fracture::list_news() {
+    news_.clear();
+    for (Watched& w : watched_) {
+        const int i = w.element;
+        if (w_.state.broken[i]) continue;
+        if (w_.structure.model().options().shift == Shift::whole) w = watch_strains(i);  // its point may have moved
+        const Vec6 &p = w_.force[i], &plastic = w_.state.plastic[i];
+        const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
+                                  std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
+                                  std::abs(w.axial * p[4] + w.per_length * plastic[4])};
+        double* most = &w_.state.strained[3 * std::size_t(i)];
+        if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) continue;
+        news_.push_back(i);
+        strained_before_.push_back({most, {most[0], most[1], most[2]}});
+        for (int c = 0; c < 3; ++c) most[c] = std::max(most[c], strain[c]);
+    }
+}
+
+/// Curvatures and axial strain of an element as factors of its forces, elastic; see Stiffness::solve.
+Watched Fracture::watch_strains(int index) const {
+    const Element& e = w_.structure.elements()[index];
+    const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
+    const double x = (k.x11 * k.x22 - k.x12 * k.x12) * e.length, y = (k.y11 * k.y22 - k.y12 * k.y12) * e.length;
+    return {index,
+            {-(k.x12 + k.x22) / x, (k.x11 + k.x12) / x},
+            {-(k.y12 + k.y22) / y, (k.y11 + k.y12) / y},
+            1 / (k.axial * e.length),
+            1 / e.length};
+}
+
+/// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
+void Fracture::decide(Step& step) {
+    step_ = &step;
+    step.breaks.clear(), asked_.clear();
+    list_news();
+    auto candidate = candidates_.begin();  // all three rise
+    auto news = news_.begin();
+    auto flowing = w_.yielding.begin();
+    constexpr int none = std::numeric_limits<int>::max();
+    while (true) {
+        const int c = candidate != candidates_.end() ? *candidate : none,
+                  n = news != news_.end() ? *news : none, f = flowing != w_.yielding.end() ? flowing->element : none,
+                  e = std::min({c, n, f});
+        if (e == none) break;
+        if (!w_.state.broken[e] && w_.structure.elements()[e].fracture >= 0)
+            judge(e, f == e ? &flowing->flow : nullptr, n == e);
+        candidate += c == e, news += n == e, flowing += f == e;
+    }
+    ask_sections();
+    for (std::size_t rule = 0; rule < w_.structure.model().fracture().size(); ++rule)
+        if (w_.structure.model().fracture()[rule].batch) ask_batch(int(rule));
+    std::sort(step_->breaks.begin(), step_->breaks.end(), [](const Break& a, const Break& b) { return a.element < b.element; });
+}
+
+/// The section that flows, else the one nearer to it.
+int Fracture::weaker_end(int index, const beam::Flow* flow) const {
+    const Element& e = w_.structure.elements()[index];
+    const Vec6& p = w_.force[index];
+    const double f1 = beam::yield_function(p, -1, e.yield), f2 = beam::yield_function(p, 1, e.yield);
+    const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
+    if (flow && !w_.structure.conventional() && flow->lambda[0] != flow->lambda[1])
+        return flow->lambda[0] > flow->lambda[1] ? 1 : 2;
+    return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
+}
+
+/// Breaks the element if a limit is reached; else lists its sections that a rule of the script's is to be asked of.
+/// `news`: the element is strained as never before.
+void Fracture::judge(int index, const beam::Flow* flow, bool news) {
+    const Element& e = w_.structure.elements()[index];
+    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    const Vec6 elastic = stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
+    Vec6 plastic = w_.state.plastic[index];
+    if (flow) plastic += flow->plastic;
+    const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
+    if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only))
+        return step_->breaks.push_back({index, weaker_end(index, flow)});
+    if (!rule.hook) return;
+    if (!asked_.empty() && w_.structure.elements()[asked_.back().element].fracture != e.fracture) ask_sections();
+    const int weaker = weaker_end(index, flow);
+    for (int side : {weaker, 3 - weaker}) {
+        const bool flows = flow && (w_.structure.conventional() ? side == weaker : flow->lambda[side - 1] > 0);
+        const int bit = w_.structure.conventional() ? hinge_at_middle : side == 1 ? hinge_at_1 : hinge_at_2;
+        const bool asked = flows || e.yield.elastic() || rule.where == Where::all ||
+                           ((rule.where == Where::yielded || news) && w_.state.yielded[index] & bit);
+        if (!asked) continue;
+        list_section(index, side, elastic, plastic, flow);
+        asked_.back().plastic = flows;
+        if (news && !flow) break;  // the other end is strained alike
+    }
+}
+
+void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
+    const Element& e = w_.structure.elements()[index];
+    const Vec6 &p = w_.force[index],
+               before = stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
+    const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
+                                stays = beam::fracture_strains(plastic, e.length),
+                                rate = beam::fracture_strains((elastic + plastic - before) / step_->dt, e.length);
+    const double r = side == 1 ? -1 : 1;
+    SectionView& v = asked_.emplace_back();
+    v.time = step_->end(), v.dt = step_->dt, v.step = double(w_.state.step + 1);
+    v.member = e.member, v.element = index, v.end = side, v.node = joint_at(w_.structure, e, side);
+    v.curvature_x = now.curvature_x, v.curvature_y = now.curvature_y, v.axial_strain = now.axial, v.twist = now.twist;
+    v.plastic_curvature_x = stays.curvature_x, v.plastic_curvature_y = stays.curvature_y,
+    v.plastic_axial_strain = stays.axial, v.plastic_twist = stays.twist;
+    v.curvature_rate_x = rate.curvature_x, v.curvature_rate_y = rate.curvature_y, v.axial_strain_rate = rate.axial,
+    v.twist_rate = rate.twist;
+    v.Mx = beam::moment_at(p[0], p[1], r), v.My = beam::moment_at(p[2], p[3], r), v.N = p[4], v.Mz = p[5];
+    v.f_y = beam::yield_function(p, r, e.yield);
+    v.plastic_work = w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
+    if (w_.structure.model().fracture()[e.fracture].keep.empty()) return;
+    v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
+}
+
+/// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
+void Fracture::ask_sections() {
+    if (asked_.empty()) return;
+    const FractureRule& rule = w_.structure.model().fracture()[w_.structure.elements()[asked_[0].element].fracture];
+    for (const SectionView& v : asked_)
+        for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
+    std::size_t at = 0;
+    const auto whom = [&] {
+        return w_.structure.element_name(asked_[at].element) + ", end " + std::to_string(asked_[at].end);
+    };
+    while (at < asked_.size()) {
+        saying_which(rule, whom, [&] { rule.hook.ask(asked_, at); });
+        if (at >= asked_.size()) break;
+        const SectionView& breaks = asked_[at];
+        step_->breaks.push_back({breaks.element, breaks.end});
+        while (at < asked_.size() && asked_[at].element == breaks.element) ++at;
+    }
+    asked_.clear();
+}
+
+/// A rule's elements, read where the step has ended.
+class Fracture::Asked : public ElementList {
+public:
+    Asked(const Fracture& of, const std::vector<int>& elements) : of_(of), elements_(elements) {}
+    int count() const override { return int(elements_.size()); }
+    double time() const override { return of_.step_->end(); }
+    double dt() const override { return of_.step_->dt; }
+    long step() const override { return of_.w_.state.step + 1; }
+    void read(SectionField field, int end, double* out) const override;
+
+private:
+    enum Part { total, plastic, rate };
+    using Strains = std::array<double, 4>;
+    const std::vector<Strains>& strains(Part part) const;
+    const Fracture& of_;
+    const std::vector<int>& elements_;
+    mutable std::vector<Strains> strains_[3];  ///< of each element, once asked for
+};
+
+const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part) const {
+    std::vector<Strains>& list = strains_[part];
+    if (!list.empty()) return list;
+    list.reserve(elements_.size());
+    Flows flows(of_.w_.yielding);
+    for (int index : elements_) {
+        const Element& e = of_.w_.structure.elements()[index];
+        const State& state = of_.w_.state;
+        if (state.broken[index]) {
+            list.push_back({});
+            continue;
+        }
+        const beam::Flow* flow = flows.of(index);
+        Vec6 d = Vec6::Zero();
+        if (part == rate)
+            d = stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index] - state.force[index]) /
+                of_.step_->dt;
+        else d = state.plastic[index];
+        if (part == total) d += stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index]);
+        if (flow) d += flow->plastic / (part == rate ? of_.step_->dt : 1);
+        const beam::FractureStrains s = beam::fracture_strains(d, e.length);
+        list.push_back({s.curvature_x, s.curvature_y, s.axial, s.twist});
+    }
+    return list;
+}
+
+void Fracture::Asked::read(SectionField field, int end, double* out) const {
+    if (field <= SectionField::twist_rate) {
+        for (const Strains& s : strains(Part(int(field) / 4))) *out++ = s[int(field) % 4];
+        return;
+    }
+    Flows flows(of_.w_.yielding);
+    const double r = end == 1 ? -1 : 1;
+    for (int index : elements_) {
+        const beam::Flow* flow = flows.of(index);
+        const Element& e = of_.w_.structure.elements()[index];
+        const Vec6& p = of_.w_.force[index];
+        const bool broken = of_.w_.state.broken[index];
+        const auto value = [&]() -> double {
+            switch (field) {
+                case SectionField::member: return e.member + 1;
+                case SectionField::element: return index + 1;
+                case SectionField::end: return end;
+                case SectionField::node: return joint_at(of_.w_.structure, e, end) + 1;
+                case SectionField::broken: return broken;
+                case SectionField::plastic_work:
+                    return of_.w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
+                case SectionField::time: return time();
+                case SectionField::dt: return dt();
+                case SectionField::step: return double(step());
+                default: break;
+            }
+            if (broken) return 0;
+            switch (field) {
+                case SectionField::Mx: return beam::moment_at(p[0], p[1], r);
+                case SectionField::My: return beam::moment_at(p[2], p[3], r);
+                case SectionField::N: return p[4];
+                case SectionField::Mz: return p[5];
+                case SectionField::plastic:
+                    return flow && (of_.w_.structure.conventional() || flow->lambda[end - 1] > 0);
+                default: return beam::yield_function(p, r, e.yield);
+            }
+        };
+        *out++ = value();
+    }
+}
+
+void Fracture::ask_batch(int rule) {
+    if (rule_elements_.empty()) {
+        rule_elements_.resize(w_.structure.model().fracture().size());
+        for (std::size_t i = 0; i < w_.structure.elements().size(); ++i)
+            if (const int r = w_.structure.elements()[i].fracture; r >= 0) rule_elements_[r].push_back(int(i));
+    }
+    const FractureRule& declared = w_.structure.model().fracture()[rule];
+    const std::vector<int>& elements = rule_elements_[rule];
+    std::vector<int> places;
+    saying_which(
+        declared, [] { return std::string("all its elements"); },
+        [&] { declared.batch(Asked(*this, elements), places); });
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    Flows flows(w_.yielding);
+    for (int place : places) {
+        const int e = elements[place];
+        const beam::Flow* flow = flows.of(e);
+        const bool known =
+            std::any_of(step_->breaks.begin(), step_->breaks.end(), [&](const Break& b) { return b.element == e; });
+        if (!w_.state.broken[e] && !known) step_->breaks.push_back({e, weaker_end(e, flow)});
+    }
+}
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+    const auto& elements = s.elements();
+    const bool rules = !s.model().fracture().empty(),
+               breakable = std::any_of(elements.begin(), elements.end(), [](const Element& e) { return e.fracture >= 0; });
+    return {{"fracture", run.dynamic && breakable,
+             !rules       ? "not declared"
+             : !breakable ? "no member is in the rule's group"
+                          : only_in_dynamics(run, "model:fracture"),
+             s.model().asked_at("fracture")}};
+}
+
+}  // namespace
+
+EffectKind fracture_kind() {
+    return {"fracture",
+            {{"fracture", 50, "released by fracture: strain energy, and kinetic energy of what breaks off", {}, true},
+             {"fracture_elastic", 51, "strain energy released by broken elements", "fracture", true},
+             {"fracture_kinetic", 52, "kinetic energy lost as an offset mass is taken over", "fracture", true}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::fracture || !w.kind.dynamic || w.structure.model().fracture().empty()) {
+                    if (w.kind.dynamic) w.state.strained.clear(), w.state.kept.clear();
+                    return nullptr;
+                }
+                return std::make_unique<Fracture>(w, host);
+            }};
+}
+
+}  // namespace hinge

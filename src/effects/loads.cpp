@@ -1,0 +1,145 @@
+// Loads on nodes: numbers with a history, or functions of time and the run.
+#include <map>
+
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+class Loads : public Effect {
+public:
+    Loads(Workspace& w, Host& host) : Effect("loads", w, host) {
+        std::vector<int> place(w.structure.position().size(), -1);
+        for (const NodalLoad& load : declared()) {
+            if (place[load.node] < 0) {
+                place[load.node] = int(loaded_.size());
+                loaded_.push_back({load.node, Vec6::Zero()});
+            }
+            if (load.follows_state()) asked_[load_at_.size()] = Vec6::Zero();
+            load_at_.push_back(place[load.node]);
+        }
+    }
+
+    void steady_loads_known() override {
+        for (Loaded& l : loaded_) l.steady = w_.external[l.node];
+    }
+
+    /// Statics takes a load with a history as it is at time 0, or in full where that is nothing.
+    void add_static_loads(const Places&, std::vector<Vec6>& external) const override {
+        for (const NodalLoad& l : declared()) {
+            const double factor = l.history ? l.history(0) : 1.0;
+            external[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
+            external[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
+        }
+    }
+
+    /// F at the end of the step.
+    void begin(const Step& step) override {
+        for (auto& [i, acting] : asked_) {
+            const NodalLoad& load = declared()[i];
+            if (w_.state.gone[load.node]) continue;
+            if (load.force_rule) acting.head<3>() = load.force_rule(step.end());
+            if (load.moment_rule) acting.tail<3>() = load.moment_rule(step.end());
+        }
+        loads_at(step.end());
+    }
+
+    /// Only nodes with loads change.
+    void loads_at(double t) override {
+        for (Loaded& l : loaded_) l.now.setZero();
+        for (std::size_t i = 0; i < declared().size(); ++i) {
+            const NodalLoad& load = declared()[i];
+            if (w_.state.gone[load.node]) continue;
+            const double factor = load.history ? load.history(t) : 1.0;
+            loaded_[load_at_[i]].now.head<3>() += factor * load.force;
+            loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
+        }
+        for (const auto& [i, acting] : asked_)
+            if (!w_.state.gone[declared()[i].node]) loaded_[load_at_[i]].now += acting;
+        for (const Loaded& l : loaded_)
+            if (w_.resting.empty() || w_.resting[l.node] < 0) w_.external[l.node] = l.steady + l.now;
+    }
+
+    void started(const std::vector<Vec6>&) override {
+        for (Loaded& l : loaded_) l.before = l.now;
+    }
+
+    /// By the trapezium rule.
+    void add_up(const Step&, Accounts& sums) const override {
+        double work = 0;
+        for (const Loaded& l : loaded_) {
+            const Vec6 mean = 0.5 * (l.now + l.before);
+            work += mean.head<3>().dot(w_.trial.displacement[l.node] - w_.state.displacement[l.node]) +
+                    mean.tail<3>().dot(w_.turned[l.node]);
+        }
+        sums["work"] += work;
+    }
+
+    void keep(const Step&) override {
+        for (Loaded& l : loaded_) l.before = l.now;
+    }
+
+    void steady_load_changed(int node, const Vec3& force) override {
+        for (Loaded& l : loaded_)
+            if (l.node == node) l.steady.head<3>() += force;
+    }
+
+    bool calls_script() const override {
+        for (const NodalLoad& l : declared())
+            if (l.follows_state() || l.history) return true;
+        return false;
+    }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (const NodalLoad& l : declared())
+            if ((l.history || l.follows_state()) && bodies.of_node[l.node] >= 0) rests[bodies.of_node[l.node]] = 0;
+    }
+    bool calm() const override { return asked_.empty(); }
+    bool changes_within(double now, std::span<const double> after) const override {
+        for (const NodalLoad& load : declared()) {
+            if (!load.history || w_.state.gone[load.node]) continue;
+            const double factor = load.history(now);
+            for (const double t : after)
+                if (load.history(now + t) != factor) return true;
+        }
+        return false;
+    }
+
+    void save(Writer& to) const override { fields(*this, to); }
+    void restore(Reader& from) override { fields(*this, from); }
+
+private:
+    /// A node with loads: F is the sum of what is steady there and what acts now.
+    struct Loaded {
+        int node;
+        Vec6 steady, now = Vec6::Zero(), before = Vec6::Zero();
+    };
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        for (auto& l : s.loaded_) a(l.steady, l.now, l.before);
+        for (auto& [load, acting] : s.asked_) a(acting);
+    }
+    const std::vector<NodalLoad>& declared() const { return w_.structure.model().loads(); }
+
+    std::vector<Loaded> loaded_;
+    std::map<std::size_t, Vec6> asked_;  ///< of the loads that are functions of the state: what they said last
+    std::vector<int> load_at_;           ///< of each of the model's loads, its place in loaded_
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const std::size_t n = s.model().loads().size();
+    return {{"loads", n > 0, n == 0 ? "not declared" : std::to_string(n) + " on nodes", s.model().asked_at("loads")}};
+}
+
+}  // namespace
+
+EffectKind loads_kind() {
+    return {"loads",
+            {{"work", 100, "done by loads (not gravity) and by supports that move", {}, true}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (w.structure.model().loads().empty()) return nullptr;
+                return std::make_unique<Loads>(w, host);
+            }};
+}
+
+}  // namespace hinge

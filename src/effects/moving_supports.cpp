@@ -1,0 +1,202 @@
+// Supports that move along a path of the script's own, and the work that they do.
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+class MovingSupports : public Effect {
+public:
+    MovingSupports(Workspace& w, Host& host) : Effect("moving supports", w, host) {
+        for (const SupportMotion& m : w.structure.model().motions()) {
+            const double begin = w.state.time, speed = w.state.velocity[m.node][m.component];
+            Moved moved{m.node, m.component, [path = m.displacement, begin, speed](double t) {
+                            return t < begin ? path(begin) + speed * (t - begin) : path(t);
+                        }};
+            moved_.push_back(std::move(moved));
+            for (int e : w.structure.elements_at(m.node)) matrices_[e] = Mat12::Zero();
+        }
+    }
+
+    /// Velocity and acceleration by differences backwards, of second order: a motion is asked for once a step.
+    void begin(const Step& step) override {
+        const double dt = step.dt;
+        for (Moved& m : moved_) {
+            if (w_.state.gone[m.node]) continue;
+            if (!m.begun) {
+                m.now = w_.state.displacement[m.node][m.component];
+                m.from = m.path(w_.state.time) - m.now;
+                m.begun = true;
+            }
+            if (m.apart != dt) {
+                m.before = m.path(w_.state.time - dt) - m.from;
+                m.long_before = m.path(w_.state.time - 2 * dt) - m.from;
+                m.apart = dt;
+            }
+            m.next = m.path(w_.state.time + dt) - m.from;
+            m.speed = (3 * m.next - 4 * m.now + m.before) / (2 * dt);
+            m.acceleration = (2 * m.next - 5 * m.now + 4 * m.before - m.long_before) / (dt * dt);
+        }
+    }
+
+    /// What is tried has the supports where they are at the end of the step; their rows of the solution stay zero.
+    void predicted(const Step&) override {
+        const double alpha = w_.scheme.alpha;
+        for (const Moved& m : moved_) {
+            if (w_.state.gone[m.node]) continue;
+            w_.trial.displacement[m.node][m.component] = m.next;
+            w_.trial.velocity[m.node][m.component] = m.speed;
+            w_.trial.acceleration[m.node][m.component] =
+                (1 - alpha) * m.acceleration + alpha * w_.state.acceleration[m.node][m.component];
+        }
+    }
+
+    /// The force by which a support is moved: what was met where the step was solved from, and what the solution added.
+    void corrected(const Step& step, const std::vector<Vec6>& change) override {
+        if (w_.kind.explicit_steps) predicted(step);
+        for (Moved& m : moved_) {
+            double& force = w_.reaction[m.node][m.component];
+            if (!w_.kind.explicit_steps)
+                for (int e : w_.structure.elements_at(m.node)) {
+                    const Element& element = w_.structure.elements()[e];
+                    if (w_.state.broken[e]) continue;
+                    Vec12 of_element;
+                    of_element << change[element.node[0]], change[element.node[1]];
+                    force += matrices_.at(e)
+                                 .row((element.node[0] == m.node ? 0 : 6) + m.component)
+                                 .dot(of_element);
+                }
+            else force += momentum_at(m, w_.trial.acceleration, false);
+            m.next_force = force;
+        }
+    }
+
+    bool watches_matrices() const override { return true; }
+    bool watches_matrix(int element) const override { return matrices_.count(element) > 0; }
+    void matrix_built(int element, const Mat12& A) override { matrices_.at(element) = A; }
+
+    /// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what
+    /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
+    /// velocity, dv_N as Newmark has it and b the mean acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M b).
+    void add_up(const Step& step, Accounts& sums) const override {
+        const double dt = step.dt, beta = w_.scheme.beta, gamma = w_.scheme.gamma;
+        const bool damped = w_.scheme.alpha != 0;
+        const State& s = w_.state;
+        double work = 0;
+        for (const Moved& m : moved_) {
+            if (s.gone[m.node]) continue;
+            work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
+            const double v = s.velocity[m.node][m.component], a = s.acceleration[m.node][m.component],
+                         next_a = w_.trial.acceleration[m.node][m.component];
+            const double j = m.speed - v - dt * ((1 - gamma) * a + gamma * next_a),
+                         k = m.next - m.now - dt * v - dt * dt * ((0.5 - beta) * a + beta * next_a);
+            const double mv = 0.5 * (momentum_at(m, s.velocity) + momentum_at(m, w_.trial.velocity));
+            const double mdv =
+                dt * ((1 - gamma) * momentum_at(m, s.acceleration) + gamma * momentum_at(m, w_.trial.acceleration));
+            const double mb = 0.5 * (momentum_at(m, damped ? w_.weighted : s.acceleration) +
+                                     momentum_at(m, damped ? w_.next_weighted : w_.trial.acceleration));
+            work += j * mv + 0.5 * j * mdv - k * mb;
+        }
+        sums["work"] += work;
+    }
+
+    void keep(const Step&) override {
+        for (Moved& m : moved_) {
+            if (w_.state.gone[m.node]) continue;
+            m.force = m.next_force;
+            m.long_before = m.before, m.before = m.now, m.now = m.next;
+        }
+    }
+
+    double work_on_momentum(const std::vector<Vec6>& velocity) const override {
+        double work = 0;
+        for (const Moved& m : moved_)
+            if (!w_.state.gone[m.node]) work += w_.state.velocity[m.node][m.component] * momentum_at(m, velocity);
+        return work;
+    }
+    double work_on_response(const std::vector<Vec6>& change) const override {
+        double work = 0;
+        for (const Moved& m : moved_) work += w_.trial.velocity[m.node][m.component] * momentum_at(m, change);
+        return work;
+    }
+
+    // The acceleration anew keeps that of the supports, which is given.
+    void restart_begins() override {
+        for (Moved& m : moved_) m.given = w_.state.acceleration[m.node][m.component];
+    }
+    void prescribe(std::vector<Vec6>& acceleration) const override {
+        for (const Moved& m : moved_) acceleration[m.node][m.component] = m.given;
+    }
+    void restart_ends() override {
+        if (w_.kind.explicit_steps) prescribe(w_.state.acceleration);  // else the support's own mass is in its reaction
+        for (Moved& m : moved_)
+            m.force = w_.reaction[m.node][m.component] + momentum_at(m, w_.state.acceleration, false);
+        prescribe(w_.state.acceleration);
+    }
+
+    bool calls_script() const override { return true; }
+    bool calm() const override { return false; }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (const Moved& m : moved_)
+            if (bodies.of_node[m.node] >= 0) rests[bodies.of_node[m.node]] = 0;
+    }
+
+    void save(Writer& to) const override { fields(*this, to); }
+    void restore(Reader& from) override { fields(*this, from); }
+
+private:
+    /// A degree of freedom of a support that moves: where it is now and was one and two steps ago, m, and how long a
+    /// step is, s; where the step takes it, m, m/s, m/s^2; the force that moves it, N.
+    struct Moved {
+        int node, component;
+        History path;
+        double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0,
+               force = 0, next_force = 0;
+        bool begun = false;
+        double given = 0;  ///< its acceleration, while others are found anew
+    };
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        for (auto& m : s.moved_) {
+            a(m.from, m.now, m.before, m.long_before, m.apart, m.next, m.speed, m.acceleration, m.force, m.next_force,
+              m.begun);
+            for (int e : s.w_.structure.elements_at(m.node)) a(s.matrices_.at(e));
+        }
+    }
+
+    /// The row of M of a support's degree of freedom, times such a value of each node; with or without the masses that
+    /// hang on it.
+    double momentum_at(const Moved& m, const std::vector<Vec6>& of, bool offsets = true) const {
+        const int c = m.component;
+        const State& s = w_.state;
+        double sum = offsets && !s.offset_mass.empty() ? s.offset_mass[m.node].mass * of[m.node][c] : 0;
+        for (int e : w_.structure.elements_at(m.node)) {
+            if (s.broken[e]) continue;
+            const Element& element = w_.structure.elements()[e];
+            const int end = element.node[0] == m.node ? 0 : 1;
+            const beam::Inertia inertia = w_.structure.inertia(e);
+            sum += inertia.own[end] * of[m.node][c] + inertia.across * of[element.node[1 - end]][c];
+        }
+        return sum;
+    }
+
+    std::vector<Moved> moved_;
+    std::unordered_map<int, Mat12> matrices_;  ///< of the effective stiffness, whole, for the elements at moved supports
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+    const bool moves = !s.model().motions().empty();
+    return {{"moving supports", run.dynamic && moves,
+             moves ? only_in_dynamics(run, "model:move") : "supports do not move",
+             moves ? s.model().asked_at("ground") : ""}};
+}
+
+}  // namespace
+
+EffectKind moving_supports_kind() {
+    return {"moving supports", {}, plan, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!w.kind.dynamic || w.structure.model().motions().empty()) return nullptr;
+                return std::make_unique<MovingSupports>(w, host);
+            }};
+}
+
+}  // namespace hinge

@@ -1,0 +1,70 @@
+// Plastic hinges at the end of a step: what flowed becomes part of the state (eqs 4, 6 and 10; state/hinges.h). The
+// return to the yield surface is in the sweep, the tangents of what flows in run/yield_tangents.h.
+#include <algorithm>
+
+#include "effects/kinds.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+class Plasticity : public Effect {
+public:
+    Plasticity(Workspace& w, Host& host) : Effect("plasticity", w, host) {
+        for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
+            if (w.state.hinge[i]) flowing_.push_back(int(i));
+    }
+
+    void add_up(const Step&, Accounts& sums) const override {
+        for (const Yielding& y : w_.yielding) sums["plastic"] += y.flow.dissipation;
+    }
+
+    void kept(const Step&) override {
+        for (int e : commit_flow(w_.structure, w_.state, w_.yielding, flowing_)) {
+            w_.points_moved = true;
+            host_.stiffness_changed(e);
+        }
+    }
+
+    bool calm() const override { return w_.yielding.empty(); }
+    bool sleeps() const override { return w_.structure.can_yield(); }
+    bool busy() const override { return !w_.yielding.empty(); }
+    std::string why_awake() const override {
+        return std::to_string(w_.yielding.size()) + (w_.yielding.size() == 1 ? " element flows: " : " elements flow: ") +
+               w_.structure.element_name(w_.yielding[0].element);
+    }
+
+    void save(Writer& to) const override { to(flowing_); }
+    void restore(Reader& from) override { from(flowing_); }
+    bool restored(std::span<const State* const>) override {
+        const int n = int(w_.structure.elements().size());
+        return std::all_of(flowing_.begin(), flowing_.end(), [n](int e) { return e >= 0 && e < n; });
+    }
+
+private:
+    std::vector<int> flowing_;  ///< elements that flowed in the last step
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const auto& elements = s.elements();
+    const bool could = std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
+    return {{"plasticity", s.can_yield(),
+             s.can_yield() ? "a material has a yield stress" : could ? "plasticity = false" : "no section can yield",
+             s.model().asked_at("plasticity")}};
+}
+
+}  // namespace
+
+EffectKind plasticity_kind() {
+    return {"plasticity",
+            {{"plastic", 40, "dissipated in plastic hinges", {}, true}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                const auto& hinges = w.state.hinge;
+                const bool flowed = std::any_of(hinges.begin(), hinges.end(), [](int h) { return h != 0; });
+                if (!w.structure.can_yield() && !flowed) return nullptr;
+                return std::make_unique<Plasticity>(w, host);
+            }};
+}
+
+}  // namespace hinge

@@ -1,0 +1,63 @@
+#include "run/central_differences.h"
+
+#include <cmath>
+
+#include "state/nodes.h"
+
+namespace hinge {
+
+/// du = dt v + dt^2 a / 2; offset masses say what they resist beside their mass times the acceleration.
+void CentralDifferences::predict(const Step& step) {
+    const double dt = step.dt;
+    w_.pool.share(int(w_.turned.size()), some_nodes, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Lanes v = load_row<6>(w_.state.velocity[i].data()), a = load_row<6>(w_.state.acceleration[i].data());
+            const Lanes move = dt * v + (0.5 * dt * dt) * a;
+            store_row<3>(w_.trial.displacement[i].data(), load_row<3>(w_.state.displacement[i].data()) + move);
+            store_row<3>(w_.turned[i].data(), second_three(move));
+            store_row<6>(w_.trial.velocity[i].data(), v + dt * a);
+            store_row<6>(w_.trial.acceleration[i].data(), Lanes{});
+        }
+        move_to_turned(first, end);
+    });
+}
+
+/// a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
+void CentralDifferences::accelerate(Step& step) {
+    const double half = 0.5 * step.dt;
+    Mass& mass = *mass_.now();
+    const std::vector<Vec6>& inverse = mass.lumped_inverse();
+    const auto move = [&](int i, const Lanes& a, Fastest& most) {
+        const Lanes v = load_row<6>(w_.state.velocity[i].data()) +
+                        half * (load_row<6>(w_.state.acceleration[i].data()) + a);
+        store_row<6>(w_.trial.acceleration[i].data(), a);
+        store_row<6>(w_.trial.velocity[i].data(), v);
+        if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};
+    };
+    const int nodes = int(w_.resisting.size());
+    begin_fastest((nodes + some_nodes - 1) / some_nodes);
+    const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
+        Lanes sum{};
+        for (int i = first; i < end; ++i) {
+            const Lanes f = load_row<6>(w_.external[i].data()) - load_row<6>(w_.resisting[i].data());
+            sum += f;
+            move(i, load_row<6>(inverse[i].data()) * f, fastest_of_[first / some_nodes]);
+        }
+        return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
+    });
+    if (!std::isfinite(check)) {
+        step.failure = name_the_culprit();
+        return;
+    }
+    take_reactions([&](int n, int c) { return w_.resisting[n][c] - w_.external[n][c]; });
+    if (!mass.heavy().empty()) mass.turn_offset_masses(w_.state, w_.trial);
+    for (const Mass::Heavy& h : mass.heavy()) {
+        Vec6 a = h.inverse * (w_.external[h.node] - w_.resisting[h.node]);
+        for (int c = 0; c < 6; ++c)
+            if (w_.state.held[h.node] >> c & 1) a[c] = 0;
+        move(h.node, load_row<6>(a.data()), fastest_of_.back());
+    }
+    note_fastest(step.end());
+}
+
+}  // namespace hinge

@@ -1,0 +1,29 @@
+// The central difference method: with beta 0 and lumped masses K drops out of eq 15, and the acceleration follows node
+// by node.
+#pragma once
+
+#include "run/integrator.h"
+
+namespace hinge {
+
+class CentralDifferences : public Integrator {
+public:
+    CentralDifferences(Workspace& w, KeptMass& mass, Stages& stages)
+        : Integrator(w, mass, stages), accelerate_(stages.add("accelerate", "inertia")) {}
+
+    void predict(const Step& step) override;
+    void solve(Step& step) override {
+        stages_.timed(accelerate_, [&] { accelerate(step); });
+    }
+    int correct_stage() override { return accelerate_; }
+    bool correct(Step& step) override { return ++step.iteration, false; }
+    const std::vector<Vec6>& change() const override { return w_.trial.acceleration; }
+    void save(Writer& to) const override { to(fastest); }
+    void restore(Reader& from) override { from(fastest); }
+
+private:
+    void accelerate(Step& step);
+    int accelerate_;
+};
+
+}  // namespace hinge

@@ -1,0 +1,114 @@
+// How a step gets from forces to motion: Newmark's method (newmark.h) or central differences (central_differences.h).
+#pragma once
+
+#include "algebra/effective_stiffness.h"
+#include "algebra/mass.h"
+#include "run/settings.h"
+#include "run/stages.h"
+
+namespace hinge {
+
+/// M by itself, kept as elements turn and break, for accelerations and impulses.
+class KeptMass {
+public:
+    explicit KeptMass(const Workspace& w) : w_(w), is_stale_(w.state.broken.size(), 0) {}
+    void changed(int element) {
+        if (!is_stale_[element]) is_stale_[element] = 1, stale_.push_back(element);
+    }
+    /// Takes up what has changed, as it is at `pose`.
+    Mass& renewed(const Pose& pose) {
+        is_stale_.assign(w_.state.broken.size(), 0);
+        if (mass_) mass_->renew(stale_, w_.state, pose);
+        else mass_ = std::make_unique<Mass>(w_.structure, w_.state);
+        stale_.clear();
+        return *mass_;
+    }
+    Mass* now() const { return mass_.get(); }
+    void drop() { mass_.reset(); }
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stale_);
+        if constexpr (A::reading) {
+            for (int e : s.stale_) a.must(e >= 0 && std::size_t(e) < s.is_stale_.size());
+            s.is_stale_.assign(s.is_stale_.size(), 0);
+            for (int e : s.stale_) s.is_stale_[e] = 1;
+        }
+        if (s.mass_) a(*s.mass_);
+    }
+
+private:
+    const Workspace& w_;
+    std::unique_ptr<Mass> mass_;
+    std::vector<int> stale_;
+    std::vector<char> is_stale_;
+};
+
+class Integrator {
+public:
+    Integrator(Workspace& w, KeptMass& mass, Stages& stages) : w_(w), mass_(mass), stages_(stages) {}
+    virtual ~Integrator() = default;
+
+    /// The first acceleration is known.
+    virtual void begin(const EffectList& effects) { (void)effects; }
+    /// The trial pose from which the step is solved.
+    virtual void predict(const Step& step) = 0;
+    /// Stresses are recovered at the trial pose (before effects add theirs).
+    virtual void recovered(const Step& step) { (void)step; }
+    /// From forces to a change of the accelerations: eq 15.
+    virtual void solve(Step& step) = 0;
+    /// Adds what the change does over the step. True: once more (Newton).
+    virtual bool correct(Step& step) = 0;
+    virtual const std::vector<Vec6>& change() const = 0;
+    /// Whether effects may ask for one more iteration.
+    virtual bool may_go_on(const Step& step) const { return (void)step, false; }
+    virtual void solved(const Step& step) { (void)step; }
+    /// Whether stresses must be recovered once more where the solution has led; they have been.
+    virtual bool recovers_last() const { return false; }
+    virtual void recovered_last() {}
+    /// The stage that correct belongs to.
+    virtual int correct_stage() = 0;
+    /// What a dissipative method took out of the step, J.
+    virtual double dissipated(const Step& step) const { return (void)step, 0; }
+    virtual void keep() {}
+    virtual void kept() {}
+
+    virtual void stiffness_changed(int element) { (void)element; }
+    virtual void dt_changed(double dt) { (void)dt; }
+    virtual void removed(int element) { (void)element; }
+    virtual EffectiveStiffness* effective() { return nullptr; }
+    /// dt |da| / |v| of the last step, weighted by mass.
+    virtual double jump() const { return 0; }
+
+    virtual void save(Writer& to) const = 0;
+    virtual void restore(Reader& from) = 0;
+
+    Fastest fastest;
+
+protected:
+    /// The supports' reactions: what they must add to hold their degrees of freedom.
+    template <class Force>
+    void take_reactions(Force force) {
+        for (int n : w_.supported) {
+            Vec6& r = w_.reaction[n];
+            r.setZero();
+            for (int c = 0; c < 6; ++c)
+                if (w_.state.held[n] >> c & 1) r[c] = force(n, c);
+        }
+    }
+    void begin_fastest(std::size_t pieces) { fastest_of_.assign(pieces, {}); }
+    /// Takes up what each piece of the nodes found: squared speeds.
+    void note_fastest(double time) {
+        for (const Fastest& f : fastest_of_)
+            if (f.speed > fastest.speed * fastest.speed) fastest = {std::sqrt(f.speed), f.node, time};
+    }
+    std::string name_the_culprit() const;
+    void move_to_turned(int first, int end);
+
+    Workspace& w_;
+    KeptMass& mass_;
+    Stages& stages_;
+    std::vector<Fastest> fastest_of_;  ///< of each piece of the nodes, speeds squared
+};
+
+}  // namespace hinge

@@ -1,0 +1,354 @@
+#include "run/newmark.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/rotation.h"
+#include "run/step_size.h"
+#include "run/yield_tangents.h"
+#include "state/nodes.h"
+
+namespace hinge {
+namespace {
+
+/// Part of the elastic stiffness by which a plastic tangent may differ from the one in the effective stiffness, in
+/// short steps: inertia rules there, and one solution a step does not see the difference (Case I of the ten-storey
+/// impact: the same energy balance error at 0.2 as at 0, and a third of the elements to rebuild).
+constexpr double same_tangent = 0.2;
+
+/// A change of the velocities by this part of themselves is rounding: at rest or in free flight there is nothing to
+/// solve. A thousand times the rounding of one number, since some thousand are summed up.
+constexpr double rounding = 3e-13;
+
+/// Newton that swings between two sets of hinges is held back: a correction that is hardly smaller than the one before
+/// (by less than half, in squares a quarter) is scaled down by a bit less than half, and one that is grows by half, so
+/// that a swing of period two dies out in some five iterations and a good start is lost in none.
+constexpr double swings = 0.25, held_back = 0.6, grows = 1.5, least_damping = 0.1;
+
+/// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
+bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
+    if (part == 0) return false;
+    const Mat6 e = k.matrix();
+    for (int j = 0; j < 6; ++j)
+        for (int i = 0; i < 6; ++i)
+            if (std::abs(a(i, j) - b(i, j)) > part * std::sqrt(e(i, i) * e(j, j))) return false;
+    return true;
+}
+
+/// x . M y of an element, each a velocity or an acceleration of its two nodes.
+double through_mass(const beam::Inertia& m, const Mat3& to_element, const Vec6 x[2], const Vec6 y[2]) {
+    const Vec3 xa = to_element * x[0].tail<3>(), xb = to_element * x[1].tail<3>(), ya = to_element * y[0].tail<3>(),
+               yb = to_element * y[1].tail<3>();
+    return m.own[0] * x[0].head<3>().dot(y[0].head<3>()) + m.own[1] * x[1].head<3>().dot(y[1].head<3>()) +
+           m.across * (x[0].head<3>().dot(y[1].head<3>()) + x[1].head<3>().dot(y[0].head<3>())) +
+           xa.dot(m.rotary[0].cwiseProduct(ya)) + xb.dot(m.rotary[1].cwiseProduct(yb)) +
+           xa.dot(m.rotary_across.cwiseProduct(yb)) + xb.dot(m.rotary_across.cwiseProduct(ya));
+}
+
+}  // namespace
+
+Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings)
+    : Integrator(w, mass, stages), settings_(settings), iterations_(settings.iterations), tolerance_(settings.tolerance) {
+    displacement_predictor_ =
+        settings.predictor == Predictor::displacement ||
+        (settings.predictor == Predictor::by_step && axial_courant_number(w.structure, settings.dt) > 1);
+    const bool can_yield = built::plasticity && w.structure.can_yield();
+    if (iterations_ == 0) {
+        const bool newton = displacement_predictor_ && (can_yield || w.structure.large());
+        iterations_ = newton ? 30 : 1;
+        if (newton) tolerance_ = std::max(tolerance_, 1e-6);
+    }
+    if (can_yield) yield_stage_ = stages.add("yield", "plasticity");
+    stiffness_stage_ = stages.add("stiffness", "inertia");
+    solve_stage_ = stages.add("solve", "inertia");
+    correct_stage_ = stages.add("correct", "inertia");
+    const std::size_t nodes = w.structure.position().size();
+    right_.assign(nodes, Vec6::Zero());
+    change_.assign(nodes, Vec6::Zero());
+    in_rebuild_.assign(w.structure.elements().size(), 0);
+    lumped_.assign(nodes, 0);
+    for (const Element& e : w.structure.elements())
+        for (int n : e.node) lumped_[n] += 0.5 * e.rigidity.rhoA * e.length;
+}
+
+void Newmark::begin(const EffectList& effects) {
+    effects_ = &effects;
+    const Keeping keeping = settings_.solver.direct                            ? Keeping::direct
+                            : settings_.narrow && !displacement_predictor_ ? Keeping::narrow
+                                                                             : Keeping::iterative;
+    effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1 - w_.scheme.alpha,
+                                                      w_.scheme.beta * settings_.dt * settings_.dt,
+                                                      settings_.geometric && w_.structure.large(), keeping);
+    effective_->set_held(w_.state.held);
+    if (w_.structure.large()) w_.sweep.watch_turning(settings_.turn);
+    for (int e = 0; e < int(w_.state.broken.size()); ++e)
+        if (!w_.state.broken[e]) stiffness_changed(e);
+}
+
+/// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
+/// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
+void Newmark::predict(const Step& step) {
+    const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
+    const State& s = w_.state;
+    Pose& trial = w_.trial;
+    if (displacement_predictor_) {
+        for (std::size_t i = 0; i < w_.turned.size(); ++i) {
+            trial.displacement[i] = s.displacement[i];
+            w_.turned[i].setZero();
+            trial.acceleration[i] = -1 / (beta * dt) * s.velocity[i] - (0.5 - beta) / beta * s.acceleration[i];
+            trial.velocity[i] = s.velocity[i] + dt * ((1 - gamma) * s.acceleration[i] + gamma * trial.acceleration[i]);
+            if (alpha != 0) trial.acceleration[i] = (1 - alpha) * trial.acceleration[i] + alpha * s.acceleration[i];
+        }
+        return move_to_turned(0, int(w_.turned.size()));
+    }
+    w_.pool.share(int(w_.turned.size()), some_nodes, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Lanes v = load_row<6>(s.velocity[i].data()), a = load_row<6>(s.acceleration[i].data());
+            const Lanes move = dt * v + (0.5 * dt * dt) * a;
+            store_row<3>(trial.displacement[i].data(), load_row<3>(s.displacement[i].data()) + move);
+            store_row<3>(w_.turned[i].data(), second_three(move));
+            store_row<6>(trial.velocity[i].data(), v + dt * a);
+            store_row<6>(trial.acceleration[i].data(), a);
+        }
+        move_to_turned(first, end);
+    });
+}
+
+/// Where nothing has moved yet, what flowed is taken to flow on.
+void Newmark::recovered(const Step& step) {
+    if (displacement_predictor_ && step.iteration == 0) w_.yielding = hinges_;
+}
+
+void Newmark::solve(Step& step) {
+    if (yield_stage_ >= 0) stages_.timed(yield_stage_, [&] { mark_yielding(); });
+    stages_.timed(stiffness_stage_, [&] { renew_effective_stiffness(); });
+    stages_.timed(solve_stage_, [&] { solve_for_change(step); });
+}
+
+/// Which elements flow: their effective stiffness takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short
+/// steps, where inertia rules, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
+void Newmark::mark_yielding() {
+    const std::vector<Yielding>& yielding = w_.yielding;
+    tangents_ = yield_tangents(w_.structure, w_.state, w_.sweep, yielding);
+    std::size_t next = 0;
+    for (int e : was_yielding_) {
+        while (next < yielding.size() && yielding[next].element < e) ++next;
+        const bool flows_on = next < yielding.size() && yielding[next].element == e;
+        if (!flows_on && !w_.state.broken[e]) stiffness_changed(e), built_.erase(e);
+    }
+    was_yielding_.clear();
+    for (std::size_t i = 0; i < yielding.size(); ++i) {
+        const int e = yielding[i].element;
+        was_yielding_.push_back(e);
+        const double same = displacement_predictor_ || iterations_ > 1 ? 0 : same_tangent;
+        const auto there = built_.find(e);
+        if (there == built_.end() || !near(tangents_[i], there->second, stiffness_now(w_.structure, w_.state, e), same))
+            stiffness_changed(e);
+    }
+}
+
+/// Rebuilds M + beta dt^2 K for the elements that turned, yielded or broke.
+void Newmark::renew_effective_stiffness() {
+    if (!rebuild_.empty()) {
+        std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
+        std::sort(rebuild_.begin(), rebuild_.end());
+        const std::vector<const Mat6*> given = tangents_of(rebuild_, w_.yielding, tangents_);
+        for (std::size_t i = 0; i < rebuild_.size(); ++i)
+            if (given[i]) built_[rebuild_[i]] = *given[i];
+        w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
+        effective_->build(rebuild_, w_.state, w_.trial, given);
+        for (const auto& effect : *effects_)
+            for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
+                if (effect->watches_matrix(rebuild_[i]))
+                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given[i]));
+        w_.force.swap(w_.state.force);
+        for (int e : rebuild_) {
+            w_.sweep.mark_built(e, axes_of(place_element(w_.structure, e, w_.trial)));
+            in_rebuild_[e] = 0;
+            if (mass_.now()) mass_.changed(e);
+        }
+        rebuild_.clear();
+    }
+    effective_->assemble();
+}
+
+/// (M + beta dt^2 K) da = F - R - M a.
+void Newmark::solve_for_change(Step& step) {
+    const int nodes = int(w_.resisting.size());
+    const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            right_[i] = w_.external[i] - w_.resisting[i];
+            sum += right_[i].squaredNorm();
+        }
+        return sum;
+    });
+    if (!std::isfinite(check)) {
+        step.failure = name_the_culprit();
+        return;
+    }
+    take_reactions([&](int n, int c) {
+        const double r = -right_[n][c];
+        right_[n][c] = 0;
+        return r;
+    });
+    begin_fastest((nodes + some_nodes - 1) / some_nodes);
+    motion_ = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            const double v2 = w_.trial.velocity[i].head<3>().squaredNorm();
+            sum += lumped_[i] * v2;
+            if (Fastest& most = fastest_of_[first / some_nodes]; v2 > most.speed) most = {v2, i, 0};
+        }
+        return sum;
+    });
+    note_fastest(step.end());
+    SolverSettings solver = settings_.solver;
+    solver.floor = motion_ * std::pow(rounding / step.dt, 2);
+    const SolveReport report = effective_->solve(right_, change_, solver);
+    if (!report.converged)
+        step.failure = solver.direct ? "the effective stiffness could not be factorised"
+                                     : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
+                                           " iterations; a shorter dt makes the system easier";
+}
+
+/// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
+bool Newmark::correct(Step& step) {
+    const double dt = step.dt, to_u = w_.scheme.beta * dt * dt, to_v = w_.scheme.gamma * dt, to_a = 1 - w_.scheme.alpha;
+    Pose& trial = w_.trial;
+    if (iterations_ > 1) {
+        double whole = 0;
+        for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
+        if (step.iteration == 0) damping_ = 1;
+        else if (whole > swings * last_change_) damping_ = std::max(least_damping, held_back * damping_);
+        else damping_ = std::min(1.0, grows * damping_);
+        last_change_ = whole;
+        if (damping_ < 1)
+            for (Vec6& c : change_) c *= damping_;
+    }
+    const bool by_spin = displacement_predictor_ && w_.structure.large();
+    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of it
+        for (std::size_t i = 0; i < change_.size(); ++i) {
+            const Vec3 before = w_.turned[i];
+            trial.rotation[i] = turned(to_u * change_[i].tail<3>(), trial.rotation[i]);
+            w_.turned[i] = rotation_vector(trial.rotation[i] * w_.state.rotation[i].conjugate());
+            change_[i].tail<3>() = (w_.turned[i] - before) / to_u;
+        }
+    const double size = w_.pool.sum(int(change_.size()), some_nodes, [&](int first, int end) {
+        Lanes sum{};
+        for (int i = first; i < end; ++i) {
+            const Lanes change = load_row<6>(change_[i].data());
+            store_row<6>(trial.acceleration[i].data(), load_row<6>(trial.acceleration[i].data()) + to_a * change);
+            store_row<6>(trial.velocity[i].data(), load_row<6>(trial.velocity[i].data()) + to_v * change);
+            store_row<3>(trial.displacement[i].data(), load_row<3>(trial.displacement[i].data()) + to_u * change);
+            if (!by_spin)
+                store_row<3>(w_.turned[i].data(), load_row<3>(w_.turned[i].data()) + to_u * second_three(change));
+            sum += change * change;
+        }
+        if (!by_spin) move_to_turned(first, end);
+        return sum[0] + sum[1] + sum[2];
+    });
+    if (settings_.automatic) {
+        double jump = 0;
+        for (std::size_t i = 0; i < change_.size(); ++i) jump += lumped_[i] * change_[i].head<3>().squaredNorm();
+        jump_ = motion_ > 0 ? dt * std::sqrt(jump / motion_) : 0;
+    }
+    ++step.iteration;
+    if (step.iteration == 1) first_change_ = size;
+    if (iterations_ > 1 && step.iteration == iterations_ && size > 1e-6 * first_change_ && first_change_ > 1e-12)
+        step.failure = "Newton did not converge in " + std::to_string(step.iteration) + " iterations (last correction " +
+                       std::to_string(std::sqrt(size / first_change_)) +
+                       " of the first); a shorter dt or more iterations may help";
+    return step.iteration < iterations_ && size > tolerance_ * tolerance_ * first_change_;
+}
+
+/// Bossak: while a step is tried its acceleration is the blend (1 - alpha) a' + alpha a that forces meet; it becomes
+/// the one at the end of the step.
+void Newmark::solved(const Step&) {
+    const double alpha = w_.scheme.alpha;
+    if (alpha == 0) return;
+    w_.next_weighted = w_.trial.acceleration;
+    for (std::size_t i = 0; i < w_.next_weighted.size(); ++i)
+        w_.trial.acceleration[i] = (w_.next_weighted[i] - alpha * w_.state.acceleration[i]) / (1 - alpha);
+}
+
+/// The work by the trapezium rule of what the forces met, less the change of the kinetic energy. With b and b' met,
+/// V = v + dv/2, dv = dt ((1 - gamma) a + gamma a') and du = dt V + dt^2 (beta - gamma/2) (a' - a) that is
+/// dt V . M ((b + b')/2 - (1 - gamma) a - gamma a') + dt^2 (beta - gamma/2) (b + b')/2 . M (a' - a).
+double Newmark::dissipated(const Step& step) const {
+    if (w_.scheme.alpha == 0) return 0;
+    const double dt = step.dt, gamma = w_.scheme.gamma, c = dt * dt * (w_.scheme.beta - 0.5 * gamma);
+    struct AtNode {
+        Vec6 mean_velocity, lag, mean_met, rise;
+    };
+    const auto at = [&](int n) {
+        const Vec6 &a = w_.state.acceleration[n], &next = w_.trial.acceleration[n];
+        const Vec6 met = 0.5 * (w_.weighted[n] + w_.next_weighted[n]);
+        const Vec6 rate = (1 - gamma) * a + gamma * next;
+        return AtNode{dt * (w_.state.velocity[n] + 0.5 * dt * rate), met - rate, c * met, next - a};
+    };
+    double sum = 0;
+    for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
+        if (w_.state.broken[i]) continue;
+        const Element& e = w_.structure.elements()[i];
+        const AtNode one = at(e.node[0]), two = at(e.node[1]);
+        const Vec6 v[2] = {one.mean_velocity, two.mean_velocity}, lag[2] = {one.lag, two.lag},
+                   met[2] = {one.mean_met, two.mean_met}, rise[2] = {one.rise, two.rise};
+        const Mat3 to_element = axes_of(place_element(w_.structure, int(i), w_.trial)).transpose();
+        const beam::Inertia m = w_.structure.inertia(int(i));
+        sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, met, rise);
+    }
+    for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+        if (w_.state.offset_mass[i].mass == 0) continue;
+        const AtNode n = at(int(i));
+        const Mat6 m = offset_mass_in_space(w_.state.offset_mass[i], w_.trial.rotation[i]);
+        sum += n.mean_velocity.dot(m * n.lag) + n.mean_met.dot(m * n.rise);
+    }
+    return sum;
+}
+
+void Newmark::keep() {
+    if (w_.scheme.alpha != 0) w_.weighted.swap(w_.next_weighted);
+}
+
+void Newmark::kept() {
+    if (displacement_predictor_) hinges_ = flowing_on(w_.yielding);
+}
+
+void Newmark::stiffness_changed(int element) {
+    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+}
+
+void Newmark::dt_changed(double dt) {
+    if (!effective_) return;
+    effective_->set_stiffness_factor(w_.scheme.beta * dt * dt);
+    for (int e = 0; e < int(w_.state.broken.size()); ++e)
+        if (!w_.state.broken[e]) stiffness_changed(e);
+}
+
+void Newmark::removed(int element) {
+    effective_->remove(element);
+    effective_->set_held(w_.state.held);
+}
+
+template <class Self, class A>
+void Newmark::fields(Self& s, A& a) {
+    a(s.fastest, s.jump_, s.motion_, s.change_, s.hinges_, s.was_yielding_, s.built_, s.rebuild_, *s.effective_);
+}
+
+void Newmark::save(Writer& to) const { fields(*this, to); }
+
+void Newmark::restore(Reader& from) {
+    fields(*this, from);
+    const int elements = int(in_rebuild_.size());
+    const auto within = [&](int e) { return e >= 0 && e < elements; };
+    bool good = change_.size() == lumped_.size();
+    for (const std::vector<int>* list : {&was_yielding_, &rebuild_})
+        good = good && std::all_of(list->begin(), list->end(), within);
+    for (const Yielding& y : hinges_) good = good && within(y.element);
+    from.must(good && fastest.node < int(lumped_.size()));
+    in_rebuild_.assign(elements, 0);
+    for (int e : rebuild_) in_rebuild_[e] = 1;
+}
+
+}  // namespace hinge

@@ -1,0 +1,75 @@
+// Newmark's beta method, one linear solution a step (paper, eq 15), or Newton's method; with Bossak's alpha.
+//
+// Eq 15 has M a' + K du = F - R_t with du = dt v + dt^2 ((1/2 - beta) a + beta a'). Here the part of du that is known
+// when the step begins, dt v + dt^2 a / 2, is applied first and the stresses are recovered there, exactly; what is left
+// to solve for is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure
+// this is eq 15 to the letter; for one that turns and yields, the force out of balance is not carried to the next step
+// but met in this one. Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is written
+// (displacement predictor).
+#pragma once
+
+#include <unordered_map>
+
+#include "run/integrator.h"
+
+namespace hinge {
+
+class Newmark : public Integrator {
+public:
+    Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings);
+
+    void begin(const EffectList& effects) override;
+    void predict(const Step& step) override;
+    void recovered(const Step& step) override;
+    void solve(Step& step) override;
+    bool correct(Step& step) override;
+    const std::vector<Vec6>& change() const override { return change_; }
+    bool may_go_on(const Step& step) const override { return iterations_ == 1 && step.iteration < most_unsettled; }
+    void solved(const Step& step) override;
+    bool recovers_last() const override { return displacement_predictor_; }
+    void recovered_last() override {
+        if (yield_stage_ >= 0) mark_yielding();
+    }
+    int correct_stage() override { return correct_stage_; }
+    double dissipated(const Step& step) const override;
+    void keep() override;
+    void kept() override;
+
+    void stiffness_changed(int element) override;
+    void dt_changed(double dt) override;
+    void removed(int element) override;
+    EffectiveStiffness* effective() override { return effective_.get(); }
+    double jump() const override { return jump_; }
+
+    void save(Writer& to) const override;
+    void restore(Reader& from) override;
+
+private:
+    static constexpr int most_unsettled = 8;  ///< iterations that contact may ask for
+    template <class Self, class A>
+    static void fields(Self& s, A& a);
+    void mark_yielding();
+    void renew_effective_stiffness();
+    void solve_for_change(Step& step);
+
+    const DynamicSettings& settings_;
+    const EffectList* effects_ = nullptr;
+    bool displacement_predictor_;
+    int iterations_;
+    double tolerance_;
+    int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
+    std::unique_ptr<EffectiveStiffness> effective_;
+    std::vector<Vec6> right_;                ///< F - R - M a: the right side of eq 15
+    std::vector<Vec6> change_;               ///< of the acceleration
+    std::vector<double> lumped_;             ///< kg, of each node, to weigh velocities and changes
+    std::vector<int> rebuild_;               ///< elements whose effective stiffness is to be built anew
+    std::vector<char> in_rebuild_;
+    std::vector<Mat6> tangents_;             ///< of the elements that flow
+    std::vector<int> was_yielding_;
+    std::vector<Yielding> hinges_;           ///< of the last step, with the displacement predictor
+    std::unordered_map<int, Mat6> built_;    ///< D_p in the effective stiffness, of the elements that have it there
+    double first_change_ = 0, last_change_ = 0, damping_ = 1;
+    double jump_ = 0, motion_ = 0;           ///< of the last step: dt |da| / |v|; sum of m v^2
+};
+
+}  // namespace hinge

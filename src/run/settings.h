@@ -1,0 +1,62 @@
+// What a script may say of a dynamic run.
+#pragma once
+
+#include <optional>
+
+#include "algebra/condensed.h"
+
+namespace hinge {
+
+/// What a step is solved from: the acceleration held (short steps), the displacement held (long ones), or whichever
+/// suits dt against the time in which an axial wave crosses the shortest element.
+enum class Predictor : std::uint8_t { by_step, acceleration, displacement };
+
+struct DynamicSettings {
+    double dt = 0;           ///< s
+    double duration = 0;     ///< s
+    bool automatic = false;  ///< dt is the shortest step (shortest_step); longer ones where nothing happens
+    double beta = 0.25;      ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
+    /// What a step leaves of the highest frequencies' amplitude, 0..1; below 1 Newmark's method with alpha of Wood,
+    /// Bossak and Zienkiewicz (Int. J. Num. Meth. Eng. 15, 1980), M ((1 - alpha) a' + alpha a) = F' - R', and beta =
+    /// beta_of(rho_infinity).
+    double rho_infinity = 1;
+    double alpha() const { return (rho_infinity - 1) / (rho_infinity + 1); }  ///< -1..0
+    double gamma() const { return 0.5 - alpha(); }
+    static double beta_of(double rho_infinity) {
+        const double x = rho_infinity + 1;
+        return 1 / (x * x);
+    }  ///< (1 - alpha)^2 / 4
+    /// 1: the paper's one solve; more: Newton until `tolerance`; 0: one solve, but Newton (30, to 1e-6) where hinges
+    /// form or displacements are large, in steps too long for one.
+    int iterations = 0;
+    Predictor predictor = Predictor::by_step;
+    double tolerance = 1e-10;  ///< of Newton: correction of the acceleration, relative to the step's first
+    bool geometric = true;     ///< initial-stress stiffness in the effective stiffness (the forces are exact anyway)
+    double turn = 0.01;        ///< rad: an element's effective stiffness is rebuilt when it has turned by this much
+    bool narrow = true;        ///< in steps no longer than the fastest waves need, effective stiffness in single precision
+    /// The run ends, failed, when the energy balance error is a larger part of the energy turned over. 0: never, the
+    /// default of Shift::whole, whose balance cannot close; with Shift::plastic a tenth.
+    std::optional<double> energy_tolerance;
+    /// Steps that would lose more than their share of this part of the energy turned over are taken back and halved, as
+    /// are those that cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.
+    double step_control = 0;
+    bool rest = true;  ///< bodies at rest are left alone until something reaches them
+    int threads = 1;   ///< how many share the work of a step; the bits are the same for any number
+    SolverSettings solver;
+
+    bool explicit_steps() const { return beta == 0; }
+    bool controlled() const { return step_control > 0; }
+};
+
+/// The fastest node of a run so far.
+struct Fastest {
+    double speed = 0;  ///< m/s
+    int node = -1;
+    double time = 0;  ///< s
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.speed, s.node, s.time);
+    }
+};
+
+}  // namespace hinge
