@@ -206,7 +206,7 @@ refused("another version", "checkpoint " .. file .. " is of format 7, written by
 support.write(file, bytes)
 refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...", function() small(5e-5):resume(file) end)
 refused("another model", "...is of another run, with not the same nodes (2 there, 3 here), members (1 there, 2 here), materials (1 there, 2 here), " ..
-  "sections (1 there, 2 here) and velocities (2 there, 3 here); give...", function() small(1e-4, true):resume(file) end)
+  "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...", function() small(1e-4, true):resume(file) end)
 refused("other probes", "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on", function()
   local r, tip = small(1e-4)
   r:probe { node = tip, "uz", name = "tip" }
