@@ -1,4 +1,5 @@
 // Fracture (paper 2.3, eq 16, figs 4 and 5): what it conserves, what it costs, when it happens.
+#include "beam/fracture.h"
 #include "helpers.h"
 #include "state/breaking.h"
 
@@ -142,6 +143,41 @@ TEST_CASE("fracture: eq 16 breaks a pulled bar at its critical strain, and not b
     Dynamics holds(strong.build(), initial_state(*strong.build()), milliseconds(2e-3, 1e-6));
     while (holds.advance()) {}
     CHECK(holds.count_members(-1).broken == 0);
+}
+
+TEST_CASE("fracture: eq 16 holds just below each limit, and breaks at it and above; each strain alone, either sign",
+          "[fracture]") {
+    const double limit_x = 0.4, limit_y = 0.5, limit_axial = 0.3;
+    const auto breaks = [&](const beam::FractureStrains& e, bool tension_only) {
+        return beam::reached(e, limit_x, limit_y, limit_axial, tension_only);
+    };
+    for (const bool tension_only : {false, true}) {
+        CHECK_FALSE(breaks({0, 0, 0, 1e9}, tension_only));  // twist has no limit
+        CHECK_FALSE(breaks({std::nextafter(limit_x, 0), -std::nextafter(limit_y, 0), std::nextafter(limit_axial, 0), 0},
+                           tension_only));
+        for (const double sign : {1.0, -1.0})
+            for (const int strain : {0, 1, 2})
+                for (const int where : {-1, 0, 1}) {
+                    const double limits[3] = {limit_x, limit_y, limit_axial}, limit = limits[strain];
+                    const double size = where < 0   ? std::nextafter(limit, 0)
+                                        : where > 0 ? std::nextafter(limit, infinite)
+                                                    : limit;
+                    double e[3] = {};
+                    e[strain] = sign * size;
+                    const bool spared = strain == 2 && tension_only && sign < 0;
+                    INFO("strain " << strain << ", sign " << sign << ", " << where << ", tension_only "
+                                   << tension_only);
+                    CHECK(breaks({e[0], e[1], e[2], 0}, tension_only) == (where >= 0 && !spared));
+                }
+    }
+    // the strains of an element: end rotations about x and y, stretch and twist over its length
+    Vec6 d;
+    d << -0.01, 0.03, 0.02, -0.05, 0.004, 0.006;
+    const beam::FractureStrains e = beam::fracture_strains(d, 0.5);
+    CHECK(e.curvature_x == Approx(0.08));
+    CHECK(e.curvature_y == Approx(-0.14));
+    CHECK(e.axial == Approx(0.008));
+    CHECK(e.twist == Approx(0.012));
 }
 
 TEST_CASE("fracture: tension_only lets compression pass", "[fracture]") {
