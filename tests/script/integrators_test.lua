@@ -77,4 +77,47 @@ do
   expect(math.sqrt(size) < 1e-3 * whole and math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "turning")
 end
 
+-- Initial stress in the operator: a wire of one element under tension N, whose end swings across it. Its stiffness
+-- across is (GA + N) / L, of which geometric = false leaves N / L out of the operator, not out of the forces. One
+-- freedom again, so that each step can be taken by hand.
+for _, geometric in ipairs { true, false } do
+  local GA, N, area, wire = 1e3, 1e5, 0.1, 2
+  local model = hinge.model { formulation = "conventional", elements_per_member = 1 }
+  local a, b = model:node { 0, 0, 0 }, model:node { wire, 0, 0 }
+  local steel = hinge.material { E = E, nu = 0.3, density = density }
+  model:member { a, b, material = steel, section = hinge.section.general { area = area, Ix = 1e-4, Iy = 1e-4, J = 1e-4,
+    shear_area_x = GA / steel.G, shear_area_y = GA / steel.G } }
+  model:fix(a)
+  model:fix(b, "y,rx,ry,rz")
+  model:load { node = b, force = { N, 0, 0 } }
+  model:velocity(b, { 0, 0, 1e-4 })
+  local start = model:static { steps = 1 }
+  start:finish()
+  local m, k = density * area * wire / 3, (GA + N) / wire
+  local dt, beta = 1 / math.sqrt(k / m), 0.25
+  local run = model:dynamic { from = start, dt = dt, duration = 40 * dt, beta = beta, iterations = 1,
+    predictor = "acceleration", geometric = geometric, energy_tolerance = 0, record = false }
+  local probe = run:probe { node = b, "uz" }
+  run:finish()
+  local u, v, acceleration, most, worst = 0, 1e-4, 0, 0, 0
+  local solved = m + beta * dt ^ 2 * (geometric and k or GA / wire)
+  for i = 1, 40 do
+    local reached = u + dt * v + dt ^ 2 / 2 * acceleration
+    local change = (-k * reached - m * acceleration) / solved
+    u, v = reached + beta * dt ^ 2 * change, v + dt * (acceleration + change / 2)
+    acceleration = acceleration + change
+    local off = math.abs(probe.value[i + 1] - u)
+    most, worst = math.max(most, math.abs(u)), off <= worst and worst or off
+  end
+  print(("geometric = %s: off the steps by hand by %.1e of the swing"):format(geometric, worst / most))
+  expect(worst < 1e-3 * most, "geometric = %s: off the steps by hand by %g of the swing", geometric, worst / most)
+  for _, effect in ipairs(run.effects) do
+    if effect.name == "geometric stiffness" then
+      expect(effect.active == geometric, "geometric = %s: the effect is active: %s", geometric, effect.active)
+      expect(effect.because == (geometric and "part of large displacement" or "geometric = false"), "because %s",
+        effect.because)
+    end
+  end
+end
+
 checks.done()

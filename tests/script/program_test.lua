@@ -100,6 +100,12 @@ end
 for _, effect in ipairs { "friction", "damping", "ground", "hooks" } do
   expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
 end
+for geometric, line in pairs { ["true"] = "on +part of large displacement", ["false"] = "off +geometric = false" } do
+  status, printed = run(hinge .. " plan " .. script("plans_geometric.lua", beam ..
+    "cantilever(-1000):dynamic { dt = 1e-5, duration = 1e-3, geometric = " .. geometric .. " }:finish()\n"))
+  expect(status == 0 and printed:find("\n  geometric stiffness +" .. line .. "\n"), "plan with geometric = %s:\n%s",
+    geometric, printed)
+end
 status, printed = run(hinge .. " plan " .. script("plans.lua", beam .. "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
 expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "as far as it goes", "a loop is described once: %s", printed)
 equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2, "status of a plan that fails before a run")
