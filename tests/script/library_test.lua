@@ -107,6 +107,23 @@ local thin_h = shapes.h { depth = 0.4004, width = 0.2, web = 0.0005, flange = 0.
 near(thin_h.shear_area_y, energy_area(0.2, 0.4, 0.0005, 0.0004, 0.1), 3e-3, "shear area of a thin H")
 local thin_box = shapes.box { width = 0.3005, depth = 0.4004, web = 0.0005, flange = 0.0004 }
 near(thin_box.shear_area_y, energy_area(0.3, 0.4, 0.001, 0.0004, 0.15), 3e-3, "shear area of a thin box")
+-- A box has two of each: along y its webs carry and its flanges hang on them, along x the other way round.
+for _, b in ipairs {
+  { width = 0.2, depth = 0.5, web = 0.0002, flange = 0.0012 },
+  { width = 0.2, depth = 0.5, web = 0.0012, flange = 0.0002 },
+  { width = 0.6, depth = 0.25, web = 0.0005, flange = 0.0003 },
+} do
+  local wide, high = b.width - b.web, b.depth - b.flange -- between the middles of the walls
+  local what = ("shear area of a box %g x %g m, web %g m, flange %g m, along "):format(b.width, b.depth, b.web,
+    b.flange)
+  local s = shapes.box(b)
+  near(s.shear_area_y, energy_area(wide, high, 2 * b.web, b.flange, wide / 2), 1e-3, what .. "y")
+  near(s.shear_area_x, energy_area(high, wide, 2 * b.flange, b.web, high / 2), 1e-3, what .. "x")
+  -- turned by a quarter it is the box with the names exchanged
+  local turned = shapes.box { width = b.depth, depth = b.width, web = b.flange, flange = b.web }
+  near(turned.shear_area_x, s.shear_area_y, 1e-12, what .. "y, turned")
+  near(turned.shear_area_y, s.shear_area_x, 1e-12, what .. "x, turned")
+end
 near(shapes.box { width = 1, depth = 1, thickness = 1e-4 }.shear_area_x / 4e-4, 5 / 12, 1e-3, "shear area of a thin square tube")
 near(shapes.pipe { diameter = 1, thickness = 1e-4 }.shear_area_x / (math.pi * 1e-4), 0.5, 1e-3, "shear area of a thin pipe")
 
