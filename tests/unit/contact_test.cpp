@@ -259,6 +259,42 @@ TEST_CASE("contact: to the letter without eq 18, every flat pair that approaches
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
 }
 
+TEST_CASE("contact: to the letter, short bars with a large C_l bind from as far as eq 18 reaches", "[contact]") {
+    // Bars one above the other, side by side: coplanar at any distance, so that eq 18 alone decides; far beyond the sum
+    // of their half depths.
+    const struct {
+        double length[2], reach;
+    } cases[] = {{{0.05, 0.05}, 20}, {{0.6, 0.03}, 4}, {{0.03, 0.6}, 4}, {{0.02, 0.02}, 200}};
+    for (const auto& c : cases) {
+        INFO("lengths " << c.length[0] << " and " << c.length[1] << " m, C_l " << c.reach);
+        const double v = 10, dt = 2e-4, from = 0.3 * c.reach * (c.length[0] + c.length[1]);
+        Scene s;
+        const Vec3 a(0.5 * c.length[0], 0, 0), b(0.5 * c.length[1], 0, 0), above(0, 0, from);
+        const int upper = 2;
+        s.bar(s.node(-a), s.node(a), 0.005);
+        s.bar(s.node(above - b, {0, 0, -v}), s.node(above + b, {0, 0, -v}), 0.005);
+        ContactSettings settings;
+        settings.letter = true;
+        settings.reach = c.reach;
+        Contact contact(settings);
+        // eq 18 by hand: twice the distance of ends on one side, twice that of ends on opposite sides
+        const auto reaches = [&](double z) {
+            const double near = 0.5 * (c.length[0] - c.length[1]), far = 0.5 * (c.length[0] + c.length[1]);
+            return 2 * std::hypot(z, near) + 2 * std::hypot(z, far) <= c.reach * (c.length[0] + c.length[1]);
+        };
+        REQUIRE_FALSE(reaches(from));
+        bool bound = false;
+        for (int i = 0; !bound && s.x[upper].z() > 0; ++i) {
+            const double z = s.x[upper].z();
+            bound = contact.detect(s.bars, false, s.motion(), dt, i * dt) > 0;
+            INFO("at " << z << " m");
+            REQUIRE(bound == reaches(z));
+            s.move(dt);
+        }
+        CHECK(bound);
+    }
+}
+
 // ----------------------------------------------------------------------------------------------------------- letting
 // go
 

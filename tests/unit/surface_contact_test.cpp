@@ -142,6 +142,53 @@ TEST_CASE("touch: bars whose axes have passed each other are pushed back to thei
     CHECK(last > p.touch.radius[0] + p.touch.radius[1]);
 }
 
+TEST_CASE("touch: axes that meet, at distance zero, are pushed apart to the side from which they came", "[touch]") {
+    const Vec3 a[2] = {{-0.5, 0, 0}, {0.5, 0, 0}};
+    const struct {
+        Nearness kind;
+        Vec3 b[2];
+    } cases[] = {{Nearness::crossing, {{0.1, -0.4, 0}, {0.1, 0.4, 0}}},
+                 {Nearness::crossing, {{0.1, 0, 0}, {0.1, 0.8, 0}}},      // an end on the other's axis
+                 {Nearness::crossing, {{0.5, 0, 0}, {0.9, 0.8, 0}}},      // end on end
+                 {Nearness::end_on_side, {{0.1, 0, 0}, {0.9, 5e-4, 0}}},  // all but parallel: no normal
+                 {Nearness::end_to_end, {{0.5, 0, 0}, {0.9, 0, 0}}},      // on one line, one behind the other
+                 {Nearness::alongside, {{0.2, 0, 0}, {0.9, 0, 0}}},       // on one line, over a stretch
+                 {Nearness::point, {{0.2, 0, 0}, {0.2, 0, 0}}}};
+    Dice dice(6);
+    for (const auto& c : cases)
+        for (int i = 0; i < 8; ++i) {  // as it stands, where the distance is zero to the bit, and turned
+            const Quat all = i == 0 ? Quat::Identity() : dice.turn();
+            const Vec3 side = all * Vec3::UnitZ();
+            SurfaceContact touch;
+            touch.radius[0] = 0.03, touch.radius[1] = 0.02;
+            touch.stiffness = 1e6;
+            touch.side_before = side;
+            std::vector<Quat> q(4, Quat::Identity());
+            std::vector<Vec3> x;
+            for (const Vec3& end : {a[0], a[1], c.b[0], c.b[1]}) x.push_back(all * end);
+            for (int n = 0; n < 4; ++n) touch.end[n].node = n;
+            for (const double lift : {1e-3, 0.0, -1e-3}) {  // coming, meeting, passed
+                INFO("kind " << int(c.kind) << ", " << lift << " m above");
+                std::vector<Vec3> now = x;
+                for (int n : {2, 3}) now[n] += lift * side;
+                const Vec3 points[4] = {now[0], now[1], now[2], now[3]};
+                Closest closest;
+                Vec3 found = touch.side_before;
+                signed_distance(points, closest, found);
+                if (i == 0) CHECK(closest.kind == c.kind);
+                look(touch, now, q);
+                CHECK_FIGURE("overlap", std::abs(touch.overlap - (0.05 - lift)), 1e-14);
+                CHECK_FIGURE("side", (touch.side - side).norm(), 1e-12);
+                std::vector<Vec6> f(4, Vec6::Zero());
+                add_contact_forces(touch, q, f);
+                const Vec3 wanted = -touch.stiffness * (0.05 - lift) * side;  // on b, what resists
+                CHECK_FIGURE("force on b", ((f[2] + f[3]).head<3>() - wanted).norm() / wanted.norm(), 1e-12);
+                CHECK_FIGURE("force on a", ((f[0] + f[1]).head<3>() + wanted).norm() / wanted.norm(), 1e-12);
+                settle(touch, now, q);
+            }
+        }
+}
+
 TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back", "[touch]") {
     // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it
     // does not
