@@ -316,6 +316,67 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
     }
 }
 
+TEST_CASE("bars have the colour of their class: five of f_y, a hinge's, a broken one's", "[output]") {
+    // The legend's colours (paper, fig 17), dark blue to orange, red for a hinge, black. A bar's pixels are those in
+    // which the picture differs from one without it; light and shade change their brightness, hardly their hue.
+    const Folder folder;
+    View view;
+    view.width = 320;
+    view.height = 240;
+    const std::array<double, 3> classes[] = {{54, 96, 176},  {82, 176, 214}, {92, 184, 112}, {240, 212, 72},
+                                             {243, 146, 44}, {212, 24, 32},  {22, 22, 26}};
+    const int hinge = 5, broken = 6;
+    const auto drawn = [&](double yield, BarState state) {
+        Snapshot snapshot;
+        snapshot.points = {{0, 0, 0}, {1, 0, 0}};
+        snapshot.is_virtual = {0, 0};
+        snapshot.bars.push_back({{0, 1}, yield, state, -1, 1, 1, 0.3});
+        REQUIRE(render(folder / "with.png", snapshot, view) == "");
+        View nothing = view;
+        const double ends[6] = {-0.3, 1.3, -0.3, 0.3, -0.3, 0.3};
+        nothing.box.emplace();
+        std::copy(ends, ends + 6, nothing.box->begin());
+        snapshot.bars.clear();
+        REQUIRE(render(folder / "without.png", snapshot, nothing) == "");
+        return std::pair{decode(contents(folder / "with.png")), decode(contents(folder / "without.png"))};
+    };
+    const auto class_of = [&](double yield, BarState state) {
+        const auto [with, without] = drawn(yield, state);
+        std::array<double, 3> sum{};
+        long n = 0;
+        for (std::uint32_t y = with.height / 3; y < 2 * with.height / 3; ++y)  // beside title, axes and legend
+            for (std::uint32_t x = with.width / 3; x < 2 * with.width / 3; ++x) {
+                const Rgb c = with.pixels[y * with.width + x];
+                if (c == without.pixels[y * with.width + x]) continue;
+                ++n;
+                for (int k = 0; k < 3; ++k) sum[k] += c[k];
+            }
+        REQUIRE(n > 500);
+        const auto size = [](const std::array<double, 3>& c) { return std::hypot(c[0], c[1], c[2]); };
+        if (size(sum) / double(n) < 60) return broken;
+        int best = -1;
+        double least = 1e9;
+        for (int i = 0; i < broken; ++i) {
+            double off = 0;
+            for (int k = 0; k < 3; ++k) off += std::pow(sum[k] / size(sum) - classes[i][k] / size(classes[i]), 2);
+            if (off < least) least = off, best = i;
+        }
+        return best;
+    };
+    const struct {
+        double yield;
+        int colour;
+    } elastic[] = {{0, 0},    {0.19, 0}, {0.21, 1}, {0.39, 1},  {0.41, 2},       {0.59, 2},   {0.61, 3},
+                   {0.79, 3}, {0.81, 4}, {0.99, 4}, {0.998, 4}, {0.9995, hinge}, {1.0, hinge}};
+    for (const auto& e : elastic) {
+        INFO("f_y " << e.yield);
+        CHECK(class_of(e.yield, BarState::elastic) == e.colour);
+    }
+    CHECK(class_of(0.3, BarState::yielded) == hinge);  // once a hinge, always one, whatever it bears now
+    CHECK(class_of(0.3, BarState::broken) == broken);
+    CHECK(class_of(1.0, BarState::broken) == broken);
+}
+
 TEST_CASE("a view that makes no sense is refused", "[output]") {
     const Folder folder;
     View view;
