@@ -31,6 +31,20 @@ namespace hinge::test {
 inline constexpr double pi = 3.14159265358979323846;
 inline const double infinite = std::numeric_limits<double>::infinity();
 
+/// The largest of numbers; not a number if one of them is not, so that every limit it is held against is missed.
+/// std::max(worst, x) and Eigen's maxCoeff() may drop a NaN.
+inline double largest_of(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
+inline double smallest_of(double a, double b) { return std::isnan(a) || b >= a ? a : b; }
+template <class... More>
+double largest_of(double a, double b, More... more) {
+    return largest_of(largest_of(a, b), more...);
+}
+/// The largest magnitude among a matrix's entries, in the same way.
+template <class Matrix>
+double largest_entry(const Eigen::MatrixBase<Matrix>& m) {
+    return m.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+}
+
 inline void show_figure(const std::string& what, double figure, double limit) {
     if (std::getenv("HINGE_FIGURES"))
         std::printf("%-96s %10.2e of %8.1e%s\n", what.c_str(), figure, limit, figure <= limit ? "" : "  FAILS");
@@ -73,7 +87,7 @@ inline std::shared_ptr<Material> steel(double yield_stress = infinite) {
     return m;
 }
 
-/// Solid square of side b: J = 0.140577 b^4 and the sand heap's plastic torque, as benchmarks.md has them.
+/// Solid square of side b: J = 0.140577 b^4 and the sand heap's plastic torque, see tests/references.md, "Section S".
 inline std::shared_ptr<Section> square(double b) {
     auto s = std::make_shared<Section>();
     s->area = b * b;
@@ -160,7 +174,8 @@ inline std::vector<int> straight(Frame& frame, const Vec3& from, const Vec3& to,
     return chain(frame, points, up);
 }
 
-/// The space frame of fig 8 as reconstructed in benchmarks.md ("SF-1"): a cube of side 0.25 m, load +x at a top corner.
+/// The space frame of fig 8 as reconstructed (tests/references.md, "SF-1"): a cube of side 0.25 m, load +x at a top
+/// corner.
 struct SpaceFrame : Frame {
     int foot[4], top[4], loaded;
     SpaceFrame(ModelOptions options, double load_x, double yield_stress, int elements_per_member = 2,
@@ -238,9 +253,9 @@ inline Flight worst_of_flight(Dynamics& run) {
         if (run.steps_done() % 10) continue;
         const Energy e = run.energy();
         const Momentum now = momentum(run.structure(), run.state());
-        worst.energy = std::max(worst.energy, std::abs(e.remainder) / e.initial);
-        worst.linear = std::max(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
-        worst.angular = std::max(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
+        worst.energy = largest_of(worst.energy, std::abs(e.remainder) / e.initial);
+        worst.linear = largest_of(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
+        worst.angular = largest_of(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
     }
     REQUIRE(run.verdict() == Verdict::completed);
     return worst;

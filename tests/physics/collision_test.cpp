@@ -64,7 +64,7 @@ Outcome collide(ContactRule rule, const double (&c)[3], double speed, double dt,
     while (run.advance()) {
         if (run.steps_done() % 10) continue;
         const Energy e = run.energy();
-        out.worst = std::max(out.worst, std::abs(e.remainder) / e.initial);
+        out.worst = largest_of(out.worst, std::abs(e.remainder) / e.initial);
     }
     CHECK(run.verdict() == Verdict::completed);
     const Energy e = run.energy();
@@ -90,6 +90,7 @@ TEST_CASE("collision: two free beams keep linear momentum to 1e-9 and angular mo
         Dynamics run(pair.structure, initial_state(*pair.structure), settings(1e-6, 0.012, 0.25, 1e-10));
         const Momentum before = momentum(*pair.structure, run.state());
         while (run.advance()) {}
+        REQUIRE(run.verdict() == Verdict::completed);
         const Momentum after = momentum(*pair.structure, run.state());
         CHECK(contact_of(run.state())->counts().bound > 0);
         CHECK_FIGURE(std::string("linear momentum, ") + what,
@@ -186,7 +187,7 @@ TEST_CASE("collision, surface: a touch goes on with the stub when its element br
         const Energy e = run.energy();
         if (now > broken && e["contact_stored"] > 1e-3 * e.initial) touching_at_break = true;
         broken = now;
-        worst = std::max(worst, std::abs(e.remainder) / e.initial);
+        worst = largest_of(worst, std::abs(e.remainder) / e.initial);
     }
     CHECK(broken > 0);
     CHECK(touching_at_break);

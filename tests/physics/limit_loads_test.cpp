@@ -1,5 +1,5 @@
-// Limit loads and the way to them (benchmarks.md 11-14): first-order values, so displacement = "small". Two asi-gauss
-// elements a member.
+// Limit loads and the way to them (tests/references.md 11-14): first-order values, so displacement = "small". Two
+// asi-gauss elements a member.
 //
 // The references are for beams without shear deformation and, in frames, without axial deformation; both are made many
 // thousand times stiffer here, which leaves some 1e-6 of them.
@@ -265,7 +265,7 @@ TEST_CASE("the space frame SF-1 collapses at 12.6882 kN (0.5 %, issue) and first
     while (run.advance()) {
         if (first == 0 && run.count_members(-1).yielded > 0) first = before;
         before = run.state().factor;
-        most = std::max(most, before);
+        most = largest_of(most, before);
     }
     REQUIRE(run.verdict() == Verdict::completed);
     CHECK_FIGURE("SF-1 limit load", off(most, 12.6882), 5e-3);

@@ -11,7 +11,7 @@ struct Balance {
     bool monotone;
 };
 
-/// SF-1 of benchmarks.md under 12 kN put on at once, for 5 ms.
+/// SF-1 of tests/references.md under 12 kN put on at once, for 5 ms.
 Balance sudden_load(double dt, Shift shift) {
     ModelOptions options;
     options.shift = shift;
@@ -24,7 +24,7 @@ Balance sudden_load(double dt, Shift shift) {
     Balance b{0, 0, true};
     while (run.advance()) {
         const Energy e = run.energy();
-        b.worst = std::max(b.worst, std::abs(e.remainder));
+        b.worst = largest_of(b.worst, std::abs(e.remainder));
         b.monotone &= e["plastic"] >= b.plastic;
         b.plastic = e["plastic"];
     }

@@ -113,6 +113,7 @@ TEST_CASE("checkpoint: contents that make no sense are refused, and the run is a
         other.restore(good);
         while (run.advance()) {}
         while (other.advance()) {}
+        CHECK(run.verdict() == Verdict::completed);
         CHECK(hash(other.state()) == hash(run.state()));
     }
 }

@@ -426,8 +426,8 @@ TEST_CASE("contact: a falling bar does not tunnel, and its energy comes back", "
             double energy = contact.stored_energy() + released;
             for (int n = 2; n < 4; ++n)
                 energy += 0.5 * mass * s.v[n].head<3>().squaredNorm() + 0.5 * inertia * s.v[n].tail<3>().squaredNorm();
-            worst = std::max(worst, std::abs(energy / begin - 1));
-            lowest = std::min(lowest, closest_points(s.x[0], s.x[1], s.x[2], s.x[3]).between.z());
+            worst = largest_of(worst, std::abs(energy / begin - 1));
+            lowest = smallest_of(lowest, closest_points(s.x[0], s.x[1], s.x[2], s.x[3]).between.z());
         }
         INFO("hold " << hold << ", released " << released / begin << ", lowest " << lowest << ", bound "
                      << contact.counts().bound);
@@ -496,7 +496,7 @@ TEST_CASE("contact: a copy and a saved record continue with the same bits", "[co
     CHECK(reader.rest().empty());
     const int nodes = int(s.x.size()), bars = int(s.bars.size());
     int elements = 0;
-    for (const contact::Bar& bar : s.bars) elements = std::max(elements, bar.element + 1);
+    for (const contact::Bar& bar : s.bars) elements = std::max<int>(elements, bar.element + 1);
     CHECK(read.makes_sense(nodes, elements, bars));
     CHECK_FALSE(read.makes_sense(nodes - 1, elements, bars));
     CHECK_FALSE(read.makes_sense(nodes, elements - 1, bars));

@@ -68,9 +68,9 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
                 b.x[0].setZero();
             }
             const Vec6 d = b.deformation();
-            worst = std::max({worst, d.head<4>().cwiseAbs().maxCoeff(), std::abs(d[4]) / b.L, std::abs(d[5])});
+            worst = largest_of(worst, largest_entry(d.head<4>()), std::abs(d[4]) / b.L, std::abs(d[5]));
         }
-        turned_by = std::max(turned_by, b.q[0].angularDistance(Quat::Identity()));
+        turned_by = largest_of(turned_by, b.q[0].angularDistance(Quat::Identity()));
     }
     CHECK_FIGURE("largest strain or end rotation after 1000 rigid motions", worst, 1e-12);
     CHECK(turned_by > 1);
@@ -99,7 +99,7 @@ TEST_CASE("a structure flown through 1000 rigid turns by its state has no forces
     sweep.run(state, pose, nodal, force, yielding);
     const double EA = structure->elements()[0].rigidity.EA;
     double worst = 0;
-    for (const Vec6& p : force) worst = std::max(worst, p.cwiseAbs().maxCoeff() / EA);
+    for (const Vec6& p : force) worst = largest_of(worst, largest_entry(p) / EA);
     CHECK_FIGURE("forces over EA after 1000 rigid turns of a structure", worst, 1e-12);
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("a rotation about any axis comes back as its rotation vector (1e-12), 
         const Quat frame = dice.turn();
         const Triad<double> f = turned_triad(quad(frame), quad(Quat::Identity())),
                             n = turned_triad(quad(frame * exponential(v)), quad(Quat::Identity()));
-        worst = std::max(worst, (eigen(relative_rotation(f, n)) - v).norm());
+        worst = largest_of(worst, (eigen(relative_rotation(f, n)) - v).norm());
     }
     CHECK_FIGURE("rotation vector of exp(v), rad", worst, 1e-12);
 }
@@ -172,7 +172,7 @@ TEST_CASE("nodal forces of a deformed element are in equilibrium: forces and mom
         const Vec3 chord = b.x[1] - b.x[0], f1 = eigen(f.force[0]), f2 = eigen(f.force[1]), m1 = eigen(f.moment[0]),
                    m2 = eigen(f.moment[1]);
         const double size = f2.norm() * chord.norm() + m1.norm() + m2.norm();
-        worst = std::max({worst, (f1 + f2).norm() / f2.norm(), (m1 + m2 + chord.cross(f2)).norm() / size});
+        worst = largest_of(worst, (f1 + f2).norm() / f2.norm(), (m1 + m2 + chord.cross(f2)).norm() / size);
     }
     CHECK_FIGURE("sum of nodal forces and moments", worst, 1e-13);
 }
@@ -196,7 +196,7 @@ TEST_CASE("nodal forces do the work of p on d: f . du = p . dd (1e-7: a differen
             };
             const double by_d = p.dot(moved(h) - moved(-h)) / (2 * h),
                          by_nodes = eigen(f.force[i]).dot(du) + eigen(f.moment[i]).dot(dt);
-            worst = std::max(worst, std::abs(by_d - by_nodes) / (1 + p.norm() / b.L));
+            worst = largest_of(worst, std::abs(by_d - by_nodes) / (1 + p.norm() / b.L));
         }
     }
     CHECK_FIGURE("f . du against p . dd", worst, 1e-7);
@@ -209,9 +209,9 @@ TEST_CASE("a rotation vector on top of a quaternion is Eigen's exponential, and 
     for (int i = 0; i < 5000; ++i) {
         const Vec3 v = dice.vector(i % 3 == 0 ? 3 : i % 3 == 1 ? 0.1 : 1e-9);
         const Quat by_eigen = exponential(v) * q, by_engine = turned(v, q);
-        worst = std::max(worst, (by_eigen.coeffs() - by_engine.coeffs()).norm());
+        worst = largest_of(worst, (by_eigen.coeffs() - by_engine.coeffs()).norm());
         q = by_engine;
-        length = std::max(length, std::abs(q.norm() - 1));
+        length = largest_of(length, std::abs(q.norm() - 1));
     }
     CHECK_FIGURE("turned(v, q) against Eigen", worst, 2e-15);
     CHECK_FIGURE("length of a quaternion after 5000 turns", length, 1e-15);

@@ -55,12 +55,12 @@ TEST_CASE("guard: a run that gains energy ends by itself, and goes back to where
         CHECK(guarded.reason().find("the energy ledger no longer closes, its remainder is -") != std::string::npos);
         const Energy e = guarded.energy();
         CHECK(guarded.steps_done() > 0);
-        CHECK_FIGURE("energy where it went back to, over the initial", (e.kinetic + e.elastic) / initial, 1.12);
+        CHECK_FIGURE("energy where it went back to, over the initial", (e["kinetic"] + e["elastic"]) / initial, 1.12);
 
         // without the guard the same run gains without bound
         Dynamics unguarded = scene.run(1.0005, in_explicit_steps, 0.0);
         double now = 0;
-        while (unguarded.advance() && now < 1e6 * initial) now = unguarded.energy().kinetic;
+        while (unguarded.advance() && now < 1e6 * initial) now = unguarded.energy()["kinetic"];
         CHECK(now >= 1e6 * initial);
 
         // and with shorter steps it is let alone

@@ -191,7 +191,8 @@ TEST_CASE("contact: spans of a cubic between two values agree with sampling", "[
             bool inside = false;
             for (int j = 0; j < n; ++j) inside = inside || (tau >= spans[j].from && tau <= spans[j].to);
             if (value > lo + 1e-12 && value < hi - 1e-12) CHECK(inside);
-            if (value < lo - 1e-12 || value > hi + 1e-12) CHECK_FALSE(inside);
+            else if (value < lo - 1e-12 || value > hi + 1e-12) CHECK_FALSE(inside);
+            else CHECK((std::abs(value - lo) <= 2e-12 || std::abs(value - hi) <= 2e-12));  // at a limit
         }
         for (int j = 0; j < n; ++j) CHECK((0 <= spans[j].from && spans[j].from <= spans[j].to && spans[j].to <= 1));
     }

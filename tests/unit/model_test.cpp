@@ -77,7 +77,7 @@ std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* met = nu
     Dynamics run(structure, initial_state(*structure), s);
     while (run.advance()) {}
     REQUIRE(run.verdict() == Verdict::completed);
-    if (met) *met = run.state().contact->counts().bound;
+    if (met) *met = contact_of(run.state())->counts().bound;
     return hash(run.state());
 }
 

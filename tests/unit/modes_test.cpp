@@ -30,7 +30,8 @@ double off_dense(const Structure& structure, int count) {
     const auto found = frequencies(structure, count);
     REQUIRE(int(found.size()) == count);
     double worst = 0;
-    for (int i = 0; i < count; ++i) worst = std::max(worst, off(found[i], std::sqrt(solver.eigenvalues()[rigid + i])));
+    for (int i = 0; i < count; ++i)
+        worst = largest_of(worst, off(found[i], std::sqrt(solver.eigenvalues()[rigid + i])));
     return worst;
 }
 

@@ -305,7 +305,7 @@ TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a f
     for (int i = 0; i < M.rows(); ++i) {
         const double inverse = mass.lumped_inverse()[i / 6][i % 6];
         if (state.held[i / 6] >> (i % 6) & 1) CHECK(inverse == 0);
-        else worst = std::max(worst, std::abs(inverse * M(i, i) - 1));
+        else worst = largest_of(worst, std::abs(inverse * M(i, i) - 1));
     }
     CHECK_FIGURE("lumped inverse", worst, 1e-14);
 }

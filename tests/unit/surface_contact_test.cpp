@@ -71,7 +71,7 @@ TEST_CASE("touch: forces are the derivative of the energy", "[touch]") {
         for (int n = 0; n < 4; ++n)
             for (int c = 0; c < 6; ++c) {
                 const double slope = (p.nudged(n, c, h).touch.energy - p.nudged(n, c, -h).touch.energy) / (2 * h);
-                worst = std::max(worst, std::abs(slope - f[n][c]) / scale);
+                worst = largest_of(worst, std::abs(slope - f[n][c]) / scale);
             }
         CHECK_FIGURE("force against the energy's slope", worst, 1e-5);
     }
@@ -110,7 +110,7 @@ TEST_CASE("touch: the tangent is what the force's derivative is without the turn
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
         add_contact_stiffness(p.touch, p.q, [&](int a, int b, const Mat12& m) {
             CHECK(a != b);
-            CHECK((m - m.transpose()).cwiseAbs().maxCoeff() == 0);
+            CHECK(largest_entry(m - m.transpose()) == 0);
             const int node[2] = {a, b};
             for (int r = 0; r < 2; ++r)
                 for (int c = 0; c < 2; ++c) k.block<6, 6>(6 * node[r], 6 * node[c]) += m.block<6, 6>(6 * r, 6 * c);
@@ -121,7 +121,7 @@ TEST_CASE("touch: the tangent is what the force's derivative is without the turn
                 const std::vector<Vec6> up = p.nudged(n, c, h).forces(), down = p.nudged(n, c, -h).forces();
                 for (int r = 0; r < 4; ++r) d.block<6, 1>(6 * r, 6 * n + c) = (up[r] - down[r]) / (2 * h);
             }
-        CHECK_FIGURE("tangent", (k - d).cwiseAbs().maxCoeff() / k.cwiseAbs().maxCoeff(), 1e-4);
+        CHECK_FIGURE("tangent", largest_entry(k - d) / largest_entry(k), 1e-4);
     }
 }
 
@@ -221,8 +221,8 @@ TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back",
     double worst = 0, worst_without = 0;
     for (int i = 0; i < 20; ++i) {
         const double start = 5e-3 + v0 * dt * i / 20;
-        worst = std::max(worst, off(bounce(start, true), v0));
-        worst_without = std::max(worst_without, off(bounce(start, false), v0));
+        worst = largest_of(worst, off(bounce(start, true), v0));
+        worst_without = largest_of(worst_without, off(bounce(start, false), v0));
     }
     CHECK_FIGURE("speed after a bounce", worst, 3e-3);
     CHECK(worst_without > 5 * worst);
