@@ -7,6 +7,8 @@
 --         off against an engine without it; rules of the script's own against limits; threads; frames of growing size: time
 --         and memory
 -- Writes  a CSV of each table and growth.png in its output folder
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
+local support = require "support"
 local hinge  = require "hinge"
 local core   = require "hinge.core"
 local impact = require "hinge.models.ten_storey_impact"
@@ -42,7 +44,7 @@ end
 local function stages(job, name, what, run)
   local product = math.huge
   for step in run:steps() do -- the yardstick now and then, as the machine's pace changes
-    if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then product = math.min(product, core.time_product(run, 5)) end
+    if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then product = support.smallest_of(product, core.time_product(run, 5)) end
   end
   local rows, sum, n = {}, 0, run.index
   for i, stage in ipairs(run.stages) do
@@ -64,7 +66,7 @@ local function race(times, choices)
     for i, choice in ipairs(choices) do
       local run = choice()
       run:finish()
-      least[i], last[i] = math.min(least[i] or math.huge, run.wall_seconds), run
+      least[i], last[i] = support.smallest_of(least[i] or math.huge, run.wall_seconds), run
       collectgarbage()
     end
   end
@@ -123,7 +125,7 @@ local function compiled_out(job, build)
       local us, bits = pipe:read("a"):match "^(%S+) (%S+)"
       pipe:close()
       us = assert(tonumber(us), name .. " gave no number")
-      least[i], hash[i] = math.min(least[i] or math.huge, us), bits
+      least[i], hash[i] = support.smallest_of(least[i] or math.huge, us), bits
     end
   end
   show(job, "compiled_out", "A step of an elastic frame that calls for no contact, fracture or plasticity", { "engine", "us", "ratio", "bits" },
@@ -161,7 +163,7 @@ local function frame(elements, o)
   for _ = 1, 5 do
     local from = run.wall_seconds
     for _ = 1, per_batch do run:step() end
-    least = math.min(least, (run.wall_seconds - from) / per_batch)
+    least = support.smallest_of(least, (run.wall_seconds - from) / per_batch)
   end
   local kB = ((memory "VmHWM" or 0) - before) / count
   local product = o.integrator == "explicit" and 0 or core.time_product(run, 3)

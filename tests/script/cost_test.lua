@@ -51,6 +51,37 @@ end
 near(judge.error(sine(40, 0), sine(64, 0)), 0, 3e-6, "error of one curve at other points")
 near(judge.error(sine(40, 0.02), sine(64, 0)), 0.02, 3e-6, "error of a curve that lies 0.02 beside one of height 1")
 
+
+-- A number that is not one is never near.
+local nan = 0 / 0
+for _, pair in ipairs { { nan, 1 }, { 1, nan }, { nan, nan }, { 1, math.huge }, { math.huge, 1 }, { math.huge, math.huge } } do
+  equal(judge.error(pair[1], pair[2]), math.huge, ("error of %g against %g"):format(pair[1], pair[2]))
+end
+for _, at in ipairs { 1, 20, 41, 65 } do -- the last is beyond where the other curve ends
+  for _, bad in ipairs { nan, math.huge } do
+    local short, long = sine(40, 0), sine(64, 0)
+    for i = 1, #long.x do long.x[i] = 1.6 * long.x[i] end
+    long.y[at] = bad
+    equal(judge.error(short, long), math.huge, ("error against a curve whose point %d is %g"):format(at, bad))
+    equal(judge.error(long, sine(64, 0)), math.huge, ("error of a curve whose point %d is %g"):format(at, bad))
+  end
+end
+equal(judge.order({ 4, 2, 1 }, { 3, nan, 3 }), nil, "order of what is not a number")
+equal(#judge.front { { time = 1, error = nan }, { time = 2, error = 3 } }, 1, "an error that is not a number is not on the front")
+for at = 1, 3 do
+  local worst = 0
+  for i = 1, 3 do worst = judge.larger(worst, i == at and nan or 1e-16) end
+  expect(worst ~= worst, "judge.larger keeps what is not a number at place %d", at)
+end
+do
+  local verdict = require "hinge.cost.verdict"
+  local function record(value) return { record = { answers = { v = value } } } end
+  local known = verdict.answers({ record(nan), record(1) }, { v = 0 }, {}, {}, 0.1)
+  equal(known.v.state, "unsettled", "an answer whose coarser reference is not a number")
+  known = verdict.answers({ record(1), record(1) }, { v = nan }, {}, {}, 0.1)
+  equal(known.v.state, "chaotic", "an answer whose scatter is not a number")
+end
+
 -- Methods at equal error: time n and error 1 / n^2 by one way, time 3 n and error 1 / n by another, so that the time is error^(-1/2) and 3 / error.
 local raced = {}
 for _, n in ipairs { 2, 4, 8, 16 } do
@@ -152,7 +183,7 @@ equal(row.methods[1].value, "conventional", "the first formulation")
 equal(row.methods[1].settings[1].values.elements_per_member, 4, "1 % lies between 4")
 equal(row.methods[1].settings[2].values.elements_per_member, 8, "and 8 conventional elements")
 equal(row.methods[2].settings[1].values.elements_per_member, 2, "asi-gauss is there with 2")
-near(math.min(row.methods[1].ratio, row.methods[2].ratio), 1, 1e-12, "the shorter of both times is the measure")
+near(support.smallest_of(row.methods[1].ratio, row.methods[2].ratio), 1, 1e-12, "the shorter of both times is the measure")
 r = hinge.cost(cantilever, { parameters = { formulation = "conventional" }, repeats = 1, within = 0.01 })
 equal(#r.settings, 3, "a setting that is given is held")
 near(r.orders.elements_per_member.observed, 2, 1e-3, "order of the midpoint element")

@@ -5,6 +5,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "equivalence"
+local largest_of = support.largest_of
 
 -- A scene: a frame that is pushed until it yields while a bar falls on it. `told`: how places, directions, members and units are given.
 local plain = {
@@ -73,7 +74,7 @@ local function same(what, way, limit, back)
   for i, u in ipairs(answer) do
     local there = (back or function(v) return v end)(u)
     for c = 1, 3 do
-      worst, size = math.max(worst, math.abs(there[c] - reference[i][c])), math.max(size, math.abs(reference[i][c]))
+      worst, size = largest_of(worst, math.abs(there[c] - reference[i][c])), largest_of(size, math.abs(reference[i][c]))
     end
   end
   checks.expect(worst / size <= limit, "%s: displacements off by %.2g of the largest, at most %.0e", what, worst / size, limit)

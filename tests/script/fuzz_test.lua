@@ -83,7 +83,7 @@ for i = 1, calls do
   local what, arguments = pick(methods), {}
   local count = random(0, 3)
   for k = 1, count do arguments[k] = value(3) end
-  if random() < 0.3 then arguments[1], count = table_of(3), math.max(count, 1) end
+  if random() < 0.3 then arguments[1], count = table_of(3), math.max(1, count) end
   if log then
     local f = assert(io.open(log, "w"))
     f:write(("seed %d call %d: %s %s %s\n"):format(seed, i, what[1], what[2], tostring(arguments[1])))

@@ -167,7 +167,7 @@ do
   local size, most = resident(), 0
   for _ = 1, 100 do
     entangled(1, 4000, 1)
-    most = math.max(most, resident() - size)
+    most = support.largest_of(most, resident() - size)
   end
   print(("100 models of 4000 elements: at most %d kB at a time"):format(most))
   checks.expect(most < 150e3, "100 models of 4000 elements take %d kB at a time", most)

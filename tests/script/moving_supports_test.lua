@@ -140,7 +140,7 @@ end
 do
   local earliest = math.huge
   shaken(function(t)
-    earliest = math.min(earliest, t)
+    earliest = support.smallest_of(earliest, t)
     return t
   end, {})
   checks.equal(earliest, 0, "the earliest time that a path is asked for")

@@ -7,6 +7,7 @@ local support = require "support"
 local hinge = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "sleep"
+local largest_of = support.largest_of
 local expect, equal = checks.expect, checks.equal
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }
@@ -53,7 +54,7 @@ end
 local function difference(a, b)
   local most = 0
   for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact" } do
-    most = math.max(most, math.abs(a.energy[name] - b.energy[name]) / b.energy.initial)
+    most = largest_of(most, math.abs(a.energy[name] - b.energy[name]) / b.energy.initial)
   end
   return most
 end
@@ -264,7 +265,7 @@ do
   local last, bound, longest, touched = 0, 0, 0, nil
   while run:step() do
     local step = run.time - last
-    longest = math.max(longest, step)
+    longest = largest_of(longest, step)
     if run.contacts.bound > bound then
       touched = touched or run.time
       expect(step < 1.001 * shortest, "auto: a touch began in a step of %g s at %g s", step, run.time)
@@ -354,7 +355,7 @@ for _, displacement in ipairs { "small", "large" } do
   local _, even = cantilever(0.1 / planned)
   local values, worst = even.value, 0
   local value = tip.value
-  for i, t in ipairs(tip.time) do worst = math.max(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1])) end
+  for i, t in ipairs(tip.time) do worst = largest_of(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1])) end
   print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing"):format(displacement, run.index, planned, #run.wakings,
     worst / -even.min))
   expect(even.min < -0.01, "cantilever: it swings to %g m", even.min)
@@ -390,7 +391,7 @@ do
   local double, exact = corner { precision = "double" }
   expect(single.hash ~= double.hash, "precision = 'double' changes nothing")
   local a, b, worst = tip.value, exact.value, 0
-  for i = 1, #a do worst = math.max(worst, math.abs(a[i] - b[i])) end
+  for i = 1, #a do worst = largest_of(worst, math.abs(a[i] - b[i])) end
   print(("a corner that turns: in double precision its tip differs by %.1e m"):format(worst))
   expect(exact.max - exact.min > 0.1 and worst < 1e-6, "double precision: the tip differs by %g m, moving by %g m", worst, exact.max - exact.min)
 end

@@ -38,7 +38,7 @@ for what, command in pairs {
   for _ = 1, 3 do
     if least >= limit then
       support.run "sleep 2"
-      least = math.min(least, support.milliseconds(command, 20))
+      least = support.smallest_of(least, support.milliseconds(command, 20))
     end
   end
   print(("%s: %.1f ms"):format(what, least))

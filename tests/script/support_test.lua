@@ -1,0 +1,106 @@
+-- What the tests rest on: a number that is not one is missed by every limit, and no test collects its errors so that it
+-- is dropped.
+--
+-- Run: lua5.4 tests/script/support_test.lua
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "support"
+local expect, equal = checks.expect, checks.equal
+local largest_of, smallest_of = support.largest_of, support.smallest_of
+
+-- The helpers --------------------------------------------------------------------------------------------------------
+
+local nan = 0 / 0
+equal(largest_of(2, 3, 1), 3, "the largest")
+equal(largest_of(-2, -3, -1), -1, "the largest of negative numbers")
+equal(smallest_of(2, 3, 1), 1, "the smallest")
+equal(largest_of(7), 7, "the largest of one")
+equal(largest_of(-math.huge, 4), 4, "the largest from below")
+equal(largest_of(4, math.huge), math.huge, "the largest may be infinite")
+for at = 1, 3 do -- first, in the middle, last
+  local x = { 1e-16, 3e-16, 2e-16 }
+  x[at] = nan
+  local worst, least = 0, 1 -- as a loop collects it
+  for i = 1, 3 do worst, least = largest_of(worst, x[i]), smallest_of(least, x[i]) end
+  for what, value in pairs { ["the largest"] = largest_of(x[1], x[2], x[3]), ["a loop's largest"] = worst,
+    ["the smallest"] = smallest_of(x[1], x[2], x[3]), ["a loop's smallest"] = least } do
+    expect(value ~= value, "%s of numbers of which number %d is none: is %g", what, at, value)
+  end
+  expect(not (worst <= 1e-13) and not (worst > 1e-3), "no limit is met")
+end
+expect(largest_of(nan, math.huge) ~= math.huge and largest_of(math.huge, nan) ~= math.huge, "beside what is infinite")
+
+-- checks.near, as all script tests have it
+do
+  local stderr, exit, output = io.stderr, os.exit, {}
+  local inner = support.checks "inner"
+  inner.near(nan, 1, 0.1, "a value")
+  inner.near(1, nan, 0.1, "what was wanted")
+  inner.near(1, 1, nan, "a limit")
+  inner.near(1, 1.05, 0.1, "what is near")
+  io.stderr, os.exit = { write = function(_, text) output[#output + 1] = text end }, function() end
+  local print_ = print
+  print = function() end
+  inner.done()
+  print, io.stderr, os.exit = print_, stderr, exit
+  expect(table.concat(output):find("3 of 4 checks failed", 1, true), "checks.near: %s", table.concat(output))
+end
+
+-- How tests collect numbers ------------------------------------------------------------------------------------------
+
+-- if (x > worst) worst = x, and its like in Lua.
+local kept_by_if = "if%s*%(?%s*([%w_.%[%]]+)%s*[<>]=?%s*([%w_.%[%]]+)%s*%)?%s*[then{]*%s*([%w_.%[%]]+)%s*=%s*([%w_.%[%]]+)"
+
+-- Why a line of a test may drop a number that is not one, or nil. math.max(1, n), with a whole number first, is a lower
+-- bound of a count; so is std::max<int>.
+local function drops(line)
+  local code = line:gsub("%s*//.*", ""):gsub("%s*%-%-.*", "")
+  for call in code:gmatch "math%.max%s*(%b())" do
+    if not call:find "^%(%d+,%s" then return "math.max: use support.largest_of" end
+  end
+  for call in code:gmatch "std::f?max%s*(%b())" do
+    if not call:find "^%(%d+L?,%s" then return "std::max: use largest_of" end
+  end
+  if code:find "std::f?max%s*%([^()]*$" or code:find "std::max_element" then return "std::max: use largest_of" end
+  local name = code:match "([%w_.%[%]]+)%s*=%s*math%.min%s*%("
+  if name and code:find("math.min(" .. name, 1, true) then return "math.min: use support.smallest_of" end
+  name = code:match "([%w_.%[%]]+)%s*=%s*std::min%s*%("
+  if name and code:find("std::min(" .. name, 1, true) then return "std::min: use smallest_of" end
+  if code:find "maxCoeff%(%)" or code:find "minCoeff%(%)" or code:find "lpNorm<Eigen::Infinity>" then
+    return "Eigen's maxCoeff may drop what is not a number: use largest_entry"
+  end
+  local first, second, set, to = code:match(kept_by_if)
+  if first and set == second and to == first then return "if (x > worst) worst = x: use largest_of, or smallest_of" end
+end
+
+for line, bad in pairs {
+  ["worst = std::max(worst, x);"] = true, ["worst = math.max(worst, x)"] = true,
+  ["    worst = std::max({worst, a,"] = true,
+  ["return std::max(a, b);"] = true, ["worst = std::max("] = true, ["worst = std::fmax(worst, x);"] = true,
+  ["a, worst = 1, math.max( worst, math.abs(x - y))"] = true, ["CHECK(m.cwiseAbs().maxCoeff() < 1e-9);"] = true,
+  ["least = std::min(least, x);"] = true, ["t.least = math.min(t.least, x)"] = true,
+  ["if (x > worst) worst = x;"] = true,
+  ["if x > worst then worst = x end"] = true, ["if (x < least) least = x;"] = true, ["if (error >= worst[i]) worst[i] = error;"] = true,
+  ["worst = largest_of(worst, x);"] = false, ["math.max(1, run.planned_steps // 200)"] = false,
+  ["std::max(1L, steps / 10)"] = false, ["n = std::max<int>(n, m);"] = false,
+  ["m.maxCoeff<Eigen::PropagateNaN>()"] = false, ["// std::max(worst, x) drops it"] = false,
+  ["-- math.max(worst, x)"] = false, ["return math.min(1, t / 0.01)"] = false, ["if (x > 1) y = x;"] = false,
+  ["if (a > b) c = a;"] = false,
+} do
+  expect((drops(line) ~= nil) == bad, "'%s' is %s", line, drops(line) or "let through")
+end
+
+local files, lines = 0, 0
+local found = support.output(("cd %s && find tests -name '*.cpp' -o -name '*.h' -o -name '*.lua'"):format(
+  support.quote(support.root)))
+for path in found:gmatch "[^\n]+" do
+  files = files + 1
+  local number = 0
+  for line in (support.read(support.root .. path) .. "\n"):gmatch "([^\n]*)\n" do
+    number, lines = number + 1, lines + 1
+    local why = not path:find "support_test%.lua$" and drops(line)
+    expect(not why, "%s:%d: %s", path, number, why)
+  end
+end
+expect(files > 50 and lines > 8000, "%d files of %d lines were looked at", files, lines)
+checks.done()
