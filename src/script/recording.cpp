@@ -2,6 +2,7 @@
 #include "script/recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <unistd.h>
 
@@ -66,7 +67,8 @@ void add_row(RunRecord& r) {
     const Energy e = r.run->energy();
     r.initial = e.initial;
     r.last_remainder = e.remainder;
-    r.worst_remainder = std::max(r.worst_remainder, std::abs(e.remainder));
+    if (!std::isnan(r.worst_remainder) && !(std::abs(e.remainder) <= r.worst_remainder))
+        r.worst_remainder = std::abs(e.remainder);  // a remainder that is not a number stays
     const long step = r.run->state().step;
     if (r.history_path.empty() || step < r.row_of)
         return;  // a run that failed may have gone back to its last good step

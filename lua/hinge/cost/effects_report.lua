@@ -1,5 +1,6 @@
 -- What came out of leaving out effects: a table for the reader, effects.csv and summary.json.
 local core = require "hinge.core"
+local judge = require "hinge.cost.judge"
 local paper = require "hinge.paper"
 local text = require "hinge.cost.text"
 
@@ -31,7 +32,7 @@ local function answers_table(result)
   for name in pairs(result.answers) do largest[name] = 0 end
   for _, row in ipairs(result.effects) do
     if not row.failed and not row.same then shown[#shown + 1] = row end
-    for name, c in pairs(row.changes) do largest[name] = math.max(largest[name], c) end
+    for name, c in pairs(row.changes) do largest[name] = judge.larger(largest[name], c) end
   end
   if #shown == 0 then return end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)
@@ -63,7 +64,7 @@ function report.show(result)
   local small = {}
   for _, row in ipairs(result.effects) do
     local scatter = row.lost and result.answers[row.worst].scatter or 0
-    if row.change and math.max(row.change, scatter) <= result.within then small[#small + 1] = row.name end
+    if row.change and row.change <= result.within and scatter <= result.within then small[#small + 1] = row.name end
   end
   print(#small > 0 and ("changes no more than %s, each by itself: %s"):format(percent(result.within), table.concat(small, ", "))
     or ("every effect of this scene changes an answer by more than %s"):format(percent(result.within)))

@@ -2,6 +2,9 @@
 local judge = {}
 local least_gain = 1e-3 -- part of an error by which a slower setting must be better to be on the front: less is rounding
 
+--- The larger of two numbers; not a number if one of them is not: math.max(a, b) drops a b that is not a number.
+function judge.larger(a, b) return a == a and not (b <= a) and b or a end
+
 -- The value of a history at x by the cubic through the four points about it; its abscissae rise.
 local function value_at(h, x, from)
   local n, k = #h.x, from
@@ -29,7 +32,7 @@ end
 local function size(answer)
   if type(answer) == "number" then return math.abs(answer) end
   local peak = 0
-  for _, v in ipairs(answer.y) do peak = math.max(peak, math.abs(v)) end
+  for _, v in ipairs(answer.y) do peak = judge.larger(peak, math.abs(v)) end
   return peak
 end
 
@@ -53,11 +56,12 @@ local function distance(a, b)
   return count > 0 and math.sqrt(sum / count) or math.huge
 end
 
---- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean square for histories.
+--- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean square for
+-- histories. Never less than all where either holds a number that is not finite: math.huge.
 function judge.error(answer, reference)
   if answer == nil or reference == nil then return math.huge end
   local d, scale = distance(answer, reference), size(reference)
-  if d ~= d then return math.huge end
+  if not (d < math.huge and scale < math.huge and size(answer) < math.huge) then return math.huge end
   if d == 0 then return 0 end
   return d / (scale > 0 and scale or size(answer))
 end
@@ -79,11 +83,11 @@ function judge.order(h, answers)
 end
 
 --- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other, by time.
--- Items without an error are none of it, nor those better by less than a thousandth.
+-- Items without an error, or with one that is not a number, are none of it, nor those better by less than a thousandth.
 function judge.front(items)
   local sorted, front, least = {}, {}, math.huge
   for _, item in ipairs(items) do
-    if item.error then sorted[#sorted + 1] = item end
+    if item.error and item.error == item.error then sorted[#sorted + 1] = item end
   end
   table.sort(sorted, function(a, b) return a.time < b.time or a.time == b.time and a.error < b.error end)
   for _, item in ipairs(sorted) do

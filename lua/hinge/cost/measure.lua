@@ -1,6 +1,7 @@
 -- One run of a scenario as a measurement: its answers (numbers and histories), and what it took.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
+local judge = require "hinge.cost.judge"
 
 local measure = {}
 local deepest = 6 -- tables within tables of what a script returns
@@ -44,7 +45,7 @@ local function harvest(result, histories, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
   local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
-  if brought > 0 then result.remainder = math.max(result.remainder, math.abs(run.worst_remainder) / brought) end
+  if brought ~= 0 then result.remainder = judge.larger(result.remainder, math.abs(run.worst_remainder) / brought) end
   for _, probe in ipairs(run.probes) do histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value } end
   for _, effect in ipairs(run.effects) do result.effects[effect.name] = result.effects[effect.name] or effect.active or nil end
   result.hashes[#result.hashes + 1] = run.hash

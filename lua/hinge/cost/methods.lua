@@ -7,7 +7,7 @@ local exact = 1e-10 -- errors below it are rounding, and no point to draw a line
 --- The settings that count among some: the front of their own, as { { time =, error =, setting = }, ... }.
 function methods.front(settings)
   local items = {}
-  for i, s in ipairs(settings) do items[i] = { time = s.seconds, error = s.error and math.max(s.error, exact), setting = s } end
+  for i, s in ipairs(settings) do items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, exact), setting = s } end
   return judge.front(items)
 end
 
@@ -31,7 +31,7 @@ end
 -- all of them reach. What is rounding, or the same as one before to a part in a hundred, is left out.
 local function levels(fronts, within, best)
   local common, wanted, found = 0, { within, best and best.error }, {}
-  for _, front in ipairs(fronts) do common = math.max(common, #front > 0 and front[#front].error or 0) end
+  for _, front in ipairs(fronts) do common = judge.larger(common, #front > 0 and front[#front].error or 0) end
   wanted[#wanted + 1] = common
   for _, error in ipairs(wanted) do
     local new = error > exact

@@ -1,6 +1,7 @@
 -- What came out of a comparison: tables for the reader, cost.csv and summary.json.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
+local judge = require "hinge.cost.judge"
 local ladder = require "hinge.cost.ladder"
 local paper = require "hinge.paper"
 local plot = require "hinge.cost.plot"
@@ -56,7 +57,7 @@ local function answers_table(result)
   for name, q in pairs(result.quantities) do
     if q.state == "sound" then
       largest[name] = 0
-      for _, s in ipairs(result.settings) do largest[name] = math.max(largest[name], s.errors[name]) end
+      for _, s in ipairs(result.settings) do largest[name] = judge.larger(largest[name], s.errors[name]) end
     end
   end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)
@@ -141,7 +142,7 @@ function report.show(result)
   if result.references then
     local worst
     for _, q in pairs(result.quantities) do
-      if q.state == "sound" then worst = math.max(worst or 0, q.agreement) end
+      if q.state == "sound" then worst = judge.larger(worst or 0, q.agreement) end
     end
     print(("reference: %s; a coarser one (%s) %s"):format(result.references[2].label, result.references[1].label,
       worst and "agrees with it to " .. percent(worst) or "agrees with it on nothing"))

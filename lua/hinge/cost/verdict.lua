@@ -13,8 +13,8 @@ function verdict.answers(refs, scatter, moving, compared, within)
   for name, answer in pairs(sample) do
     local agreement = refs and judge.error(refs[1].record.answers[name], answer) or nil
     local spread = scatter and scatter[name] or nil
-    local state = moving[name] and "moving" or spread and spread > math.max(within / 2, least_scatter) and "chaotic"
-      or not refs and "unknown" or agreement > within / 2 and "unsettled" or "sound"
+    local state = moving[name] and "moving" or spread and not (spread <= math.max(within / 2, least_scatter)) and "chaotic"
+      or not refs and "unknown" or not (agreement <= within / 2) and "unsettled" or "sound"
     quantities[name] = { state = state, agreement = agreement, scatter = spread, value = type(answer) == "number" and answer or nil,
       kind = type(answer) == "number" and "number" or "history" }
   end
@@ -29,7 +29,7 @@ function verdict.errors(compared, refs, quantities, chosen)
       if q.state == "sound" then
         local error = judge.error(s.record.answers[name], refs[2].record.answers[name])
         s.errors[name] = error
-        local bounded = math.max(error, q.agreement)
+        local bounded = judge.larger(error, q.agreement)
         if (not chosen or chosen == name) and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
           s.error, s.worst, s.below = bounded, name, error < q.agreement
         end
@@ -78,7 +78,7 @@ function verdict.front(compared, within)
     local r = s.record
     s.seconds, s.times, s.outside, s.stages, s.memory, s.remainder = judge.median(r.seconds), r.seconds, r.outside, r.stages, r.memory, r.remainder
     cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.error and math.max(s.error, rounding), setting = s }
+    items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, rounding), setting = s }
   end
   local front = {}
   for i, item in ipairs(judge.front(items)) do front[i], item.setting.front = item.setting, true end
