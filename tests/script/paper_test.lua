@@ -1,4 +1,5 @@
--- The paper's figures, quick: what the scripts of scripts/paper print and keep, against reference values.
+-- The paper's figures, quick: what the scripts of scripts/paper print and keep, against reference values, and which of the
+-- paper's findings hold. A finding that turns, in either direction, is a failure: its state below is then to be changed.
 --
 -- Run: lua5.4 tests/script/paper_test.lua BUILD_FOLDER SCRIPT [...]      (names in scripts/paper)
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -22,10 +23,31 @@ local function pick(list, wanted)
   return {}
 end
 
+-- The findings of a script by name, against their state: true where one holds, false where it is known not to.
+local function findings(list, wanted)
+  local left = {}
+  for what, holds in pairs(wanted) do left[what] = holds end
+  for _, f in ipairs(list) do
+    local holds = f.holds
+    if f.of then -- of several variants
+      expect(math.type(f.holds_in) == "integer" and f.of == 1, "'%s' of %s variants: one is run", f.finding, f.of)
+      holds = f.holds_in == f.of
+    end
+    equal(holds, left[f.finding], ("finding '%s' holds"):format(f.finding))
+    left[f.finding] = nil
+  end
+  for what in pairs(left) do expect(false, "finding '%s' is not looked at", what) end
+end
+
+-- Elements a member that are needed, by method.
+local function needed(found, wanted, what)
+  for method, n in pairs(wanted) do equal(found[method], n, ("%s, elements needed by %s"):format(what, method)) end
+end
+
 local look = {}
 
 function look.space_frame_static(r)
-  -- benchmarks of SF-1, computed apart from this project: displacement at 8 kN, exact and by midpoint integration; limit load
+  -- tests/references.md, "SF-1": displacement at 8 kN, exact and by midpoint integration; limit load
   near(r.converged.ux_mm, 2.143364, 1e-6, "converged displacement")
   for n, ux in pairs { [2] = 1.654190, [4] = 2.022626, [8] = 2.113271, [16] = 2.135846 } do
     for _, method in ipairs { "conventional", "asi" } do
@@ -42,11 +64,21 @@ function look.space_frame_static(r)
     expect(limit > 12.6882 and limit < last, "the conventional limit load falls from above: %s elements %s", n, limit)
     last = limit
   end
+  -- the paper: two of asi-gauss suffice for all; asi has the collapse load with two, is slow in the elastic range (it says
+  -- eight elements); the conventional method is slow in both. Of 1, 2, 4, 8 and 16 elements, for an error of 1 %:
+  local by = { ["elastic displacement"] = {}, ["limit load"] = {}, ["whole curve"] = {} }
+  for _, n in ipairs(r.needed) do by[n.of][n.method] = n.one_percent end
+  needed(by["elastic displacement"], { conventional = 16, asi = 16, ["asi-gauss"] = 2 }, "elastic displacement")
+  needed(by["limit load"], { conventional = "> 16", asi = 1, ["asi-gauss"] = 2 }, "limit load")
+  needed(by["whole curve"], { conventional = "> 16", asi = 8, ["asi-gauss"] = 2 }, "whole curve")
 end
 
 function look.space_frame_dynamic(r)
   below(pick(r.elastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.02, "elastic error of two of asi-gauss")
   below(pick(r.plastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.05, "elasto-plastic error of two of asi-gauss")
+  -- as good as two of asi-gauss; the paper finds that the conventional method needs sixteen
+  needed(r.elastic.needed, { conventional = 8, asi = 8, ["asi-gauss"] = 2 }, "elastic response")
+  needed(r.plastic.needed, { conventional = "> 16", asi = 8, ["asi-gauss"] = 2 }, "elasto-plastic response")
   expect(r.elastic.parts.mass > 2 * r.elastic.parts.element, "the mass matrix's part is the larger one")
   expect(r.elastic.parts.cubic < r.elastic.parts.all / 4 and r.plastic.parts.cubic < r.plastic.parts.all / 2, "the cubic mass leaves a quarter, and a half")
 end
@@ -66,8 +98,26 @@ function look.two_beam_impact(r)
   equal(r.rules.surface.let_go, 0, "let go by surfaces")
   below(r.rules.gap.worst, 0.01, "remainder by gaps")
   below(math.abs(r.rules.gap.let_go), 0.02, "let go by gaps")
+  -- the paper's finding, that the energy stays almost unchanged, does not hold to the letter of eqs 17-19, nor for gap
+  -- elements that are cut after 0.5 ms
   near(r.rules.letter.let_go, 0.12, 0.02, "let go by the letter")
+  near(r.rules.cut.let_go, 0.126, 0.02, "let go by gaps that are cut")
   equal(#r.sweep, 27, "crossings of the sweep")
+  for i, s in ipairs(r.sweep) do
+    local what = ("%d degrees, %g and %g m off, %s"):format(s.angle, s.offset, s.offset_free, s.rule)
+    equal(s.rule, ({ "surface", "gap", "cut" })[(i - 1) % 3 + 1], "rule of crossing " .. i)
+    below(s.worst, ({ surface = 0.003, gap = 0.0101, cut = 0.0101 })[s.rule], what .. ": remainder")
+    if s.rule == "cut" then near(s.let_go, 0.5, 0.41, what .. ": let go") -- 9 to 89 %
+    else below(math.abs(s.let_go), 1e-12, what .. ": let go") end
+  end
+  -- twice the step: the remainder falls with its square, but for gap elements with beta 0.4, whose vibration the step no
+  -- longer follows
+  for _, c in ipairs(r.over_dt) do
+    local ratio, what = c.percent[2] / c.percent[1], ("remainder of twice the step, %s, beta %g"):format(c.rule, c.beta)
+    if c.rule == "gap" and c.beta == 0.4 then expect(ratio > 10, "%s: %s times", what, ratio)
+    else near(ratio, 4, c.rule == "gap" and 3 or 0.6, what) end
+  end
+  equal(#r.over_dt, 4, "rules and beta over the step")
 end
 
 function look.ten_storey_cases(r)
@@ -77,10 +127,39 @@ function look.ten_storey_cases(r)
     expect(c.work > 0 and c.broken_aircraft > 0, "Case %s: plastic work %s, %s members of the aircraft broken", case, c.work, c.broken_aircraft)
   end
   near(r.cases.II.own_kinetic, 59.3e6, 0.1e6, "kinetic energy of Case II")
-  equal(#r.findings, 8, "findings")
-  local first
-  for _, t in ipairs(r.cases.I.felt) do first = t >= 0 and math.min(first or t, t) or first end
+  findings(r.findings, { -- in the first 20 ms, with a step of 40 us
+    ["Damage in I is larger than in II and in III"] = true,
+    ["Damage in II is larger than in III, although II brings less kinetic energy"] = false,
+    ["Columns are cut: in I most of the inner ones, down to the sixth floor"] = false,
+    ["At equal energy a smaller aircraft cuts fewer inner columns: IV fewer than I"] = false,
+    ["Size changes the damage at equal energy"] = true,
+    ["Tension appears soon after the impact in columns that were compressed"] = true,
+    ["The whole building feels the impact within milliseconds"] = true,
+    ["Hinges appear in columns down to the lowest storey"] = false, -- true in the whole run, of 0.25 s
+  })
+  local first = math.huge
+  for _, t in ipairs(r.cases.I.felt) do
+    if t ~= -1 then first = support.smallest_of(first, t) end -- -1: not within the run
+  end
   below(first, 1e-3, "first storey to feel the impact, s")
+end
+
+function look.ten_storey_sensitivity(r)
+  findings(r.findings, { -- sections as reconstructed, hit in the middle of the eighth storey, 1 m of flight
+    ["damage I > II and I > III"] = true,
+    ["damage II > III"] = false,
+    ["columns are cut in I"] = false,
+    ["IV cuts fewer inner columns than I"] = false,
+    ["damage in IV is not that in I"] = true,
+    ["tension within 10 ms in I"] = true,
+    ["all storeys feel I within 25 ms"] = false, -- the run ends before
+  })
+  -- why no column is cut: whatever is changed, no inner one is within 1 m, and their curvature stays below eq 16's 0.4 1/m
+  for _, cause in ipairs(r.why) do
+    equal(cause.broken_inner, 0, cause.change .. ": inner columns cut")
+    below(cause.curvature, 0.4, cause.change .. ": curvature")
+    expect(cause.work > 0, "%s: plastic work %s J", cause.change, cause.work)
+  end
 end
 
 for i = 2, #arg do
@@ -90,6 +169,6 @@ for i = 2, #arg do
   equal(status, 0, name .. ": " .. complaint)
   local summary = support.json(support.read(folder .. "/" .. name .. "/summary.json") or "{}")
   equal(summary.verdict, "completed", name)
-  if summary.results then look[name](summary.results) end
+  if expect(type(summary.results) == "table", "%s: no results", name) then look[name](summary.results) end
 end
 checks.done()
