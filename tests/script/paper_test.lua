@@ -14,6 +14,10 @@ end
 local function below(value, limit, what)
   expect(type(value) == "number" and value <= limit, "%s: is %s, wanted at most %s", what, value, limit)
 end
+-- A table in which what is no number (JSON has none that is not finite) is not one.
+local function numbers(t)
+  return setmetatable({}, { __index = function(_, key) return type(t[key]) == "number" and t[key] or 0 / 0 end })
+end
 local function pick(list, wanted)
   for _, item in ipairs(list) do
     local fits = true
@@ -79,8 +83,9 @@ function look.space_frame_dynamic(r)
   -- as good as two of asi-gauss; the paper finds that the conventional method needs sixteen
   needed(r.elastic.needed, { conventional = 8, asi = 8, ["asi-gauss"] = 2 }, "elastic response")
   needed(r.plastic.needed, { conventional = "> 16", asi = 8, ["asi-gauss"] = 2 }, "elasto-plastic response")
-  expect(r.elastic.parts.mass > 2 * r.elastic.parts.element, "the mass matrix's part is the larger one")
-  expect(r.elastic.parts.cubic < r.elastic.parts.all / 4 and r.plastic.parts.cubic < r.plastic.parts.all / 2, "the cubic mass leaves a quarter, and a half")
+  local elastic, plastic = numbers(r.elastic.parts), numbers(r.plastic.parts)
+  expect(elastic.mass > 2 * elastic.element, "the mass matrix's part is the larger one")
+  expect(elastic.cubic < elastic.all / 4 and plastic.cubic < plastic.all / 2, "the cubic mass leaves a quarter, and a half")
 end
 
 function look.fracture_figures(r)
@@ -113,7 +118,8 @@ function look.two_beam_impact(r)
   -- twice the step: the remainder falls with its square, but for gap elements with beta 0.4, whose vibration the step no
   -- longer follows
   for _, c in ipairs(r.over_dt) do
-    local ratio, what = c.percent[2] / c.percent[1], ("remainder of twice the step, %s, beta %g"):format(c.rule, c.beta)
+    local percent = numbers(c.percent)
+    local ratio, what = percent[2] / percent[1], ("remainder of twice the step, %s, beta %g"):format(c.rule, c.beta)
     if c.rule == "gap" and c.beta == 0.4 then expect(ratio > 10, "%s: %s times", what, ratio)
     else near(ratio, 4, c.rule == "gap" and 3 or 0.6, what) end
   end
