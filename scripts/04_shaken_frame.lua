@@ -8,7 +8,7 @@
 --         weak_plastic_J = 0 exactly               it stays elastic: all of the ground's work is still kinetic and elastic energy
 --         strong_mm = 57.84 within 1 %             largest drift of the strong one: eight times as far as the weak one, though it flows
 --         set_mm = 6.24 within 5 %                 the drift about which it swings in the end
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the ground's work, both together
+--         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the ground's work, of both
 --
 -- The record is a list of numbers; a measured one would be read from a file in its place.
 local hinge = require "hinge"

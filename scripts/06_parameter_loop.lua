@@ -6,7 +6,7 @@
 -- Expect  at_5_percent = 0.31287 within 1 %        2 sin(pi t/T) of one mass on a spring, for a load that lasts t = T / 20
 --         at_25_percent = 1.41421 within 1 %       the same for t = T / 4
 --         at_100_percent = 2 within 1 %            and 2 for all that last half a period or longer
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the loads' work, all together
+--         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the loads' work, all together
 local hinge = require "hinge"
 
 local L, F = 2, 1000 -- m, N

@@ -6,7 +6,7 @@
 -- Expect  along_kN = 200 within 0.5 %              N_c
 --         askew_kN = 19.925 within 0.5 %           1 / sqrt((cos a / N_c)^2 + (L sin a / M_c)^2) for a = 30 degrees
 --         across_kN = 10 within 0.5 %              M_c / L
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the load's work, all together
+--         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the load's work, all together
 local hinge = require "hinge"
 
 local L, N_c, M_c = 1, 200e3, 10e3 -- m, N, N m

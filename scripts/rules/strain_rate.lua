@@ -6,7 +6,7 @@
 -- Expect  slow_percent = 2.368 within 0.5 %        strain at the break, for e0 = 2 %, C = 1000 1/s, q = 5.43
 --         middle_percent = 2.560 within 0.5 %
 --         fast_percent = 2.856 within 1 %
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the pulling hand's work, all together
+--         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the hand's work, all together
 local hinge = require "hinge"
 
 local L, d, e0, C, q = 0.2, 0.01, 0.02, 1000, 5.43

@@ -44,7 +44,9 @@ end
 local function stages(job, name, what, run)
   local product = math.huge
   for step in run:steps() do -- the yardstick now and then, as the machine's pace changes
-    if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then product = support.smallest_of(product, core.time_product(run, 5)) end
+    if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then
+      product = support.smallest_of(product, core.time_product(run, 5))
+    end
   end
   local rows, sum, n = {}, 0, run.index
   for i, stage in ipairs(run.stages) do

@@ -1,15 +1,16 @@
--- Hard cases: in its own step every scene keeps its energy and momenta in bounds to the end, or ends with the words that it states.
--- In other settings a run may also end by itself, with a verdict that says step, time, place and cause.
+-- Hard cases: in its own step every scene keeps its energy and momenta in bounds to the end, or ends with the words
+-- that it states. In other settings a run may also end by itself, with a verdict that says step, time, place and cause.
 --
 -- Run     cmake --build build --target hard         (or: lua5.4 tests/hard/suite.lua [quick] [words of a scene's name])
 -- Shows   each scene in its own step, and in the other settings below, slow ones in longer steps alone and long ones in their own; those
 --         whose name is asked for in all; quick: in its own step alone, without the slow ones
--- Expect  a table and "the rule holds"; what a run did that is neither in bounds nor said is listed, and the status is then 1. So it is
---         where fewer scenes hold in a setting than `stated` below says
+-- Expect  a table and "the rule holds"; what a run did that is neither in bounds nor said is listed, and the status is
+--         then 1. So it is where fewer scenes hold in a setting than `stated` below says
 --
--- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; remainder and momentum, its
--- bounds; free, nothing acts on it from outside; rests, what may still move at its end, as a part of the energy turned over. names or
--- says: it is refused, or ends by itself, with these words; all others must hold in their own step.
+-- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; remainder and
+-- momentum, its bounds; free, nothing acts on it from outside; rests, what may still move at its end, as a part of the
+-- energy turned over. names or says: it is refused, or ends by itself, with these words; all others must hold in their
+-- own step.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.path
 local hinge = require "hinge"
@@ -27,9 +28,9 @@ local settings = {
 }
 -- In how many scenes of those tried a setting holds, at least.
 local stated = quick and { ["1"] = { 39, 45 } } or {
-  ["1"] = { 43, 49 }, ["1/4"] = { 39, 39 }, ["1/2"] = { 39, 39 }, ["2"] = { 39, 41 }, ["4"] = { 35, 41 }, ["8"] = { 34, 41 },
-  ["8 control"] = { 41, 41 }, ["64 control"] = { 41, 41 }, ["8 damped"] = { 34, 41 }, ["letter"] = { 33, 39 }, ["auto"] = { 34, 34 },
-  ["explicit"] = { 34, 35 },
+  ["1"] = { 43, 49 }, ["1/4"] = { 39, 39 }, ["1/2"] = { 39, 39 }, ["2"] = { 39, 41 }, ["4"] = { 35, 41 },
+  ["8"] = { 34, 41 }, ["8 control"] = { 41, 41 }, ["64 control"] = { 41, 41 }, ["8 damped"] = { 34, 41 },
+  ["letter"] = { 33, 39 }, ["auto"] = { 34, 34 }, ["explicit"] = { 34, 35 },
 }
 local fewest_steps, most_times_the_steps = 4, 20 -- outside of these a setting is not tried
 
@@ -45,8 +46,8 @@ local function momentum_error(run, before)
   return size(change) / scale
 end
 
--- What the accounts of an energy balance leave over, J, and the largest of them, which a remainder is a part of. Every account counts
--- that run.energy has; "contact_stored" is a part of "contact", and no account of its own.
+-- What the accounts of an energy balance leave over, J, and the largest of them, which a remainder is a part of. Every
+-- account counts that run.energy has; "contact_stored" is a part of "contact", and no account of its own.
 local function balance(energy)
   local left, most = 0, 0
   for name, joules in pairs(energy) do
@@ -88,12 +89,14 @@ local function try(scene, setting)
       local left, largest = balance(e)
       most = largest_of(most, largest)
       if most <= 1e-12 then return end
-      at_energy, unbooked = largest_of(at_energy, math.abs(e.remainder) / most), largest_of(unbooked, math.abs(left - e.remainder) / most)
+      at_energy = largest_of(at_energy, math.abs(e.remainder) / most)
+      unbooked = largest_of(unbooked, math.abs(left - e.remainder) / most)
     end)
     local begun = os.clock()
     run:finish()
     out.seconds = os.clock() - begun
-    out.verdict, out.reason, out.steps, out.remainder, out.unbooked = run.verdict, run.reason, run.index, at_energy, unbooked
+    out.verdict, out.reason, out.steps = run.verdict, run.reason, run.index
+    out.remainder, out.unbooked = at_energy, unbooked
     out.moves = run.energy.kinetic / largest_of(most, 1e-300)
     out.momentum = before and momentum_error(run, before)
     out.speed = run.fastest and run.fastest.speed
@@ -121,15 +124,22 @@ local function breach(scene, out, own_step)
     return not (out.reason:find "step %d+" and out.reason:find "t = ") and "failed without a step and a time: " .. out.reason or nil
   end
   if out.verdict ~= "completed" then return "its verdict is " .. out.verdict end
-  if own_step and not (out.remainder <= scene.remainder) then return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder) end
-  if own_step and scene.rests and not (out.moves <= scene.rests) then return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests) end
+  if own_step and not (out.remainder <= scene.remainder) then
+    return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder)
+  end
+  if own_step and scene.rests and not (out.moves <= scene.rests) then
+    return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests)
+  end
   if not (out.remainder <= 0.1) then return ("completed with a remainder of %.2g"):format(out.remainder) end
   local bound = scene.momentum and largest_of(scene.momentum, 1e-6) * largest_of(1, (out.times or 1) ^ 2)
-  if out.momentum and not (out.momentum <= bound) then return ("momentum off by %.2g, its bound is %.2g"):format(out.momentum, bound) end
+  if out.momentum and not (out.momentum <= bound) then
+    return ("momentum off by %.2g, its bound is %.2g"):format(out.momentum, bound)
+  end
 end
 
 local function held(scene, out)
-  return not (scene.names or scene.says or out.breach) and out.verdict == "completed" and out.remainder <= largest_of(scene.remainder, 0.02)
+  return not (scene.names or scene.says or out.breach) and out.verdict == "completed"
+    and out.remainder <= largest_of(scene.remainder, 0.02)
 end
 
 local letter = {} -- where eq 15 to the letter does not hold
@@ -191,9 +201,11 @@ if #letter > 0 then print "eq 15 to the letter, one solve a step from du = 0, do
 for _, l in ipairs(letter) do print("  " .. l:gsub("%. The state.*", "")) end
 if wanted == "" then
   for _, setting in ipairs { own, table.unpack(quick and {} or settings) } do
-    local holds, of, wanted_holds, wanted_of = holding[setting] or 0, tried[setting] or 0, table.unpack(stated[setting[1]])
+    local holds, of = holding[setting] or 0, tried[setting] or 0
+    local wanted_holds, wanted_of = table.unpack(stated[setting[1]])
     if holds < wanted_holds or of ~= wanted_of then
-      breaches[#breaches + 1] = ("setting %s holds in %d of %d scenes, stated are %d of %d"):format(setting[1], holds, of, wanted_holds, wanted_of)
+      breaches[#breaches + 1] = ("setting %s holds in %d of %d scenes, stated are %d of %d"):format(setting[1], holds,
+        of, wanted_holds, wanted_of)
     elseif holds > wanted_holds then
       print(("setting %s holds in %d scenes, more than the %d stated"):format(setting[1], holds, wanted_holds))
     end

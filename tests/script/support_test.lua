@@ -49,7 +49,8 @@ end
 -- How tests collect numbers ------------------------------------------------------------------------------------------
 
 -- if (x > worst) worst = x, and its like in Lua.
-local kept_by_if = "if%s*%(?%s*([%w_.%[%]]+)%s*[<>]=?%s*([%w_.%[%]]+)%s*%)?%s*[then{]*%s*([%w_.%[%]]+)%s*=%s*([%w_.%[%]]+)"
+local kept_by_if = ("if%s*%(?%s*NAME%s*[<>]=?%s*NAME%s*%)?%s*[then{]*%s*NAME%s*=%s*NAME")
+  :gsub("NAME", "([%%w_.%%[%%]]+)")
 
 -- Why a line of a test may drop a number that is not one, or nil. math.max(1, n), with a whole number first, is a lower
 -- bound of a count; so is std::max<int>.
@@ -80,7 +81,8 @@ for line, bad in pairs {
   ["a, worst = 1, math.max( worst, math.abs(x - y))"] = true, ["CHECK(m.cwiseAbs().maxCoeff() < 1e-9);"] = true,
   ["least = std::min(least, x);"] = true, ["t.least = math.min(t.least, x)"] = true,
   ["if (x > worst) worst = x;"] = true,
-  ["if x > worst then worst = x end"] = true, ["if (x < least) least = x;"] = true, ["if (error >= worst[i]) worst[i] = error;"] = true,
+  ["if x > worst then worst = x end"] = true, ["if (x < least) least = x;"] = true,
+  ["if (error >= worst[i]) worst[i] = error;"] = true,
   ["worst = largest_of(worst, x);"] = false, ["math.max(1, run.planned_steps // 200)"] = false,
   ["std::max(1L, steps / 10)"] = false, ["n = std::max<int>(n, m);"] = false,
   ["m.maxCoeff<Eigen::PropagateNaN>()"] = false, ["// std::max(worst, x) drops it"] = false,

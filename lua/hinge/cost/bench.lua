@@ -151,7 +151,8 @@ function Bench:scatter(setting)
     local record = (self:record(setting, turn) or self:fits(self:estimate(setting, turn))) and self:run(setting, turn)
     if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
     for name, answer in pairs(setting.record.answers) do
-      scatter[name] = judge.larger(scatter[name] or 0, record.failed and math.huge or judge.error(record.answers[name], answer))
+      local error = record.failed and math.huge or judge.error(record.answers[name], answer)
+      scatter[name] = judge.larger(scatter[name] or 0, error)
     end
   end
   return scatter

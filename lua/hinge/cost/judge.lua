@@ -56,8 +56,8 @@ local function distance(a, b)
   return count > 0 and math.sqrt(sum / count) or math.huge
 end
 
---- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean square for
--- histories. Never less than all where either holds a number that is not finite: math.huge.
+--- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean
+-- square for histories. math.huge where either holds a number that is not finite.
 function judge.error(answer, reference)
   if answer == nil or reference == nil then return math.huge end
   local d, scale = distance(answer, reference), size(reference)

@@ -7,7 +7,9 @@ local exact = 1e-10 -- errors below it are rounding, and no point to draw a line
 --- The settings that count among some: the front of their own, as { { time =, error =, setting = }, ... }.
 function methods.front(settings)
   local items = {}
-  for i, s in ipairs(settings) do items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, exact), setting = s } end
+  for i, s in ipairs(settings) do
+    items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, exact), setting = s }
+  end
   return judge.front(items)
 end
 

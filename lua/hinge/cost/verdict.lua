@@ -13,7 +13,8 @@ function verdict.answers(refs, scatter, moving, compared, within)
   for name, answer in pairs(sample) do
     local agreement = refs and judge.error(refs[1].record.answers[name], answer) or nil
     local spread = scatter and scatter[name] or nil
-    local state = moving[name] and "moving" or spread and not (spread <= math.max(within / 2, least_scatter)) and "chaotic"
+    local chaotic = spread and not (spread <= math.max(within / 2, least_scatter))
+    local state = moving[name] and "moving" or chaotic and "chaotic"
       or not refs and "unknown" or not (agreement <= within / 2) and "unsettled" or "sound"
     quantities[name] = { state = state, agreement = agreement, scatter = spread, value = type(answer) == "number" and answer or nil,
       kind = type(answer) == "number" and "number" or "history" }
