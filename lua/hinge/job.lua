@@ -97,10 +97,20 @@ function Job:note(text)
   print("note: " .. text)
 end
 
+--- Says how a job of several runs went as a whole; without it, the last run's verdict stands.
+function Job:verdict(verdict, reason)
+  check.value("job:verdict", "verdict", verdict, { "string" })
+  if verdict ~= "completed" and verdict ~= "failed" then
+    check.fail("job:verdict: verdict is '%s'; must be 'completed' or 'failed'", verdict)
+  end
+  if verdict == "failed" then check.value("job:verdict", "reason", reason, { "string" }) end
+  self.whole = { verdict = verdict, reason = verdict == "failed" and reason or nil }
+end
+
 -- For runs that are only measured: draws nothing and says nothing.
 local function quiet(case)
   local job = new("", case)
-  for _, name in ipairs { "frame", "picture", "strip", "plot", "note" } do job[name] = function() end end
+  for _, name in ipairs { "frame", "picture", "strip", "plot", "note", "verdict" } do job[name] = function() end end
   return job
 end
 

@@ -55,6 +55,12 @@ function job:plot(plot, filename) end
 ---@param text string
 function job:note(text) end
 
+---Says how a job of several runs went as a whole, in the place of its last run: in summary.json, and as exit status
+---0 or 1.
+---@param verdict "completed"|"failed"
+---@param reason? string why it failed
+function job:verdict(verdict, reason) end
+
 -- require "hinge.models.ten_storey" -----------------------------------------------------------------------------------
 
 ---*reconstructed*: not in the paper's text; chosen here because its figure 16 is lost.
@@ -178,7 +184,7 @@ function space_frame.add(model, options) end
 ---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) declares other limits than the paper's
 
 ---What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
----@alias impact.result table broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work (building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture, 0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict, reason, time, seconds
+---@alias impact.result table broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work (building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture, 0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict ("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason, time, seconds
 
 ---@class impact
 ---@field order string[] "I", "II", "III", "IV"
@@ -269,6 +275,20 @@ function paper.percent(error) end
 ---@param curves table<integer, { x: number[], y: number[] }> by elements a member
 ---@param converged { x: number[], y: number[] }
 function paper.figure(job, number, method, labels, curves, converged) end
+
+---@alias paper.ended { run: string, time: number, reason: string } s (the load factor in statics)
+
+---What is said of a run that ended by itself; nil of any other.
+---@param run { verdict: string, reason: string, time: number } a run, or what impact.simulate returns
+---@param name string of this run in the tables
+---@return paper.ended?
+function paper.ended(run, name) end
+
+---Prints how many runs ended by themselves, and of each its name and why. Where there are any, the job notes it.
+---@param job hinge.job
+---@param ended paper.ended[]
+---@param of integer all runs
+function paper.show_ended(job, ended, of) end
 
 ---Prints a table: rows of numbers and texts under a head; numbers are already text where they need a format.
 ---@param title string

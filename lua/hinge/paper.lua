@@ -86,6 +86,22 @@ function paper.table(title, head, rows)
   print(table.concat(lines, "\n"))
 end
 
+--- What is said of a run that ended by itself, { run = name, time =, reason = }; nil of any other.
+function paper.ended(run, name)
+  if run.verdict ~= "failed" then return nil end
+  return { run = name, time = run.time, reason = run.reason }
+end
+
+--- Prints how many of `of` runs ended by themselves, and of each its name, and when and why; the job notes it where
+-- there are any.
+function paper.show_ended(job, ended, of)
+  if #ended == 0 then return print(("\nNone of %d runs ended by itself"):format(of)) end
+  print ""
+  local whom = #ended == 1 and "itself" or "themselves"
+  job:note(("%d of %d runs ended by %s, marked * in the tables"):format(#ended, of, whom))
+  for _, e in ipairs(ended) do print(("  %s: %s"):format(e.run, e.reason:match "^[^;]*")) end
+end
+
 --- The structure as pictures show it: fractured elements as rigid bars that end in virtual nodes (figure 4), and the mass
 -- on every node (figure 5).
 paper.pieces = core.pieces

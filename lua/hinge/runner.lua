@@ -102,6 +102,7 @@ function runner.run(options)
   end
   return runner.status(core.write_summary {
     results = results, parameters = parameters, case = options.case, script = options.script, notes = this.notes,
+    whole = this.whole,
   })
 end
 

@@ -108,6 +108,10 @@ return hinge.scenario {
       end
     end
 
+    if not after then
+      job:verdict("failed", run.verdict == "failed" and run.reason or "the element did not break")
+      return {}
+    end
     show(before, after)
     draw_pieces(job, before, false, "Fig. 4, before the fracture", "fig4_before.png")
     draw_pieces(job, measure(run), true, ("Fig. 4, %.0f ms after the fracture"):format(1e3 * (run.time - after.time)),

@@ -17,8 +17,9 @@ local paper       = require "hinge.paper"
 
 -- The corner's displacement over time under a sudden load. `parts`: into how many the paper's step is cut; where hinges
 -- come and go too fast for balance to be found in a step, all are halved, and the table says so. `exact`: the elements get
--- the exact stiffness and keep their linear mass. `mass`: hinge.model's.
-local function respond(p, method, elements, plastic, parts, exact, mass)
+-- the exact stiffness and keep their linear mass. `mass`: hinge.model's. Where no step is short enough, `ended` says
+-- why.
+local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic, mass = mass,
   }
@@ -30,8 +31,10 @@ local function respond(p, method, elements, plastic, parts, exact, mass)
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
   if run.verdict ~= "completed" then
-    if parts >= 256 then error(("%s, %d elements: %s"):format(method, elements, run.reason)) end
-    return respond(p, method, elements, plastic, 2 * parts, exact, mass)
+    if parts >= 256 then
+      return { x = {}, y = {}, parts = parts, ended = paper.ended(run, ("%s, %d elements"):format(method, elements)) }
+    end
+    return respond_to_load(p, method, elements, plastic, 2 * parts, exact, mass)
   end
   local mm = paper.sampled(ux.time, paper.scaled(ux.value, 1e3), run.time, p.steps) -- at the ends of the paper's steps
   local ms = {}
@@ -39,27 +42,37 @@ local function respond(p, method, elements, plastic, parts, exact, mass)
   return { x = ms, y = mm, parts = parts }
 end
 
-local function percent(error) return ("%.2f"):format(100 * error) end
+-- The error of a response; of one that ended by itself there is none, and no limit that it keeps.
+local function error_of(response, reference)
+  return (response.ended or reference.ended) and math.huge or paper.error(response.y, reference.y)
+end
+
+local function percent(error) return error < math.huge and ("%.2f"):format(100 * error) or "ended by itself" end
 
 -- One load case: the table and pictures of a figure, what the error of two asi-gauss elements is made of.
-local function study(p, job, number, title, plastic)
+-- count(response): called with each.
+local function study(p, job, number, title, plastic, count)
+  local function respond(...) return count(respond_to_load(p, ...)) end
   local largest = paper.drawn[#paper.drawn]
   local finest, most = p.quick and largest or 2 * largest, p.quick and largest or p.most
-  local converged = respond(p, "asi-gauss", finest, plastic, p.quick and 4 or 16)
+  local converged = respond("asi-gauss", finest, plastic, p.quick and 4 or 16)
+  if converged.ended then return { ended = converged.ended } end -- nothing to compare with
   local peak = math.max(table.unpack(converged.y))
   local labels = { title = title, x = "time, ms", y = "displacement of the loaded corner, mm" }
-  local pair = respond(p, "asi-gauss", 2, plastic, 1)
-  local aim = paper.error(pair.y, converged.y)
+  local pair = respond("asi-gauss", 2, plastic, 1)
+  local aim = error_of(pair, converged)
   local result, rows, errors = { peak_mm = peak, errors = {}, needed = {} }, {}, {}
 
   for _, method in ipairs(paper.methods) do
     local curves, by_n = {}, {}
     local n = method == "asi-gauss" and 2 or 1
     while n <= largest or n <= most and by_n[n // 2] > aim do
-      local c = respond(p, method, n, plastic, 1)
-      curves[n], by_n[n] = c, paper.error(c.y, converged.y)
-      result.errors[#result.errors + 1] = { method = method, elements = n, error = by_n[n], dt = p.dt / c.parts }
-      rows[#rows + 1] = { method, n, percent(by_n[n]), ("%.2f"):format(math.max(table.unpack(c.y))), c.parts }
+      local c = respond(method, n, plastic, 1)
+      curves[n], by_n[n] = c, error_of(c, converged)
+      result.errors[#result.errors + 1] =
+        { method = method, elements = n, error = not c.ended and by_n[n] or nil, dt = p.dt / c.parts, ended = c.ended }
+      rows[#rows + 1] = { method, c.ended and n .. "*" or n, percent(by_n[n]),
+        c.ended and "-" or ("%.2f"):format(math.max(table.unpack(c.y))), c.parts }
       n = 2 * n
     end
     errors[method] = by_n
@@ -72,12 +85,11 @@ local function study(p, job, number, title, plastic)
   paper.table(("Elements for the %s %% of two of asi-gauss"):format(percent(aim)), paper.methods,
     { { result.needed.conventional, result.needed.asi, 2 } })
 
-  local exact = respond(p, "asi", 2, plastic, 1, true)
-  local fine = respond(p, "asi-gauss", finest, plastic, 1)
+  local exact = respond("asi", 2, plastic, 1, true)
+  local fine = respond("asi-gauss", finest, plastic, 1)
   local parts = {
-    all = aim, element = paper.error(pair.y, exact.y),
-    mass = paper.error(exact.y, fine.y), time = paper.error(fine.y, converged.y),
-    cubic = paper.error(respond(p, "asi-gauss", 2, plastic, 1, false, "cubic").y, converged.y),
+    all = aim, element = error_of(pair, exact), mass = error_of(exact, fine), time = error_of(fine, converged),
+    cubic = error_of(respond("asi-gauss", 2, plastic, 1, false, "cubic"), converged),
   }
   result.parts = parts
   paper.table("What the error of two elements of asi-gauss is made of", { "part", "error, %" }, {
@@ -100,9 +112,15 @@ return hinge.scenario {
     quick = false,
   },
   run = function(p, job)
-    return {
-      elastic = study(p, job, 11, "elastic", false),
-      plastic = study(p, job, 12, "elasto-plastic", true),
-    }
+    local ended, all = {}, 0
+    local function count(response)
+      ended[#ended + 1], all = response.ended, all + 1
+      return response
+    end
+    local elastic = study(p, job, 11, "elastic", false, count)
+    local plastic = study(p, job, 12, "elasto-plastic", true, count)
+    paper.show_ended(job, ended, all)
+    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs ended by themselves") -- all converge
+    return { elastic = elastic, plastic = plastic, ended = ended, run_count = all }
   end,
 }

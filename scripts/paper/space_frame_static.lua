@@ -14,6 +14,7 @@ local hinge       = require "hinge"
 local space_frame = require "hinge.models.space_frame"
 local paper       = require "hinge.paper"
 
+-- The curve of load over displacement, and why it ended by itself, if it did.
 local function push_over(p, method, elements, plastic, steps)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic,
@@ -25,9 +26,13 @@ local function push_over(p, method, elements, plastic, steps)
     or model:static { steps = 20, record = false }
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
-  if run.verdict ~= "completed" then error(("%s, %d elements: %s"):format(method, elements, run.reason)) end
-  return { x = paper.scaled(ux.value, 1e3), y = paper.scaled(ux.time, p.load / 1e3) } -- mm, kN
+  local name = ("%s, %d elements, %s"):format(method, elements, plastic and "elasto-plastic" or "elastic")
+  return { -- mm, kN
+    x = paper.scaled(ux.value, 1e3), y = paper.scaled(ux.time, p.load / 1e3), ended = paper.ended(run, name),
+  }
 end
+
+local function percent(error) return error < math.huge and paper.percent(error) or "-" end
 
 -- Where a stiff curve would stretch the axes, it is drawn no higher than `top` kN.
 local function below(curve, top)
@@ -41,17 +46,20 @@ end
 
 local measures = { "elastic displacement", "limit load", "whole curve" }
 
--- A method's curves and errors by number of elements, doubled until all three errors are below 0.1 %, or `most`.
-local function converge(p, method, steps, most, exact, limit)
+-- A method's curves and errors by number of elements, doubled until all three errors are below 0.1 %, or `most`. A
+-- curve that ended by itself has no error, and no limit that it keeps.
+local function converge(push, p, method, steps, most, exact, limit)
   local function loads(curve) return paper.sampled(curve.x, curve.y, 1e3 * p.reach, 1000) end -- at equal displacements
   local found = { sizes = {}, elastic = {}, plastic = {}, errors = { {}, {}, {} } }
   local wanted, n, worst = loads(limit), method == "asi-gauss" and 2 or 1, 1
   while n <= paper.drawn[#paper.drawn] or n <= most and worst > 1e-3 do
-    local elastic, plastic = push_over(p, method, n, false), push_over(p, method, n, true, steps)
+    local elastic, plastic = push(method, n, false), push(method, n, true, steps)
     local errors = {
       math.abs(elastic.x[#elastic.x] / exact.x[#exact.x] - 1), math.abs(plastic.y[#plastic.y] / limit.y[#limit.y] - 1),
-      paper.error(loads(plastic), wanted),
+      not plastic.ended and paper.error(loads(plastic), wanted) or math.huge,
     }
+    if elastic.ended then errors[1] = math.huge end
+    if plastic.ended then errors[2] = math.huge end
     found.sizes[#found.sizes + 1], found.elastic[n], found.plastic[n] = n, elastic, plastic
     for i, error in ipairs(errors) do found.errors[i][n] = error end
     n, worst = 2 * n, math.max(table.unpack(errors))
@@ -72,8 +80,19 @@ return hinge.scenario {
   run = function(p, job)
     local largest = paper.drawn[#paper.drawn]
     local most, steps = p.quick and largest or p.most, p.quick and 100 or p.steps
-    local exact = push_over(p, "asi-gauss", largest, false)
-    local limit = push_over(p, "asi-gauss", largest, true, p.quick and steps or 4 * steps)
+    local ended, all = {}, 0
+    local function push(...)
+      local curve = push_over(p, ...)
+      ended[#ended + 1], all = curve.ended, all + 1
+      return curve
+    end
+    local exact = push("asi-gauss", largest, false)
+    local limit = push("asi-gauss", largest, true, p.quick and steps or 4 * steps)
+    if #ended > 0 then -- nothing to compare with
+      paper.show_ended(job, ended, all)
+      job:verdict("failed", "the reference ended by itself: " .. ended[1].reason)
+      return { ended = ended }
+    end
     local u, F = exact.x[#exact.x], limit.y[#limit.y]
 
     local results = { converged = { ux_mm = u, limit_kN = F }, runs = {}, needed = {} }
@@ -85,16 +104,17 @@ return hinge.scenario {
     end
 
     for _, method in ipairs(paper.methods) do
-      local found, drawn = converge(p, method, steps, most, exact, limit), {}
+      local found, drawn = converge(push, p, method, steps, most, exact, limit), {}
       for _, n in ipairs(found.sizes) do
         local elastic, plastic = found.elastic[n], found.plastic[n]
         local ux, top = elastic.x[#elastic.x], plastic.y[#plastic.y]
         local by_u, by_limit, by_curve = found.errors[1][n], found.errors[2][n], found.errors[3][n]
         results.runs[#results.runs + 1] = { method = method, elements = n, ux_mm = ux, ux_error = by_u, limit_kN = top,
           limit_error = by_limit, curve_error = by_curve }
-        elastic_rows[#elastic_rows + 1] = { method, n, ("%.6f"):format(ux), paper.percent(by_u) }
+        elastic_rows[#elastic_rows + 1] =
+          { method, elastic.ended and n .. "*" or n, ("%.6f"):format(ux), percent(by_u) }
         plastic_rows[#plastic_rows + 1] =
-          { method, n, ("%.4f"):format(top), paper.percent(by_limit), paper.percent(by_curve) }
+          { method, plastic.ended and n .. "*" or n, ("%.4f"):format(top), percent(by_limit), percent(by_curve) }
         drawn[n] = below(plastic, 2 * F)
       end
       local x, y = "displacement of the loaded corner, mm", "load, kN"
@@ -116,6 +136,9 @@ return hinge.scenario {
     paper.table("Elements a member needed", { "method", "for", "1 %", "0.1 %" }, needed_rows)
     job:plot({ title = "Error against the converged solution", x_label = "elements a member", y_label = "error, %",
       log_x = true, log_y = true, width = 1500, height = 950, series = error_curves }, "error.png")
+    paper.show_ended(job, ended, all)
+    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs ended by themselves")
+    results.ended, results.run_count = ended, all
     return results
   end,
 }

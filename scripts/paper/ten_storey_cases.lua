@@ -76,6 +76,7 @@ local function tables(first, runs)
   row("speed, km/h; size, m; mass, t", function(r) return ("%.0f; %.0f; %.0f"):format(3.6 * r.speed, r.size, r.mass / 1e3) end)
   row("kinetic energy brought, MJ", energy "own_kinetic")
   row("momentum brought, kN s", function(r) return ("%.0f"):format(r.brought / 1e3) end)
+  row("ended by itself, ms", function(r) return r.verdict == "failed" and ("%.1f *"):format(1e3 * r.time) or "no" end)
   row("columns fractured, inner", count "broken_inner")
   row("columns fractured, outer", count "broken_outer")
   row("beams fractured", count "broken_beams")
@@ -100,7 +101,7 @@ local function tables(first, runs)
   row("elastic", energy "elastic")
   row("still moving (nearly all aircraft)", energy "kinetic")
   row("remainder: numerical error", energy "remainder")
-  row("momentum given to the building", function(r) return ("%.0f %%"):format(100 * r.given) end)
+  row("momentum given to the building", function(r) return r.given and ("%.0f %%"):format(100 * r.given) or "-" end)
   paper.table("Where the energy went, MJ", { "Case", table.unpack(impact.order) }, rows)
 end
 
@@ -158,19 +159,30 @@ end
 -- The paper's findings against the numbers. Each: what, holds or not, and the numbers.
 local function findings(first, runs)
   local list = {}
-  local function find(what, holds, numbers)
-    list[#list + 1] = { finding = what, holds = holds, numbers = numbers }
-    print(("\n%d. %s: %s\n   %s"):format(#list, what, holds and "holds" or "does not hold", numbers))
+  -- `cases`: those that it looks at, the first run of Case I where that is all. One that ended by itself leaves it
+  -- undecided.
+  local function find(what, cases, holds, numbers)
+    local stopped
+    for case in cases:gmatch "%a+" do
+      for _, r in ipairs(cases == "I" and { first.I } or runs[case]) do
+        if r.verdict == "failed" then stopped = case end
+      end
+    end
+    if stopped then holds = nil end
+    list[#list + 1] = { finding = what, holds = holds, undecided = stopped and true or nil, numbers = numbers }
+    local answer = stopped and ("undecided, a run of Case %s ended by itself"):format(stopped)
+      or holds and "holds" or "does not hold"
+    print(("\n%d. %s: %s\n   %s"):format(#list, what, answer, numbers))
   end
   local function order(a, b) return compare(runs[a], runs[b], "work") end
   local function work(case) return spread(runs[case], "work", 1e6, "%.1f") end
 
-  find("Damage in I is larger than in II and in III", order("I", "II") == 1 and order("I", "III") == 1,
+  find("Damage in I is larger than in II and in III", "I II III", order("I", "II") == 1 and order("I", "III") == 1,
     ("plastic work in the building: I %s, II %s, III %s MJ"):format(work "I", work "II", work "III"))
   local function power(a, b, ratio) return math.log(first[a].work / first[b].work) / math.log(ratio) end
   local by_speed = power("I", "II", first.I.speed / first.II.speed)
   local by_mass = power("I", "III", first.I.mass / first.III.mass)
-  find("Damage in II is larger than in III, although II brings less kinetic energy", order("II", "III") == 1,
+  find("Damage in II is larger than in III, although II brings less kinetic energy", "II III", order("II", "III") == 1,
     ("plastic work: II %s %s III %s MJ. II brings less of both: %.1f MJ and %.2f MN s, III %.1f MJ and %.2f MN s"):format(
       work "II", signs[order("II", "III")], work "III", first.II.own_kinetic / 1e6, first.II.brought / 1e6,
       first.III.own_kinetic / 1e6, first.III.brought / 1e6) ..
@@ -178,21 +190,22 @@ local function findings(first, runs)
       by_speed, by_mass))
   local most = 0
   for _, case in ipairs(impact.order) do most = math.max(most, first[case].broken_columns) end
-  find("Columns are cut: in I most of the inner ones, down to the sixth floor",
+  find("Columns are cut: in I most of the inner ones, down to the sixth floor", "I",
     first.I.broken_inner > 4 and first.I.lowest <= 7,
     ("fractured columns, inner and outer: I %d and %d; the most in any case is %d"):format(first.I.broken_inner,
       first.I.broken_outer, most) ..
     ("\n   %.0f %% of the columns' plastic work in I is in one column; why none breaks: ten_storey_sensitivity.lua"):format(
       100 * first.I.worst_column / first.I.work_columns))
-  find("At equal energy a smaller aircraft cuts fewer inner columns: IV fewer than I",
+  find("At equal energy a smaller aircraft cuts fewer inner columns: IV fewer than I", "I IV",
     compare(runs.IV, runs.I, "broken_inner") == -1,
     ("fractured inner columns: I %d, IV %d"):format(first.I.broken_inner, first.IV.broken_inner))
-  find("Size changes the damage at equal energy", order("I", "IV") ~= 0,
+  find("Size changes the damage at equal energy", "I IV", order("I", "IV") ~= 0,
     ("plastic work in the building: I %s %s IV %s MJ; in its inner columns: I %s %s IV %s MJ"):format(work "I",
       signs[order("I", "IV")], work "IV", spread(runs.I, "work_inner", 1e6, "%.1f"),
       signs[compare(runs.I, runs.IV, "work_inner")], spread(runs.IV, "work_inner", 1e6, "%.1f")))
   local pulled = first.I.pulled
-  find("Tension appears soon after the impact in columns that were compressed", #pulled > 0 and pulled[1].first < 10e-3,
+  find("Tension appears soon after the impact in columns that were compressed", "I",
+    #pulled > 0 and pulled[1].first < 10e-3,
     #pulled > 0 and ("%d columns; the first %s ms after first contact, in storey %d"):format(#pulled, ms(pulled[1].first),
       pulled[1].storey) or "none")
   local function latest(times)
@@ -201,9 +214,9 @@ local function findings(first, runs)
     return last
   end
   local faint, felt = latest(first.I.faint), latest(first.I.felt)
-  find("The whole building feels the impact within milliseconds", faint < 25e-3,
+  find("The whole building feels the impact within milliseconds", "I", faint < 25e-3,
     ("f_y of some column has changed by 0.005 in every storey after %s ms, by 0.05 after %s ms"):format(ms(faint), ms(felt)))
-  find("Hinges appear in columns down to the lowest storey", first.I.red[1] >= 0,
+  find("Hinges appear in columns down to the lowest storey", "I", first.I.red[1] >= 0,
     ("first in storey 1: %s ms after first contact"):format(ms(first.I.red[1])))
   return list
 end
@@ -227,10 +240,15 @@ return hinge.scenario {
     local results = impact.side_by_side(job, p, script, tasks, function(task, at)
       return impact.simulate(task.p, task.twin == 0 and pictures(task.p, at, task.case))
     end)
-    if not results then return {} end
+    if not results then -- the second process: it has handed its results over
+      job:verdict "completed"
+      return {}
+    end
 
-    local first, runs = {}, {}
+    local first, runs, ended = {}, {}, {}
     for i, task in ipairs(tasks) do
+      ended[#ended + 1] = paper.ended(results[i], ("Case %s, %s"):format(task.case,
+        task.twin == 0 and "the paper's" or ("%g m aside"):format(task.p.offset)))
       runs[task.case] = runs[task.case] or {}
       table.insert(runs[task.case], results[i])
       if task.twin == 0 then first[task.case] = results[i] end
@@ -239,7 +257,14 @@ return hinge.scenario {
     figure_17(first.I, job)
     local tension = figure_19(first.I, job)
     local found = findings(first, runs)
+    paper.show_ended(job, ended, #tasks)
+    local stopped = {} -- what the paper ran to its end
+    for _, case in ipairs(impact.order) do
+      local r = first[case]
+      if r.verdict == "failed" then stopped[#stopped + 1] = ("Case %s: %s"):format(case, r.reason) end
+    end
+    job:verdict(#stopped == 0 and "completed" or "failed", table.concat(stopped, "; "))
     for _, r in pairs(first) do r.times, r.counts, r.below = nil, nil, nil end
-    return { cases = first, tension = tension, findings = found }
+    return { cases = first, tension = tension, findings = found, ended = ended, run_count = #tasks }
   end,
 }

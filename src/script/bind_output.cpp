@@ -375,8 +375,8 @@ Json energy_json(const Run& run) {
     return j;
 }
 
-/// core.write_summary{ results =, parameters =, case =, script =, notes = }: summary.json of the last run. Returns
-/// verdict, reason.
+/// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
+/// with the verdict and reason of `whole` where the script says how all its runs went. Returns verdict, reason.
 int write_summary(lua_State* L) {
     const auto c = context(L);
     Json j;
@@ -392,6 +392,8 @@ int write_summary(lua_State* L) {
         verdict = run.verdict() == Verdict::running ? "stopped" : name(run.verdict());
         reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : run.reason();
     }
+    if (const Json whole = field("whole"); !whole.is_null())
+        verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");
     j["verdict"] = verdict;
     if (!reason.empty()) j["reason"] = reason;
     for (const char* name : {"script", "case", "parameters"})
