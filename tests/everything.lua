@@ -1,5 +1,5 @@
--- All that the README and its pages name and that ctest leaves out, because it takes long: the main job, the hard suite,
--- the bench, the paper's figures and tables, and what accuracy costs in the five scenes of scripts/cost.
+-- All that the README and its pages name and that ctest leaves out because it takes long: the main job, the hard
+-- suite, the bench, the paper's figures and tables, and what accuracy costs in the five scenes of scripts/cost.
 --
 -- Run     cmake --build build --target everything
 --         or: lua5.4 tests/everything.lua BUILD [only=NAME] [list] [jobs=FILE]
@@ -40,14 +40,16 @@ local function summary_of(folder)
   return ok and summary or nil
 end
 
-local function completed(folder)
+local looks = {}
+
+function looks.completed(folder)
   local s = summary_of(folder)
   if not s then return "no summary.json, or one that cannot be read" end
   if s.verdict ~= "completed" then return ("verdict %s: %s"):format(s.verdict, s.reason) end
 end
 
 -- hinge cost says what it could not compare, and ends with status 0.
-local function compared(folder)
+function looks.compared(folder)
   local s = summary_of(folder)
   if not s then return "no summary.json, or one that cannot be read" end
   if #(s.failed or {}) > 0 then
@@ -75,14 +77,14 @@ end
 local function all_jobs()
   local hinge = quote(build .. "/hinge")
   local jobs = {
-    { name = "main job", command = hinge .. " run scripts/ten_storey_impact.lua --out @", look = completed },
+    { name = "main job", command = hinge .. " run scripts/ten_storey_impact.lua --out @", look = "completed" },
     { name = "hard", command = ("LUA_CPATH=%s lua5.4 tests/hard/suite.lua"):format(quote(build .. "/?.so")) },
-    { name = "bench", look = completed,
+    { name = "bench", look = "completed",
       command = ("%s run tests/bench/bench.lua build=%s --out @"):format(hinge, quote(build .. "/tests")) },
   }
   for _, script in ipairs(named_scripts "scripts/paper") do
     if script[1] ~= "all" then
-      jobs[#jobs + 1] = { name = "paper " .. script[1], look = completed,
+      jobs[#jobs + 1] = { name = "paper " .. script[1], look = "completed",
         command = ("%s run scripts/paper/all.lua only=%s --out @"):format(hinge, script[1]) }
     end
   end
@@ -92,7 +94,7 @@ local function all_jobs()
     for options in head:gmatch("hinge cost " .. script[2]:gsub("%p", "%%%0") .. "([^\n(]*)") do
       options = options:gsub("%s+$", "")
       local others = options:gsub(" %-%-within %S+", "")
-      jobs[#jobs + 1] = { name = "cost " .. script[1] .. others, look = compared,
+      jobs[#jobs + 1] = { name = "cost " .. script[1] .. others, look = "compared",
         command = ("%s cost %s%s --out @"):format(hinge, script[2], options) }
     end
   end
@@ -141,7 +143,7 @@ local function run(job)
     return ("%s %d: %s"):format(kind == "exit" and "status" or kind, status, words), nil, interrupted
   end
   local missing = (support.read(log) or ""):match "[^\n]* not drawn: [^\n]*"
-  return job.look and job.look(folder) or missing, note
+  return job.look and looks[job.look](folder) or missing, note
 end
 
 local start, rows, failed = os.time(), {}, 0
