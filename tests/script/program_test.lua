@@ -161,6 +161,43 @@ expect(#rows > 10 and (support.read(path "stopped/history.csv") or ""):sub(-1) =
 for i, row in ipairs(rows) do equal(select(2, row:gsub(",", "")), 10, "commas in row " .. i) end
 equal(support.output("find " .. quote(folder) .. " -name '*.part'"), "", "files half written")
 
+-- A job of several runs says how it went as a whole; otherwise the last run's verdict is the job's.
+local function study(last, says)
+  return script("study.lua", beam .. ([[
+return hinge.scenario { run = function(_, job)
+  cantilever(%s):static {}:finish()
+  %s
+  return { kept = 7 }
+end }
+]]):format(last, says))
+end
+for says, wanted in pairs {
+  ["1e6 "] = { 1, "failed" }, ["1e6 job:verdict 'completed'"] = { 0, "completed" }, ["1e3 "] = { 0, "completed" },
+  ["1e3 job:verdict('failed', 'one of two')"] = { 1, "failed", "one of two" },
+  ["1e6 job:verdict('completed', 'whatever')"] = { 0, "completed" },
+} do
+  local last, words = says:match "^(%S+) (.*)$"
+  status, _, complaint = run(hinge .. " run " .. study("-" .. last, words) .. " --out " .. quote(path "study"))
+  equal(status, wanted[1], says .. ": status; " .. complaint)
+  local s = summary "study"
+  equal(s.verdict, wanted[2], says .. ": verdict")
+  equal(s.results.kept, 7, says .. ": results")
+  if wanted[2] == "completed" then equal(s.reason, nil, says .. ": reason") end
+  if wanted[3] then
+    equal(s.reason, wanted[3], says .. ": reason")
+    expect(complaint:find("hinge: the run failed: " .. wanted[3] .. "\n", 1, true), "%s: it says %s", says, complaint)
+  end
+end
+for says, message in pairs {
+  ["job:verdict 'stopped'"] = "job:verdict: verdict is 'stopped'; must be 'completed' or 'failed'",
+  ["job:verdict 'failed'"] = "job:verdict: field 'reason' is missing",
+  ["job:verdict()"] = "job:verdict: field 'verdict' is missing",
+} do
+  status, _, complaint = run(hinge .. " run " .. study("-1e3", says) .. " --out " .. quote(path "study"))
+  equal(status, 2, says .. ": status")
+  expect(complaint:find(message, 1, true), "%s: it says %s", says, complaint)
+end
+
 -- Two runs side by side keep their histories apart.
 local side_by_side = beam .. [[
 local runs = {}
