@@ -279,7 +279,7 @@ function paper.figure(job, number, method, labels, curves, converged) end
 ---@alias paper.ended { run: string, time: number, reason: string } s (the load factor in statics)
 
 ---What is said of a run that ended by itself; nil of any other.
----@param run { verdict: string, reason: string, time: number } a run, or what impact.simulate returns
+---@param run hinge.run|impact.result
 ---@param name string of this run in the tables
 ---@return paper.ended?
 function paper.ended(run, name) end

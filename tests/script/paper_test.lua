@@ -203,4 +203,41 @@ expect(printed:find "\nOther crossings.*\n  90 .*\nnote: %d+ of 39 ", "its last 
 local summary = support.json(support.read(folder .. "/long_steps/summary.json"))
 equal(summary.verdict, "failed", "its verdict")
 equal(#summary.results.sweep, 27, "its crossings")
+
+-- all.lua goes on after a script that fails or stumbles, names it, and keeps what the others returned.
+local all = folder .. "/all.lua"
+support.write(all, support.read(support.root .. "scripts/paper/all.lua"))
+local function stand_in(name, does)
+  support.write(("%s/%s.lua"):format(folder, name), ([[
+local hinge = require "hinge"
+return hinge.scenario { run = function(_, job)
+  %s
+  return { name = "%s" }
+end }
+]]):format(does, name))
+end
+local names = { "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact", "ten_storey_cases",
+  "ten_storey_sensitivity" }
+local function run_all()
+  local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all), quote(folder .. "/all")))
+  return ended, said, support.json(support.read(folder .. "/all/summary.json") or "{}")
+end
+for _, name in ipairs(names) do stand_in(name, "job:note 'one of two'") end
+status, complaint, summary = run_all()
+equal(status, 0, "status where all scripts hold; " .. complaint)
+equal(summary.verdict, "completed", "verdict where all scripts hold")
+stand_in(names[2], "error 'a slip'")
+stand_in(names[4], "job:verdict('failed', 'too few held')")
+status, complaint, summary = run_all()
+equal(status, 1, "status where two scripts fail")
+expect(complaint:find("hinge: the run failed: space_frame_dynamic, two_beam_impact failed; the notes say why\n", 1, true),
+  "it says: %s", complaint)
+for i, name in ipairs(names) do
+  equal((summary.results[name] or {}).name, i ~= 2 and name or nil, "what was returned by " .. name)
+end
+local notes = table.concat(summary.notes or {}, "\n")
+for _, note in ipairs { "space_frame_static: one of two", "space_frame_dynamic failed: ", "a slip",
+  "two_beam_impact failed: too few held" } do
+  expect(notes:find(note, 1, true), "'%s' is not among the notes: %s", note, notes)
+end
 checks.done()
