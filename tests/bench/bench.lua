@@ -6,6 +6,7 @@
 --         vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes; an effect that is
 --         off against an engine without it; rules of the script's own against limits; threads; frames of growing size: time
 --         and memory
+-- Expect  exit status 0: Case I ends as it should, and bits are the same where they must be; times are not judged
 -- Writes  a CSV of each table and growth.png in its output folder
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
 local support = require "support"
@@ -21,6 +22,13 @@ local function show(job, name, title, head, rows)
   file:write(table.concat(head, ","), "\n")
   for _, row in ipairs(rows) do file:write(table.concat(row, ","), "\n") end
   file:close()
+end
+
+local faults = {} -- what is not as it must be
+
+local function must(ok, format, ...)
+  if not ok then faults[#faults + 1] = format:format(...) end
+  return ok
 end
 
 local function text(format, value) return format:format(value) end
@@ -48,6 +56,7 @@ local function stages(job, name, what, run)
       product = support.smallest_of(product, core.time_product(run, 5))
     end
   end
+  must(run.verdict == "completed", "%s: %s", what, run.reason)
   local rows, sum, n = {}, 0, run.index
   for i, stage in ipairs(run.stages) do
     local us = 1e6 * stage.seconds / n
@@ -130,6 +139,7 @@ local function compiled_out(job, build)
       least[i], hash[i] = support.smallest_of(least[i] or math.huge, us), bits
     end
   end
+  must(hash[1] == hash[2], "an engine without effects that are not called for has other bits")
   show(job, "compiled_out", "A step of an elastic frame that calls for no contact, fracture or plasticity", { "engine", "us", "ratio", "bits" },
     { { "all effects compiled in", text("%.2f", least[1]), text("%.3f", least[1] / least[2]), hash[1] }, { "without them", text("%.2f", least[2]), "1", hash[2] } })
   return least[1] / least[2]
@@ -236,7 +246,8 @@ local function rules(job, duration)
   until not more
   for i, run in ipairs(runs) do
     rows[i] = { choices[i][1], text("%.1f", 1e6 * run.wall_seconds / run.index), text("%.3f", run.wall_seconds / runs[1].wall_seconds),
-      run:count { state = "broken" }, run.hash == runs[1].hash and "the same" or "OTHER" }
+      run:count { state = "broken" },
+      must(run.hash == runs[1].hash, "%s: other bits than by limits", choices[i][1]) and "the same" or "OTHER" }
   end
   show(job, "rules", "Case I, who decides what breaks", { "rule", "us a step", "ratio", "members broken", "bits" }, rows)
   return rows
@@ -249,7 +260,8 @@ local function threads(job, quick)
     for n = 1, 2 do
       local f = frame(size, { integrator = integrator, threads = n })
       first = first or f
-      rows[#rows + 1] = { integrator, f.elements, n, text("%.0f", f.ns), text("%.2f", first.ns / f.ns), f.hash == first.hash and "the same" or "OTHER" }
+      rows[#rows + 1] = { integrator, f.elements, n, text("%.0f", f.ns), text("%.2f", first.ns / f.ns),
+        must(f.hash == first.hash, "%s, %d threads: other bits", integrator, n) and "the same" or "OTHER" }
     end
   end
   show(job, "threads", "Threads", { "integrator", "elements", "threads", "ns an element", "speed-up", "bits" }, rows)
@@ -276,6 +288,7 @@ return hinge.scenario {
     result.rules = rules(job, length)
     result.threads = threads(job, p.quick)
     result.growth = growth(job, p)
+    job:verdict(#faults == 0 and "completed" or "failed", table.concat(faults, "; "))
     return result
   end,
 }
