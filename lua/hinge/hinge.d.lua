@@ -3,8 +3,12 @@
 --
 -- Units are SI throughout: m, kg, s, N, Pa, rad. Wrong input raises an error at the script's own line that names the
 -- function, the field, the value, its unit and what is allowed. What goes wrong in the physics or the numbers is a
--- result, never an error: see run.verdict. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss technique.
--- Jobs, models and the report are in library.d.lua.
+-- result, never an error: see run.verdict. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss
+-- technique. Jobs, models and the report are in library.d.lua.
+--
+-- reference.lua makes reference.md from this. What is said of a class, an alias, a function or a field stands in the
+-- lines above it, or behind a field where it is short; what is said of a parameter or a result, behind it and in lines
+-- below that begin with `---` and two blanks.
 
 ---@class hinge
 ---@field version string
@@ -26,15 +30,29 @@ function hinge.resume(run, file) end
 function hinge.model(options) end
 
 ---@class hinge.model_options
----@field formulation? "asi-gauss"|"asi"|"conventional" where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi: in the middle while elastic. conventional: always in the middle
----@field displacement? "large"|"small" large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
----@field shift? "plastic"|"whole" what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of elements keeps its exact elastic stiffness and the energy ledger closes. whole: the paper's letter (eqs 6, 10), elastic point and all, and its partner's point to the middle; forces stay continuous but the elastic energy jumps, which the remainder shows
----@field mass? "linear"|"cubic" linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: what a pair of asi-gauss elements weighs in the cubic shape that its stiffness stands for; not in the paper, equally fast, frequencies of two elements a member within 0.2 % where linear has 1 to 4 %. Newmark's method and statics only, no fracture
+---where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a
+---pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi:
+---in the middle while elastic. conventional: always in the middle
+---@field formulation? "asi-gauss"|"asi"|"conventional"
+---large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
+---@field displacement? "large"|"small"
+---what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of
+---elements keeps its exact elastic stiffness and the energy ledger closes. whole: the paper's letter (eqs 6,
+---10), elastic point and all, and its partner's point to the middle; forces stay continuous but the elastic
+---energy jumps, which the remainder shows
+---@field shift? "plastic"|"whole"
+---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: what a
+---pair of asi-gauss elements weighs in the cubic shape that its stiffness stands for; not in the paper,
+---equally fast, frequencies of two elements a member within 0.2 % where linear has 1 to 4 %. Newmark's
+---method and statics only, no fracture
+---@field mass? "linear"|"cubic"
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---@field elements_per_member? integer default 2, the paper's
 
 ---A linear elastic, perfectly plastic material.
----@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number } E Pa; nu default 0.3; G Pa, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in dynamics; yield_stress Pa, left out: never yields
+---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
+---  E Pa; nu default 0.3; G Pa, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in dynamics; yield_stress
+---  Pa, left out: never yields
 ---@return hinge.material
 function hinge.material(options) end
 
@@ -53,12 +71,15 @@ function hinge.material(options) end
 local section = {}
 
 ---Closed box. J and Mz0 by Bredt: 4 Am^2 / sum(length / t) and 2 Am t with the thinnest wall.
----@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number } outer sizes and walls, m; thickness for all walls, or web (the walls along y) and flange
+---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number }
+---  outer sizes and walls, m; thickness for all walls, or web (the walls along y) and flange
 ---@return hinge.section
 function section.box(options) end
 
----H (I, wide flange) with its web along y: Ix is the strong axis. J = sum b t^3 / 3; Mz0 from the plates' heaps of sand.
----@param options { depth: number, width: number, web: number, flange: number } outer sizes and thicknesses, m; no fillets
+---H (I, wide flange) with its web along y: Ix is the strong axis. J = sum b t^3 / 3; Mz0
+---from the plates' heaps of sand.
+---@param options { depth: number, width: number, web: number, flange: number }
+---  outer sizes and thicknesses, m; no fillets
 ---@return hinge.section
 function section.h(options) end
 
@@ -95,8 +116,10 @@ function section.general(options) end
 ---@field Mx0? number `plastic`, and without that never limits
 ---@field My0? number
 ---@field Mz0? number
----@field plastic? { A?: number, Zx?: number, Zy?: number, Zz?: number } m^2, m^3; multiplied by the yield stress, Zz by yield stress / sqrt 3
----@field size? { width: number, depth: number } m along x and y, for contact and pictures; without it both are the root of the area
+---m^2, m^3; multiplied by the yield stress, Zz by yield stress / sqrt 3
+---@field plastic? { A?: number, Zx?: number, Zy?: number, Zz?: number }
+---m along x and y, for contact and pictures; without it both are the root of the area
+---@field size? { width: number, depth: number }
 ---@field kind? string a name for messages
 
 ---@class hinge.section read-only
@@ -120,11 +143,11 @@ function section.general(options) end
 
 -- Models -------------------------------------------------------------------------------------------------------------
 
--- Handles. Two handles to the same thing are the same value, so == compares them and they can be keys of a table. tostring
--- says what one stands for, and of what is gone since when it is. A handle of another model is refused everywhere, and so is
--- one of a model that was closed. Lists are arrays in the order of declaration, made anew by each call:
--- `for _, member in ipairs(group:members()) do ... end`. What a method reads of a run is of the latest run made of the model
--- where none is given; while none has been made, that is an error.
+-- Handles. Two handles to the same thing are the same value, so == compares them and they can be keys of a table.
+-- tostring says what one stands for, and of what is gone since when it is. A handle of another model is refused
+-- everywhere, and so is one of a model that was closed. Lists are arrays in the order of declaration, made anew by each
+-- call: `for _, member in ipairs(group:members()) do ... end`. What a method reads of a run is of the latest run made
+-- of the model where none is given; while none has been made, that is an error.
 
 ---A joint.
 ---@class hinge.node
@@ -148,7 +171,8 @@ function node:velocity(run) end
 function node:acceleration(run) end
 
 ---@param run? hinge.run default: the latest of the model
----@return number fx, number fy, number fz, number mx, number my, number mz what the support exerts on the node, N and N m
+---@return number fx, number fy, number fz, number mx, number my, number mz
+---  what the support exerts on the node, N and N m
 function node:reaction(run) end
 
 ---@param run? hinge.run default: the latest of the model
@@ -182,7 +206,8 @@ function member:forces(run) end
 
 ---What has become of it. A member is broken once one of its elements is.
 ---@param run? hinge.run default: the latest of the model
----@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest now; of a broken member, when its first element broke (s; nil: before this run began) and which of its elements it was
+---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest now; of a
+---  broken member, when its first element broke (s; nil: before this run began) and which of its elements it was
 function member:state(run) end
 
 ---Members that were given the same name. `#group` is their number.
@@ -208,7 +233,8 @@ function group:nodes() end
 ---@field moment vec3 N m
 local load = {}
 
----Takes it off the model. Runs made before keep it; any later use of the handle is an error that says where it was removed.
+---Takes it off the model. Runs made before keep it; any later use of the handle is an error
+---that says where it was removed.
 function load:remove() end
 
 ---@class hinge.model
@@ -226,8 +252,9 @@ function model:groups() end
 ---@return hinge.load[] loads those that were not removed
 function model:loads() end
 
----Frees the model and its runs at once, whatever handles there are; any later use of one is an error that says where the
----model was closed. Models that nobody refers to are freed without it. An error inside a step of one of its own runs.
+---Frees the model and its runs at once, whatever handles there are; any later use of one is an error
+---that says where the model was closed. Models that nobody refers to are freed without it. An error
+---inside a step of one of its own runs.
 function model:close() end
 
 ---Adds a joint.
@@ -241,22 +268,47 @@ function model:node(position) end
 function model:fix(node, what) end
 
 ---Adds a member between two joints, to which it is rigidly connected.
----@param options { [1]: hinge.node, [2]: hinge.node, section: hinge.section, material: hinge.material, up?: vec3, group?: string|hinge.group|(string|hinge.group)[], elements?: integer } up: direction of the section's y axis, any vector across the member, default upwards (along space x for an upright member); group: the first one colours it; elements: default as the model's
+---@param options hinge.member_options
 ---@return hinge.member
 function model:member(options) end
 
----Adds a load on a node. Three numbers are fixed in direction; a function is asked once a step what acts at its end, time in s, and
----can read the run where the step begins (dynamics only): it returns three numbers, or a table of three.
----@param options { node: hinge.node, force?: vec3|fun(time: number, run: hinge.run): number, moment?: vec3|fun(time: number, run: hinge.run): number, history?: fun(time: number): number|number[][] } N and N m in space; history: factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
+---@class hinge.member_options
+---@field [1] hinge.node
+---@field [2] hinge.node
+---@field section hinge.section
+---@field material hinge.material
+---direction of the section's y axis, any vector across the member, default upwards (along
+---space x for an upright member)
+---@field up? vec3
+---@field group? string|hinge.group|(string|hinge.group)[] the first one colours it
+---@field elements? integer default as the model's
+
+---Adds a load on a node. Three numbers are fixed in direction; a function is asked once a step what acts at its end,
+---time in s, and can read the run where the step begins (dynamics only): it returns three numbers, or a table of three.
+---@param options hinge.load_options
 ---@return hinge.load
 function model:load(options) end
 
----Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run begins. Velocity and
----acceleration follow by differences over the last steps; before the run a support moved as the state says that it begins from, or
----stood still. A path may set off and stop at once, which is a blow. The work that supports do is in the ledger. In statics they
----stand still.
----@param options { node: hinge.node|hinge.node[], x?: fun(time: number): number|number[][], y?: fun(time: number): number|number[][], z?: fun(time: number): number|number[][] } displacement, m, over time, s: a function, or points { { time, displacement }, ... }
+---@class hinge.load_options
+---@field node hinge.node
+---@field force? vec3|fun(time: number, run: hinge.run): number N, in space
+---@field moment? vec3|fun(time: number, run: hinge.run): number N m, in space
+---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
+---@field history? fun(time: number): number|number[][]
+
+---Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run
+---begins. Velocity and acceleration follow by differences over the last steps; before the run a support moved as the
+---state says that it begins from, or stood still. A path may set off and stop at once, which is a blow. The work that
+---supports do is in the ledger. In statics they stand still.
+---@param options hinge.move_options
 function model:move(options) end
+
+---@class hinge.move_options
+---@field node hinge.node|hinge.node[]
+---displacement, m, over time, s: a function, or points { { time, displacement }, ... }
+---@field x? fun(time: number): number|number[][]
+---@field y? fun(time: number): number|number[][] likewise
+---@field z? fun(time: number): number|number[][] likewise
 
 ---Gravity on every member's mass.
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
@@ -269,8 +321,8 @@ function model:gravity(acceleration) end
 function model:velocity(target, linear, angular) end
 
 ---Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
----per millimetre, so 0.4 here. Or where a function says so. Of several rules the last one that a member's groups fit counts. An
----error in a function takes the step back and is raised where the run was stepped.
+---per millimetre, so 0.4 here. Or where a function says so. Of several rules the last one that a member's groups fit
+---counts. An error in a function takes the step back and is raised where the run was stepped.
 ---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
 function model:fracture(rule) end
 
@@ -279,14 +331,23 @@ function model:fracture(rule) end
 ---@field curvature_y? number 1/m, either sign
 ---@field axial_strain? number -, either sign unless tension_only
 ---@field tension_only? boolean default false
----@field rule? fun(section: hinge.section_view): boolean? asked of a section, where no limit is reached; true: it breaks. The section is the same object at every call and can be read while the function runs
----@field where? "plastic"|"yielded"|"all" sections that `rule` is asked of. plastic (default): those fully plastic in this step, and those that were before when a curvature or the axial strain of their element is larger than ever: nothing is missed by a rule that looks at such strains; yielded: all that were ever fully plastic; all. Those of members that cannot yield are always asked
----@field keep? string[] names of numbers that the rule keeps of each section, such as { "damage" }: fields of the section that can be set, 0 at the start; they belong to the run's state
----@field batch? fun(elements: hinge.element_list): integer[]? in the place of `rule`: asked once a step of all elements of the members; returns a list of places of those that break
+---asked of a section, where no limit is reached; true: it breaks. The section is the same object at every call and can
+---be read while the function runs
+---@field rule? fun(section: hinge.section_view): boolean?
+---sections that `rule` is asked of. plastic (default): those fully plastic in this step, and those that were before
+---when a curvature or the axial strain of their element is larger than ever: nothing is missed by a rule that looks at
+---such strains; yielded: all that were ever fully plastic; all. Those of members that cannot yield are always asked
+---@field where? "plastic"|"yielded"|"all"
+---names of numbers that the rule keeps of each section, such as { "damage" }: fields of the section that can be set, 0
+---at the start; they belong to the run's state
+---@field keep? string[]
+---in the place of `rule`: asked once a step of all elements of the members; returns a
+---list of places of those that break
+---@field batch? fun(elements: hinge.element_list): integer[]?
 ---@field group? hinge.group_like only its members, default all
 
----A section as a fracture rule sees it where the step has ended. Strains are the element's: elastic and plastic, only plastic,
----and their change over the step divided by dt.
+---A section as a fracture rule sees it where the step has ended. Strains are the element's: elastic and plastic, only
+---plastic, and their change over the step divided by dt.
 ---@class hinge.section_view
 ---@field time number s
 ---@field dt number s
@@ -317,20 +378,21 @@ function model:fracture(rule) end
 ---@field plastic_work number J, of the element so far
 ---@field broken number 0
 
----All elements of a fracture rule's members, always in the same order: `count` of them (also `#elements`), and for every field of a
----section an array with one number each; Mx, My, f_y, node and plastic have one for each end (Mx1, Mx2, ...; node 0 inside a member, plastic 1 or 0). Broken
----elements stay in their places, with broken = 1 and zeros. An array is the same table at every step, filled when it is asked for.
+---All elements of a fracture rule's members, always in the same order: `count` of them (also `#elements`), and for
+---every field of a section an array with one number each; Mx, My, f_y, node and plastic have one for each end (Mx1,
+---Mx2, ...; node 0 inside a member, plastic 1 or 0). Broken elements stay in their places, with broken = 1 and zeros.
+---An array is the same table at every step, filled when it is asked for.
 ---@class hinge.element_list
 ---@field count integer
 ---@field time number s
 ---@field dt number s
 ---@field step integer
 
----Lets members touch. surface (the default): bars, round with half the smaller side of their section as radius, press on
----each other where their axes come closest, k g^2 / 2 for an overlap g; nothing is lost but by friction. gap (section 2.4,
----eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part springs back.
----Members that share a joint, or overlap when first seen, do not touch until they have parted. Called again it adds a rule: of
----several, the last one that fits both members' groups counts.
+---Lets members touch. surface (the default): bars, round with half the smaller side of their section as radius, press
+---on each other where their axes come closest, k g^2 / 2 for an overlap g; nothing is lost but by friction. gap
+---(section 2.4, eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part
+---springs back. Members that share a joint, or overlap when first seen, do not touch until they have parted. Called
+---again it adds a rule: of several, the last one that fits both members' groups counts.
 ---@param rule? hinge.contact_rule
 function model:contact(rule) end
 
@@ -338,17 +400,27 @@ function model:contact(rule) end
 ---@field rule? "surface"|"gap" default surface
 ---@field groups? hinge.group_like[] only members of these, default all
 ---@field between? hinge.group_like[] two groups: one member of each, in the place of groups
----@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil asked once of two members when they come near: nil or true: this rule's numbers; false: they never touch; a table: other numbers (rule, stiffness, friction, binding_time, release, reach, flatness)
----@field on_touch? fun(event: hinge.contact_event) called at the end of a step in which two elements were bound or began to press on each other
+---asked once of two members when they come near: nil or true: this rule's numbers; false: they never touch; a table:
+---other numbers (rule, stiffness, friction, binding_time, release, reach, flatness)
+---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
+---called at the end of a step in which two elements were bound or began to press on each other
+---@field on_touch? fun(event: hinge.contact_event)
 ---@field on_release? fun(event: hinge.contact_event) likewise, let go or parted
----@field stiffness? number surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
+---surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
+---@field stiffness? number
 ---@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the ledger's contact_released
 ---@field binding_time? number gap: default 0.5e-3 s
----@field release? "parting"|"time" gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is let go
+---gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given
+---back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is let go
+---@field release? "parting"|"time"
 ---@field reach? number gap: C_l of eq 18, default 1.8
 ---@field flatness? number gap: alpha of eq 19, default 3e-4 m^3
----@field sleep? boolean default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at several times the cost
----@field letter? boolean gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other; release is then "time"
+---default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at
+---several times the cost
+---@field sleep? boolean
+---gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other;
+---release is then "time"
+---@field letter? boolean
 
 ---@class hinge.contact_event
 ---@field time number s
@@ -372,42 +444,75 @@ function model:static(options) end
 
 ---@class hinge.static_options
 ---@field steps? integer default 10
----@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number } equal steps of load (default), arc length, or one freedom driven to a value (m, rad)
+---equal steps of load (default), arc length, or one freedom driven to a value (m, rad)
+---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
 ---@field hold? hinge.group_like a group held in place during this run
 ---@field from? hinge.run goes on from another run's state
 ---@field iterations? integer at most so many a step before it is halved, default 30
 ---@field tolerance? number force out of balance, of the forces at work; default 1e-9
 ---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
 
----A dynamic run, without damping but for what rho_infinity asks for: by Newmark's beta method (eq 15), or explicit, by central differences with lumped masses (half
----of each element on each of its nodes, the rotary inertia the section's polar one). Explicit steps solve nothing and take none of
----precision, beta, rho_infinity, iterations, tolerance, predictor, geometric, turn and what is said of the solver.
+---A dynamic run, without damping but for what rho_infinity asks for: by Newmark's beta method (eq 15), or explicit, by
+---central differences with lumped masses (half of each element on each of its nodes, the rotary inertia the section's
+---polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations, tolerance,
+---predictor, geometric, turn and what is said of the solver.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
 
 ---@class hinge.dynamic_options
----@field dt number|"auto" s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that while nothing yields, breaks or touches and the accelerations hardly change, with step_control = 0.01; explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it allows is an error that names the element)
+---s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that
+---while nothing yields, breaks or touches and the accelerations hardly change, with step_control = 0.01;
+---explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it
+---allows is an error that names the element)
+---@field dt number|"auto"
 ---@field duration number s
 ---@field integrator? "newmark"|"explicit" default newmark
 ---@field from? hinge.run starts from another run's state, such as gravity at rest
----@field energy_tolerance? number default 0.1 (0 with shift = "whole", whose ledger cannot close): the run ends by itself, with verdict "failed", when the ledger's remainder is a larger part of the energy turned over (the most that any one account of run.energy has had). It is looked at every 100 steps, or 20 times in a short run, and at the end; the state is then that of the last look at which it closed (models of up to 200 000 elements). 0: never
----@field step_control? number 0..1, the part of the energy turned over that the run may lose to its ledger's remainder. A step that would lose more than its share of it (or turn a node by more than 0.5 rad, or that cannot be solved) is taken back before anything is told of it, and tried again half as long, down to dt / 1024, below which the run fails; where all is well steps grow again up to dt. Costs a quarter of a step. Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is kept. Not with shift = "whole", whose ledger cannot close
+---default 0.1 (0 with shift = "whole", whose ledger cannot close): the run ends by itself, with verdict "failed", when
+---the ledger's remainder is a larger part of the energy turned over (the most that any one account of run.energy has
+---had). It is looked at every 100 steps, or 20 times in a short run, and at the end; the state is then that of the last
+---look at which it closed (models of up to 200 000 elements). 0: never
+---@field energy_tolerance? number
+---0..1, the part of the energy turned over that the run may lose to its ledger's remainder. A step that would lose more
+---than its share of it (or turn a node by more than 0.5 rad, or that cannot be solved) is taken back before anything is
+---told of it, and tried again half as long, down to dt / 1024, below which the run fails; where all is well steps grow
+---again up to dt. Costs a quarter of a step. Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is
+---kept. Not with shift = "whole", whose ledger cannot close
+---@field step_control? number
 ---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
 ---@field threads? integer how many share a step's work, default 1, the same bits for any number
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
----@field rho_infinity? number 0..1, what a step leaves of the amplitude of the highest frequencies; below 1 Newmark's method with alpha of Wood, Bossak and Zienkiewicz (1980), alpha = (rho - 1)/(rho + 1), which sets beta = 1/(1 + rho)^2 and gamma = 1/2 - alpha. Of second order; what it takes out of slow motion is of third order, and is run.energy.numerical; to know that costs a third of a step. Over millions of steps 0.99 keeps rounding from growing in vibrations too fast for the step. Default 1: nothing
----@field iterations? integer 1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer than the fastest vibration allows for one
+---0..1, what a step leaves of the amplitude of the highest frequencies; below 1 Newmark's method with alpha of
+---Wood, Bossak and Zienkiewicz (1980), alpha = (rho - 1)/(rho + 1), which sets beta = 1/(1 + rho)^2 and
+---gamma = 1/2 - alpha. Of second order; what it takes out of slow motion is of third order, and is
+---run.energy.numerical; to know that costs a third of a step. Over millions of steps 0.99 keeps rounding from growing
+---in vibrations too fast for the step. Default 1: nothing
+---@field rho_infinity? number
+---1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's
+---first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer
+---than the fastest vibration allows for one
+---@field iterations? integer
 ---@field tolerance? number see iterations; default 1e-10
----@field predictor? "auto"|"acceleration"|"displacement" where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the first while dt is shorter than an axial wave needs for the shortest element
+---where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the
+---first while dt is shorter than an axial wave needs for the shortest element
+---@field predictor? "auto"|"acceleration"|"displacement"
 ---@field geometric? boolean initial stress in the operator, default true
 ---@field turn? number rad: an element's part of the operator is rebuilt when it has turned by this, default 0.01
----@field precision? "single"|"double" of the operator's blocks. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where steps are longer than the fastest waves need
+---of the operator's blocks. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
+---steps are longer than the fastest waves need
+---@field precision? "single"|"double"
 ---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors
 ---@field solver_tolerance? number of the residual, default 1e-8
 ---@field solver_iterations? integer at most so many, default 500
----@field record? integer|false steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
----@field checkpoint? string|{ file: string, every?: number, keep?: table } where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error: the one before stays, and a line says so. keep: a table of the script's own whose values (booleans, numbers, strings, tables of them) are kept too and are back in it when the run goes on
+---steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
+---@field record? integer|false
+---where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C
+---or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of
+---a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error:
+---the one before stays, and a line says so. keep: a table of the script's own whose values (booleans, numbers, strings,
+---tables of them) are kept too and are back in it when the run goes on
+---@field checkpoint? string|{ file: string, every?: number, keep?: table }
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
 
@@ -424,16 +529,36 @@ function model:dynamic(options) end
 ---@field worst_remainder number J, the largest so far, of either sign
 ---@field contacts { bound: integer, released: integer } pairs of elements: bonds made, or touches begun; let go
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
----@field effects { name: string, active: boolean, because: string, seconds: number, asked_at: string }[] which are in the step, why, what each took, and the script's line that asks for it, "" where none does
+---@field effects hinge.effect[] all that there are, in the step or not
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
 ---@field hash string of the whole state, to the bit
----@field counts { element_updates: integer, element_builds: integer, solves: integer, cg_iterations: integer, factorisations: integer, pair_tests: integer, pair_lists: integer, rejected_steps: integer } work done: elements whose forces were recovered, elements whose stiffness was built, systems solved, pairs of members looked at closely, lists of near pairs made, steps that step control took back
+---@field counts hinge.work_counts
 ---@field probes hinge.probe[] those asked for so far
----@field wakings { time: number, effect: string, awake: boolean, why: string }[] what woke because it had something to do, or went to sleep; the first thousand
+---what woke because it had something to do, or went to sleep; the first thousand
+---@field wakings { time: number, effect: string, awake: boolean, why: string }[]
 local run = {}
 
----The energy ledger, J (eq 20 and what it leaves out). remainder = initial + work - all the others: the numerical error.
+---@class hinge.effect
+---@field name string
+---@field active boolean it is in the step
+---@field because string why it is or is not
+---@field seconds number what it took
+---@field asked_at string the script's line that asks for it, "" where none does
+
+---The work that a run has done.
+---@class hinge.work_counts
+---@field element_updates integer elements whose forces were recovered
+---@field element_builds integer elements whose stiffness was built
+---@field solves integer systems solved
+---@field cg_iterations integer
+---@field factorisations integer
+---@field pair_tests integer pairs of members looked at closely
+---@field pair_lists integer lists of near pairs made
+---@field rejected_steps integer steps that step control took back
+
+---The energy ledger, J (eq 20 and what it leaves out). remainder = initial + work - all
+---the others: the numerical error.
 ---@class hinge.energy
 ---@field initial number kinetic and elastic at the start
 ---@field kinetic number
@@ -462,16 +587,17 @@ function run:step() end
 ---@return hinge.run
 function run:finish() end
 
----Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of frames. Aside, then
----renamed: the file is the old one or the new one. Changes nothing in the run. Call it between steps or in run:on_step; dynamic runs only.
----Not in it: the script's own variables, those that its functions refer to among them; the table named by `keep` is, and so is what a
----fracture rule keeps of each section.
+---Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of
+---frames. Aside, then renamed: the file is the old one or the new one. Changes nothing in the run. Call it between
+---steps or in run:on_step; dynamic runs only. Not in it: the script's own variables, those that its functions refer to
+---among them; the table named by `keep` is, and so is what a fracture rule keeps of each section.
 ---@param file string a name without a folder is in the output folder
 ---@return hinge.run
 function run:checkpoint(file) end
 
----Before the first step: goes on from a checkpoint of the same run, made by the same model, settings and probes; any number of
----threads. One that is damaged, of another run (the message says in what) or of another hinge is refused, and nothing has changed.
+---Before the first step: goes on from a checkpoint of the same run, made by the same model, settings and probes; any
+---number of threads. One that is damaged, of another run (the message says in what) or of another hinge is refused, and
+---nothing has changed.
 ---@param file string
 ---@return hinge.run
 function run:resume(file) end
@@ -479,13 +605,15 @@ function run:resume(file) end
 ---Ends the run here; its verdict is then "stopped".
 function run:stop() end
 
----Has a function called with the run after each step, whoever asks for the steps. It may read and stop the run, but not step it.
+---Has a function called with the run after each step, whoever asks for the steps. It may read and
+---stop the run, but not step it.
 ---@param callback fun(run: hinge.run)
 ---@return hinge.run
 function run:on_step(callback) end
 
 ---Records one quantity of a node at every step, and in history.csv. Ask before the first step.
----@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
+---@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz
+---  (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
 ---@return hinge.probe
 function run:probe(options) end
 
@@ -510,14 +638,16 @@ function run:velocity(node) end
 function run:acceleration(node) end
 
 ---@param node hinge.node
----@return number fx, number fy, number fz, number mx, number my, number mz what the support exerts on the node, N and N m
+---@return number fx, number fy, number fz, number mx, number my, number mz
+---  what the support exerts on the node, N and N m
 function run:reaction(node) end
 
 ---@param node hinge.node
 ---@return number x, number y, number z where it is now, m
 function run:position(node) end
 
----@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number } N and N m in the section's axes; f_y of eq 14
+---N and N m in the section's axes; f_y of eq 14
+---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number }
 
 ---As member:forces.
 ---@param member hinge.member
@@ -529,13 +659,20 @@ function run:forces(member) end
 ---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element
 function run:state(member) end
 
----@alias hinge.member_quantity "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z"|"N_a"|"Mx_a"|"My_a"|"Mz_a"|"Qx_a"|"Qy_a"|"f_y_a"|"N_b"|"Mx_b"|"My_b"|"Mz_b"|"Qx_b"|"Qy_b"|"f_y_b"
----@alias hinge.node_quantity "ux"|"uy"|"uz"|"rx"|"ry"|"rz"|"vx"|"vy"|"vz"|"vrx"|"vry"|"vrz"|"ax"|"ay"|"az"|"arx"|"ary"|"arz"|"reaction_fx"|"reaction_fy"|"reaction_fz"|"reaction_mx"|"reaction_my"|"reaction_mz"|"node"|"node_x"|"node_y"|"node_z"
+---@alias hinge.end_a "N_a"|"Mx_a"|"My_a"|"Mz_a"|"Qx_a"|"Qy_a"|"f_y_a"
+---@alias hinge.end_b "N_b"|"Mx_b"|"My_b"|"Mz_b"|"Qx_b"|"Qy_b"|"f_y_b"
+---@alias hinge.member_value "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z"
+---@alias hinge.member_quantity hinge.member_value|hinge.end_a|hinge.end_b
 
----Bulk reading: one number a member or a joint of the group, in the order they were declared; "member" and "node" say which.
----Of members, f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded, touched: 1 or 0;
----plastic_work J; member: its index; x, y, z: its middle now, m; with _a and _b: the resultants at its ends, as member:forces.
----Of nodes: what run:probe takes, reactions as reaction_fx to reaction_mz; node: its index; node_x, node_y, node_z: where it is now, m.
+---@alias hinge.rate "vx"|"vy"|"vz"|"vrx"|"vry"|"vrz"|"ax"|"ay"|"az"|"arx"|"ary"|"arz" velocity, acceleration
+---@alias hinge.reaction "reaction_fx"|"reaction_fy"|"reaction_fz"|"reaction_mx"|"reaction_my"|"reaction_mz"
+---@alias hinge.node_quantity hinge.component|hinge.rate|hinge.reaction|"node"|"node_x"|"node_y"|"node_z"
+
+---Bulk reading: one number a member or a joint of the group, in the order they were declared; "member" and "node" say
+---which. Of members, f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded,
+---touched: 1 or 0; plastic_work J; member: its index; x, y, z: its middle now, m; with _a and _b: the resultants at its
+---ends, as member:forces. Of nodes: what run:probe takes, reactions as reaction_fx to reaction_mz; node: its index;
+---node_x, node_y, node_z: where it is now, m.
 ---@param quantity hinge.member_quantity|hinge.node_quantity
 ---@param group? hinge.group_like default: all; of nodes, the joints of the group's members
 ---@return number[]
@@ -558,9 +695,10 @@ function run:snapshot() end
 
 -- Ground motion -------------------------------------------------------------------------------------------------------
 
----The displacement of the ground, m, as a function of time, s, from a record of its acceleration: linear between the record's
----values, integrated twice exactly; zero before its start, straight on after its end. For model:move.
----@param options { dt: number, acceleration: number[], scale?: number } dt s; acceleration m/s^2, the first at t = 0; scale default 1
+---The displacement of the ground, m, as a function of time, s, from a record of its acceleration: linear between the
+---record's values, integrated twice exactly; zero before its start, straight on after its end. For model:move.
+---@param options { dt: number, acceleration: number[], scale?: number }
+---  dt s; acceleration m/s^2, the first at t = 0; scale default 1
 ---@return fun(time: number): number
 function hinge.ground(options) end
 
@@ -568,20 +706,30 @@ function hinge.ground(options) end
 
 ---A script's parameters, cases and what it runs: a script returns one to the program. A script may also be plain
 ---statements; it then gets what was written as key=value in a table, `...`, and its return value is its results.
----@param options { parameters?: table<string, any>, cases?: table<string, table>, accuracy?: table<string, any[]>, run: fun(p: table, job: hinge.job): any } parameters: names and defaults (numbers, strings, booleans, lists of numbers), changed by `key=value`, where a number may be a sum such as 440/3.6; cases: named sets of changes for --case; accuracy: settings that trade accuracy for time, each a list whose first item is the default; run: returns the results kept in summary.json
+---@param options hinge.scenario_options
 ---@return hinge.scenario
 function hinge.scenario(options) end
 
+---@class hinge.scenario_options
+---names and defaults (numbers, strings, booleans, lists of numbers), changed by `key=value`, where a
+---number may be a sum such as 440/3.6
+---@field parameters? table<string, any>
+---@field cases? table<string, table> named sets of changes for --case
+---settings that trade accuracy for time, each a list whose first item is the default
+---@field accuracy? table<string, any[]>
+---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
+
 ---@class hinge.scenario
 
--- What accuracy costs --------------------------------------------------------------------------------------------------
+-- What accuracy costs -------------------------------------------------------------------------------------------------
 
----Runs a scenario over its accuracy settings, in this process and with models of its own each, and compares each with a reference
----that is finer than all of them and is tested by another one: where the two differ by more than half of `within`, or an answer
----scatters that much under trifling changes, it gets no error. Answers are the numbers that the scenario returns, lists of numbers, and
----the probes of its runs (as histories). Nothing is printed or drawn by the scenario meanwhile. `hinge cost SCRIPT` prints it.
----With effects = true the settings are not varied: the scenario runs as its parameters have it, and once more without each effect that
----its models declare (gravity, large displacement, plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints that.
+---Runs a scenario over its accuracy settings, in this process and with models of its own each, and compares each with a
+---reference that is finer than all of them and is tested by another one: where the two differ by more than half of
+---`within`, or an answer scatters that much under trifling changes, it gets no error. Answers are the numbers that the
+---scenario returns, lists of numbers, and the probes of its runs (as histories). Nothing is printed or drawn by the
+---scenario meanwhile. `hinge cost SCRIPT` prints it. With effects = true the settings are not varied: the scenario runs
+---as its parameters have it, and once more without each effect that its models declare (gravity, large displacement,
+---plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints that.
 ---@param scenario hinge.scenario
 ---@param options? hinge.cost_options
 ---@return hinge.cost_result|hinge.effects_result
@@ -592,26 +740,44 @@ function hinge.cost(scenario, options) end
 ---@field quantity? string the answer that settings are judged by; default: the worst of all that can be trusted
 ---@field case? string
 ---@field parameters? table<string, any> changes of the scenario's; an accuracy setting among them is held
----@field budget? number s; cheap settings come first, and none is begun that does not fit with the references that it needs. The plot comes on top, a second or so. Default: no end
----@field repeats? integer how often each setting is timed, by turns; default 3. More than 1: short ones more often, up to 21 times or 0.1 s
----@field out? string folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the script's content, the settings and hinge's version; default: nothing is written
----@field accuracy? table<string, any[]> in the place of the scenario's own; where neither is given, those of its parameters that are called dt, elements_per_member, formulation and the like
----@field finer? table<string, string> "smaller" or "larger" is finer, of numbers with names of your own; others are varied, but the reference has their default
----@field orders? table<string, number> the order of convergence that theory has for a number; of dt and elements 2, of tolerances and steps 1
----@field perturbation? number by which part of itself every number that is not whole is changed to look for chaos, default 1e-9
+---s; cheap settings come first, and none is begun that does not fit with the references that it needs. The plot comes
+---on top, a second or so. Default: no end
+---@field budget? number
+---how often each setting is timed, by turns; default 3. More than 1: short ones more often, up to 21 times or 0.1 s
+---@field repeats? integer
+---folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the
+---script's content, the settings and hinge's version; default: nothing is written
+---@field out? string
+---in the place of the scenario's own; where neither is given, those of its parameters that are called dt,
+---elements_per_member, formulation and the like
+---@field accuracy? table<string, any[]>
+---"smaller" or "larger" is finer, of numbers with names of your own; others are varied, but
+---the reference has their default
+---@field finer? table<string, string>
+---the order of convergence that theory has for a number; of dt and elements 2, of tolerances and steps 1
+---@field orders? table<string, number>
+---by which part of itself every number that is not whole is changed to look for chaos, default 1e-9
+---@field perturbation? number
 ---@field progress? boolean lines on stderr, default false
----@field effects? boolean leave out effects instead, default false: `accuracy` is then only refined, to say how large the setting's own error is, and `out` gets effects.csv in the place of cost.csv and cost.png
+---leave out effects instead, default false: `accuracy` is then only refined, to say how large the setting's own error
+---is, and `out` gets effects.csv in the place of cost.csv and cost.png
+---@field effects? boolean
 
 ---@class hinge.cost_result
 ---@field settings hinge.cost_setting[] those with an answer, the cheapest first
 ---@field front hinge.cost_setting[] the Pareto front: nothing is both cheaper and better
 ---@field cheapest? hinge.cost_setting that is within `within`
----@field quantities table<string, { state: string, kind: string, value?: number, agreement?: number, scatter?: number }> by answer: "sound"; "chaotic", it scatters; "unsettled", the references differ; "moving", it differs from run to run; "unknown", there is no reference. value and agreement: of the references; scatter: parts of the value, or of the largest of a history
----@field orders table<string, { observed?: number, theory?: number, why?: string, note?: string, quantities: table<string, number> }> by number: the order of convergence, the median over the answers; math.huge: exact
----@field equal table<string, { error: number, methods: hinge.cost_method[] }[]> by setting without a finer side (formulation, integrator, ...): what its values take at equal error, the largest error first: `within`, that of the cheapest, and the least that all values reach, as far as they differ and are more than rounding
----@field references? { values: table, label: string, seconds: number, answers: table }[] the coarser and the finer one; nil: `notes` says why
+---@field quantities table<string, hinge.cost_quantity> by answer
+---@field orders table<string, hinge.cost_order> by number: the order of convergence
+---by setting without a finer side (formulation, integrator, ...): what its values take at equal error, the
+---largest error first: `within`, that of the cheapest, and the least that all values reach, as far as they
+---differ and are more than rounding
+---@field equal table<string, { error: number, methods: hinge.cost_method[] }[]>
+---the coarser and the finer one; nil: `notes` says why
+---@field references? { values: table, label: string, seconds: number, answers: table }[]
 ---@field failed hinge.cost_setting[] with `failed`, why they have no answer
----@field left_out { label: string, values: table, estimate: number, rest: number }[] by the budget; s that each would take, and its references
+---by the budget; s that each would take, and its references
+---@field left_out { label: string, values: table, estimate: number, rest: number }[]
 ---@field complete boolean nothing is left out
 ---@field notes string[]
 ---@field knobs table[] what is varied: name, values, and of numbers their side
@@ -621,9 +787,26 @@ function hinge.cost(scenario, options) end
 ---@field quantity? string
 ---@field case? string
 
+---@class hinge.cost_quantity
+---"sound"; "chaotic", it scatters; "unsettled", the references differ; "moving", it differs from run to run; "unknown",
+---there is no reference
+---@field state string
+---@field kind string "number" or "history"
+---@field value? number of the references
+---@field agreement? number of the references
+---@field scatter? number parts of the value, or of the largest of a history
+
+---@class hinge.cost_order
+---@field observed? number the median over the answers; math.huge: exact
+---@field theory? number
+---@field why? string
+---@field note? string
+---@field quantities table<string, number> by answer
+
 ---@class hinge.cost_method
 ---@field value any of the setting
----@field seconds number with the best there is of all other settings; between two settings by the straight line on logarithmic axes
+---with the best there is of all other settings; between two settings by the straight line on logarithmic axes
+---@field seconds number
 ---@field ratio number over the shortest of those that reach the error
 ---@field settings hinge.cost_setting[] the one that has at most this error, or the two between which it lies
 ---@field more? boolean not even its best setting reaches the error: seconds are that one's
@@ -632,7 +815,9 @@ function hinge.cost(scenario, options) end
 ---@field effects hinge.effect_cost[] those in the scene that can be left out
 ---@field absent string[] those that can be left out and are not in the scene
 ---@field left_out string[] by the budget
----@field answers table<string, { scatter?: number, error?: number }> of those that are the same from run to run: how far each scatters when every number changes by a trifle, and how far it is from that of a setting twice as fine
+---of those that are the same from run to run: how far each scatters when every number changes by a trifle, and how far
+---it is from that of a setting twice as fine
+---@field answers table<string, { scatter?: number, error?: number }>
 ---@field finer? string that setting; nil: `notes` says why
 ---@field seconds number with all effects: in the steps of all runs, the median of `times`
 ---@field times number[]
@@ -647,12 +832,15 @@ function hinge.cost(scenario, options) end
 
 ---@class hinge.effect_cost
 ---@field name string
----@field change? number of the answer that changes most without it, a part of its value or of the largest of a history; of those that change by more than they scatter, else of all
+---of the answer that changes most without it, a part of its value or of the largest of a history; of those that change
+---by more than they scatter, else of all
+---@field change? number
 ---@field worst? string that answer's name
 ---@field changes table<string, number> by answer; math.huge where there is none without the effect
 ---@field same boolean the effect is idle: states and answers are the same bits without it
 ---@field lost boolean it changes, but by no more than that answer scatters
----@field saves? number part of the time that it takes, the median over the turns; negative where the scene takes longer without it
+---part of the time that it takes, the median over the turns; negative where the scene takes longer without it
+---@field saves? number
 ---@field spread? number of `saves`: half the width of the middle half of the turns
 ---@field seconds? number without it, the median of `times`
 ---@field times? number[]
@@ -663,10 +851,12 @@ function hinge.cost(scenario, options) end
 ---@class hinge.cost_setting
 ---@field values table<string, any>
 ---@field label string
----@field error? number of the answer that is worst, a part; not below what the references differ by. nil where no answer can be trusted
+---of the answer that is worst, a part; not below what the references differ by. nil where no answer can be trusted
+---@field error? number
 ---@field worst? string the answer's name
 ---@field below? boolean its error is below what the references differ by
----@field errors table<string, number> by answer; of histories the root mean square difference over the largest value of the reference
+---by answer; of histories the root mean square difference over the largest value of the reference
+---@field errors table<string, number>
 ---@field answers table<string, number|{ x: number[], y: number[] }>
 ---@field seconds number in the steps of all its runs, the median of `times`; of a scenario without runs, in all of it
 ---@field times number[]

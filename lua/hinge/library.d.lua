@@ -1,5 +1,6 @@
 ---@meta
--- Jobs, the model library and the report, for editors that read LuaLS annotations. Nothing here runs. Units as in hinge.d.lua.
+-- Jobs, the model library and the report, for editors that read LuaLS annotations. Nothing here
+-- runs. Units as in hinge.d.lua.
 
 -- Jobs: the second argument of a scenario's run ----------------------------------------------------------------------
 
@@ -31,18 +32,28 @@ function job:picture(run, view, filename) end
 ---@field title? string
 ---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show, so that several pictures share one view
 
----Draws snapshots side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for all; the
----whole may have at most 8192 pixels a side.
+---Draws snapshots side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for
+---all; the whole may have at most 8192 pixels a side.
 ---@param snapshots { [1]: hinge.run|hinge.snapshot, [2]?: hinge.view }[]
 ---@param columns integer snapshots in a row
 ---@param filename string plain name ending in .png
 function job:strip(snapshots, columns, filename) end
 
----Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture can
----be drawn, that is noted and the run goes on.
----@param plot { series: hinge.series[], title?: string, x_label?: string, y_label?: string, log_x?: boolean, log_y?: boolean, width?: integer, height?: integer } width and height in pixels, default 1200 x 900
+---Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture
+---can be drawn, that is noted and the run goes on.
+---@param plot hinge.plot
 ---@param filename string plain name ending in .png
 function job:plot(plot, filename) end
+
+---@class hinge.plot
+---@field series hinge.series[]
+---@field title? string
+---@field x_label? string
+---@field y_label? string
+---@field log_x? boolean
+---@field log_y? boolean
+---@field width? integer pixels, default 1200
+---@field height? integer pixels, default 900
 
 ---@class hinge.series one curve; a value that is no number, or not above 0 on a logarithmic axis, leaves a gap
 ---@field x number[]
@@ -72,13 +83,18 @@ function job:verdict(verdict, reason) end
 ---@field column? hinge.section default box 400x400x22, *reconstructed*; its y axis points along x
 ---@field beam? hinge.section default H-400x200x8x13, *reconstructed*; its y axis points up
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 325 MPa, *reconstructed*
----@field floor_weight? number weight of all floors over the own weight of the whole structure, default 20; put into the density of the beams (section 4.1)
+---weight of all floors over the own weight of the whole structure, default 20; put into the
+---density of the beams (section 4.1)
+---@field floor_weight? number
 ---@field origin? vec3 m, the corner that the frame stands on, default { 0, 0, 0 }
 
 ---@class ten_storey.frame
 ---@field group hinge.group all members, "building"
----@field storey_groups string[] "storey 1" ... from the ground; a storey is its columns and the floor above them. Other groups: "columns", "beams", "inner columns", "outer columns"
----@field node fun(i: integer, j: integer, level: integer): hinge.node joint in column line i along x and j along y, from 0; level 0 is the ground
+---"storey 1" ... from the ground; a storey is its columns and the floor above them. Other groups: "columns", "beams",
+---"inner columns", "outer columns"
+---@field storey_groups string[]
+---joint in column line i along x and j along y, from 0; level 0 is the ground
+---@field node fun(i: integer, j: integer, level: integer): hinge.node
 ---@field origin vec3
 ---@field size vec3 m
 ---@field own_mass number kg, of the steel
@@ -102,13 +118,17 @@ function ten_storey.add(model, options) end
 ---@field size? number length and span, m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1); spread evenly over the members through their density (section 4.1)
 ---@field speed? number m/s along the heading; left out: see model:velocity
----@field position? vec3 m, fore end of the fuselage's axis, default { -0.5, 16, 30 }: half a metre before the ten-storey frame, *reconstructed*
+---m, fore end of the fuselage's axis, default { -0.5, 16, 30 }: half a metre before the
+---ten-storey frame, *reconstructed*
+---@field position? vec3
 ---@field heading? vec3 any direction but vertical, default { 1, 0, 0 }
 ---@field section? hinge.section of all members, default box 120x120x6, *reconstructed*
----@field material? hinge.material default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; its density is replaced
+---default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; its density is replaced
+---@field material? hinge.material
 ---@field shape? aircraft.shape
 
----Shares of the size, all *reconstructed*. A tip is the chord there, a sweep how far the front spar's tip lies aft of its root.
+---Shares of the size, all *reconstructed*. A tip is the chord there, a sweep how far the front
+---spar's tip lies aft of its root.
 ---@class aircraft.shape
 ---@field length? number nose to last frame, default 1
 ---@field nose? number nose to first frame, default 0.10
@@ -149,7 +169,9 @@ function aircraft.add(model, options) end
 ---@field side? number m, default 0.25, *reconstructed*
 ---@field thickness? number m, side of the solid square section, default 0.02, *reconstructed*
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 245 MPa, *reconstructed*
----@field exact_elements? integer with "asi" or "conventional" and this many elements a member: shear areas softened so that the midpoint element has the exact stiffness (MacNeal's residual bending flexibility, 1/GA + l^2/12EI); mass and strength stay
+---with "asi" or "conventional" and this many elements a member: shear areas softened so that the midpoint element has
+---the exact stiffness (MacNeal's residual bending flexibility, 1/GA + l^2/12EI); mass and strength stay
+---@field exact_elements? integer
 
 ---@class space_frame.frame
 ---@field feet hinge.node[] four, fixed
@@ -168,12 +190,14 @@ function space_frame.add(model, options) end
 
 -- require "hinge.models.ten_storey_impact" ----------------------------------------------------------------------------
 
----The paper's section 4: fields that a load case leaves alone it does not mind, so that a script hands in its parameters as they are.
+---The paper's section 4: fields that a load case leaves alone it does not mind, so that a script hands in its
+---parameters as they are.
 ---@class impact.options
 ---@field speed? number m/s, default 440 km/h (table 1, Case I)
 ---@field size? number m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1)
----@field height? number m above ground, of the fuselage's axis; default 30, the middle of the eighth storey, *reconstructed*
+---m above ground, of the fuselage's axis; default 30, the middle of the eighth storey, *reconstructed*
+---@field height? number
 ---@field offset? number m to the left of the building's middle, default 0, *reconstructed*
 ---@field gap? number m from nose to facade, default 0.5
 ---@field contact? string rule of model:contact, default "gap"
@@ -184,7 +208,15 @@ function space_frame.add(model, options) end
 ---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) declares other limits than the paper's
 
 ---What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
----@alias impact.result table broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work (building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture, 0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict ("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason, time, seconds
+---broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work
+---(building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture,
+---0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of
+---the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05,
+---is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many
+---columns are pulled over time, of all and of the lower half); wave, long_wave; verdict
+---("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason,
+---time, seconds
+---@alias impact.result table
 
 ---@class impact
 ---@field order string[] "I", "II", "III", "IV"
@@ -216,11 +248,13 @@ function impact.damage(run, frame) end
 
 ---One run: gravity at rest, then the impact.
 ---@param p impact.options with dt, duration and watch (s between looks at the columns)
----@param see? fun(run: hinge.run, frame: ten_storey.frame, watch: table): fun(step: table) called when the run has been made; what it returns, after each step
+---@param see? fun(run: hinge.run, frame: ten_storey.frame, watch: table): fun(step: table)
+---  called when the run has been made; what it returns, after each step
 ---@return impact.result
 function impact.simulate(p, see) end
 
----Calls one(task, job) for each task, half of them in a second process; nil in that process. half = 1 in `p`: in this process alone.
+---Calls one(task, job) for each task, half of them in a second process; nil in that process. half = 1
+---in `p`: in this process alone.
 ---@param job hinge.job
 ---@param p table the script's parameters, half among them
 ---@param script string its path
@@ -267,7 +301,8 @@ function paper.needed(errors, limit) end
 ---@return string
 function paper.percent(error) end
 
----One picture of a figure, fig<number>_<method>.png: a method's curves by number of elements, and the converged one dashed.
+---One picture of a figure, fig<number>_<method>.png: a method's curves by number of
+---elements, and the converged one dashed.
 ---@param job hinge.job
 ---@param number integer of the figure
 ---@param method string
@@ -296,18 +331,28 @@ function paper.show_ended(job, ended, of) end
 ---@param rows any[][]
 function paper.table(title, head, rows) end
 
----@alias paper.node { x: number, y: number, z: number, mass: number, virtual: boolean, gone: boolean } m, kg; virtual: the free end of a fractured element; gone: a node that has lost all its elements
----@alias paper.bar { a: integer, b: integer, member: integer, element: integer, rigid: boolean, f_y: number } a, b: indices into nodes; rigid: fractured
+---m, kg; virtual: the free end of a fractured element; gone: a node that has lost all its elements
+---@alias paper.node { x: number, y: number, z: number, mass: number, virtual: boolean, gone: boolean }
+---a, b: indices into nodes; rigid: fractured
+---@alias paper.bar { a: integer, b: integer, member: integer, element: integer, rigid: boolean, f_y: number }
 
----The structure as pictures show it (figures 4 and 5): fractured elements as rigid bars from the node that carries them to
----a virtual node, and the mass on every node, half of an element's on each of its two, all of a fractured one's on its carrier.
+---The structure as pictures show it (figures 4 and 5): fractured elements as rigid bars from the node that
+---carries them to a virtual node, and the mass on every node, half of an element's on each of its two, all of a
+---fractured one's on its carrier.
 ---@param run hinge.run
 ---@return { nodes: paper.node[], bars: paper.bar[] }
 function paper.pieces(run) end
 
 -- require "hinge.report" ----------------------------------------------------------------------------------------------
 
----@alias report.damage table<string, { members: integer, elastic: integer, yielded: integer, broken: integer, touched: integer }>
+---@class report.counts
+---@field members integer
+---@field elastic integer
+---@field yielded integer
+---@field broken integer
+---@field touched integer
+
+---@alias report.damage table<string, report.counts> by group
 
 ---@class report
 local report = {}

@@ -1,4 +1,5 @@
--- hinge reference: what hinge.d.lua and library.d.lua declare, as a page. `lua5.4 lua/hinge/reference.lua` writes reference.md anew.
+-- hinge reference: what hinge.d.lua and library.d.lua declare, as a page.
+-- `lua5.4 lua/hinge/reference.lua` writes reference.md anew.
 local folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 
 local reference = { files = { "hinge.d.lua", "library.d.lua" } }
@@ -9,12 +10,15 @@ local function split_type(text)
   for at = 1, #text do
     local c = text:sub(at, at)
     if c:find "[%[{(<]" then depth = depth + 1 elseif c:find "[%]})>]" then depth = depth - 1 end
-    if c == " " and depth == 0 and not text:sub(1, at - 1):find "[:,]$" then return text:sub(1, at - 1), text:sub(at + 1) end
+    if c == " " and depth == 0 and not text:sub(1, at - 1):find "[:,]$" then
+      return text:sub(1, at - 1), text:sub(at + 1)
+    end
   end
   return text, ""
 end
 
---- The fields of a table type such as "{ a: number, b?: string }": { { name =, type =, optional = }, ... }; nil for other types.
+--- The fields of a table type such as "{ a: number, b?: string }": { { name =, type =,
+-- optional = }, ... }; nil for other types.
 function reference.fields(type_text)
   local inside = type_text:match "^{ (.*) }$"
   if not inside then return nil end
@@ -34,48 +38,79 @@ function reference.fields(type_text)
   return fields
 end
 
---- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"):
--- heading (text, module), alias and class (name, type, doc; fields), and function (name, object, separator, arguments, params,
+-- The lines of a file with their numbers; one that begins with `---` and two blanks is the end of the one before it.
+local function lines_of(path)
+  local lines, numbers, number = {}, {}, 0
+  for line in io.lines(path) do
+    number = number + 1
+    local more = line:match "^%-%-%-  +(.*)$"
+    if more and #lines > 0 then
+      lines[#lines] = lines[#lines] .. " " .. more
+    else
+      lines[#lines + 1], numbers[#lines + 1] = line, number
+    end
+  end
+  return lines, numbers
+end
+
+--- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"): heading (text,
+-- module), alias and class (name, type, doc; fields), and function (name, object, separator, arguments, params,
 -- returns, doc). A field or a param has name, optional, type, doc.
 function reference.read()
   local entries = {}
   for _, name in ipairs(reference.files) do
     local number, doc, params, returns, class, class_of = 0, {}, {}, {}, nil, {}
+    -- What is said of a declaration: in the lines above it, then behind it.
+    local function about(behind)
+      if behind and behind ~= "" then doc[#doc + 1] = behind end
+      local said = table.concat(doc, " ")
+      doc = {}
+      return said
+    end
     local function add(entry)
-      entry.doc = table.concat(doc, " ") .. (entry.doc and entry.doc ~= "" and (#doc > 0 and " " or "") .. entry.doc or "")
+      entry.doc = about(entry.doc)
       entry.line = ("%s:%d"):format(name, number)
-      doc, entries[#entries + 1] = {}, entry
+      entries[#entries + 1] = entry
       return entry
     end
     local function item(text)
       local word, optional, rest = text:match "^(%S-)(%??) (.*)$"
-      local kind, about = split_type(rest)
-      return { name = word, optional = optional == "?" or kind:find "%?$" ~= nil, type = (kind:gsub("%?$", "")), doc = about, line = ("%s:%d"):format(name, number) }
+      local kind, behind = split_type(rest)
+      return { name = word, optional = optional == "?" or kind:find "%?$" ~= nil, type = (kind:gsub("%?$", "")),
+        doc = behind, line = ("%s:%d"):format(name, number) }
     end
-    for line in io.lines(folder .. name) do
-      number = number + 1
+    local lines, numbers = lines_of(folder .. name)
+    for i, line in ipairs(lines) do
+      number = numbers[i]
       local tag, text = line:match "^%-%-%-@(%a+) ?(.*)$"
       local called, arguments = line:match "^function ([%w_.:]+)%((.-)%) end"
       if tag == "class" then
-        local word, about = text:match "^(%S+) ?(.*)$"
-        class = add { kind = "class", name = word, doc = about, fields = {} }
+        local word, behind = text:match "^(%S+) ?(.*)$"
+        class = add { kind = "class", name = word, doc = behind, fields = {} }
       elseif tag == "alias" then
         local word, rest = text:match "^(%S+) (.*)$"
-        local kind, about = split_type(rest)
-        add { kind = "alias", name = word, type = kind, doc = about }
-      elseif tag == "field" then table.insert(class.fields, item(text))
-      elseif tag == "param" then params[#params + 1] = item(text)
-      elseif tag == "return" then returns[#returns + 1] = text
-      elseif line:find "^%-%-%- ?" and not tag then doc[#doc + 1] = line:match "^%-%-%- ?(.*)$"
+        local kind, behind = split_type(rest)
+        add { kind = "alias", name = word, type = kind, doc = behind }
+      elseif tag == "field" then
+        local field = item(text)
+        field.doc = about(field.doc)
+        table.insert(class.fields, field)
+      elseif tag == "param" then
+        params[#params + 1] = item(text)
+      elseif tag == "return" then
+        returns[#returns + 1] = text
+      elseif line:find "^%-%-%- ?" and not tag then
+        doc[#doc + 1] = line:match "^%-%-%- ?(.*)$"
       elseif called then
         local variable, separator, own = called:match "^([%w_]+)([.:])([%w_]+)$"
-        add { kind = "function", name = own, object = class_of[variable], variable = variable, separator = separator, arguments = arguments,
-          params = params, returns = returns }
+        add { kind = "function", name = own, object = class_of[variable], variable = variable, separator = separator,
+          arguments = arguments, params = params, returns = returns }
         params, returns = {}, {}
-      elseif line:find "^local [%w_]+ = {}" then class_of[line:match "^local ([%w_]+)"] = class.name
+      elseif line:find "^local [%w_]+ = {}" then
+        class_of[line:match "^local ([%w_]+)"] = class.name
       elseif line:find "^%-%- .- %-%-%-%-+$" then
-        local text = line:match "^%-%- (.-) %-%-%-%-+$"
-        add { kind = "heading", text = text, module = text:match 'require "(.-)"' }
+        local title = line:match "^%-%- (.-) %-%-%-%-+$"
+        add { kind = "heading", text = title, module = title:match 'require "(.-)"' }
       end
     end
   end
@@ -90,6 +125,25 @@ function reference.signature(f)
   return ("%s%s%s%s(%s)"):format(sections, f.variable, f.separator, f.name, table.concat(arguments, ", "))
 end
 
+-- A paragraph or an item of a list, broken into lines of at most 120 columns: at blanks outside of `code`, and not
+-- before what Markdown would take for the mark of a list.
+local function wrapped(text)
+  local indent = text:find "^%- " and "  " or ""
+  local lines, line = {}, nil
+  local words = text:gsub("`[^`]*`", function(code) return (code:gsub(" ", "\0")) end)
+  words = words:gsub(" ([-+*]) ", "\0%1 "):gsub(" (%d+%.) ", "\0%1 ")
+  for word in words:gmatch "[^ ]+" do
+    if line and utf8.len(line) + 1 + utf8.len(word) > 120 then
+      lines[#lines + 1] = line
+      line = indent .. word
+    else
+      line = line and line .. " " .. word or word
+    end
+  end
+  lines[#lines + 1] = line
+  return (table.concat(lines, "\n"):gsub("\0", " "))
+end
+
 local function line_of(item)
   local about = item.doc ~= "" and " — " .. item.doc or ""
   return ("- `%s%s`: `%s`%s"):format(item.name, item.optional and "?" or "", item.type, about)
@@ -97,7 +151,9 @@ end
 
 local writers = {
   heading = function(e) return { "## " .. (e.module and ('`require "%s"`'):format(e.module) or e.text) } end,
-  alias = function(e) return { ("### `%s`"):format(e.name), "", ("`%s`%s"):format(e.type, e.doc ~= "" and " — " .. e.doc or "") } end,
+  alias = function(e)
+    return { ("### `%s`"):format(e.name), "", ("`%s`%s"):format(e.type, e.doc ~= "" and " — " .. e.doc or "") }
+  end,
   class = function(e)
     local lines = { ("### `%s`"):format(e.name) }
     if e.doc ~= "" then table.move({ "", e.doc }, 1, 2, #lines + 1, lines) end
@@ -121,19 +177,23 @@ local writers = {
 local opening = [[
 # Reference
 
-Every call, made from [hinge.d.lua](hinge.d.lua) and [library.d.lua](library.d.lua) by `lua5.4 lua/hinge/reference.lua`. Units are
-SI throughout: m, kg, s, N, Pa, rad. A `?` marks what may be left out; options are given by name, as in
-`hinge.material { E = 206e9 }`. Wrong input is an error at the script's own line; what goes wrong in the physics or the numbers is a
-result: see `verdict` of a run. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss technique.
+Every call, made from [hinge.d.lua](hinge.d.lua) and [library.d.lua](library.d.lua) by
+`lua5.4 lua/hinge/reference.lua`. Units are SI throughout: m, kg, s, N, Pa, rad. A `?` marks what may be left out;
+options are given by name, as in `hinge.material { E = 206e9 }`. Wrong input is an error at the script's own line; what
+goes wrong in the physics or the numbers is a result: see `verdict` of a run. "eq" and "section" refer to Lynn and
+Isobe's paper on the ASI-Gauss technique.
 ]]
 
---- The page, or what of it speaks of `name`: a function's or class's own name, such as "material", "model:node", "hinge.run".
+--- The page, or what of it speaks of `name`: a function's or class's own name, such as
+-- "material", "model:node", "hinge.run".
 function reference.page(name)
   local parts = { not name and opening or nil }
   for _, e in ipairs(reference.read()) do
     local call = e.kind == "function" and reference.signature(e):match "^[^(]*"
     if not name or e.name == name or call == name or (e.object or "") == name then
-      parts[#parts + 1] = table.concat(writers[e.kind](e), "\n") .. "\n"
+      local lines = writers[e.kind](e)
+      for i, line in ipairs(lines) do lines[i] = wrapped(line) end
+      parts[#parts + 1] = table.concat(lines, "\n") .. "\n"
     end
   end
   return table.concat(parts, "\n")
