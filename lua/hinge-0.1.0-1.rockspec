@@ -1,11 +1,13 @@
--- For LuaRocks: `luarocks make lua/hinge-0.1.0-1.rockspec` in the repository's folder builds the module and installs it with its library.
+-- For LuaRocks: `luarocks make lua/hinge-0.1.0-1.rockspec` in the repository's folder builds the module and
+-- installs it with its library.
 rockspec_format = "3.0"
 package = "hinge"
 version = "0.1.0-1"
 source = { url = "git+file://." }
 description = {
   summary = "Collapse of framed structures under impact, scripted in Lua",
-  detailed = "Linear Timoshenko beams with plastic hinges, members that break and hit each other, and an energy ledger. Needs a C++20 compiler, CMake, Eigen, nlohmann-json and CLI11.",
+  detailed = "Linear Timoshenko beams with plastic hinges, members that break and hit each other, and an energy ledger. "
+    .. "Needs a C++20 compiler, CMake, Eigen, nlohmann-json and CLI11.",
   license = "MIT",
 }
 supported_platforms = { "linux" }

@@ -32,10 +32,10 @@ end
 
 --- Edit distance with neighbours swapped counted as one change (optimal string alignment).
 function check.distance(a, b)
-  local before, last, row = {}, {}, {}
+  local before, last = {}, {}
   for j = 0, #b do last[j] = j end
   for i = 1, #a do
-    row = { [0] = i }
+    local row = { [0] = i }
     for j = 1, #b do
       local same = a:byte(i) == b:byte(j)
       row[j] = math.min(row[j - 1] + 1, last[j] + 1, last[j - 1] + (same and 0 or 1))
@@ -82,16 +82,18 @@ local bounds = {
 }
 
 local function allowed(rule)
-  local kind, text = rule[1], nil
+  local kind = rule[1]
   if rule.one_of then return "one of " .. table.concat(rule.one_of, ", ") end
   local number = rule.whole and "whole number" or "number"
+  local text
   if kind == "number" then
     text = "a " .. number
   elseif kind == "numbers" then
     text = (rule.count or "two or more") .. " " .. number .. "s in braces, each"
   else
     return ({ string = "a string", boolean = "true or false", table = "a table", ["function"] = "a function",
-      section = "a section, such as hinge.section.box{...} gives", material = "a material, made by hinge.material{...}" })[kind]
+      section = "a section, such as hinge.section.box{...} gives",
+      material = "a material, made by hinge.material{...}" })[kind]
   end
   local limits = {}
   for _, b in ipairs(bounds) do
@@ -153,8 +155,9 @@ function check.model(where, model)
 end
 
 --- Checks a table of named options and returns a copy with the defaults filled in.
--- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=, count=, one_of= };
--- kinds: number, numbers (a list of `count`, or of any two or more), string, boolean, table, function, section, material.
+-- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=,
+-- count=, one_of= }; kinds: number, numbers (a list of `count`, or of any two or more), string,
+-- boolean, table, function, section, material.
 function check.options(where, options, rules)
   if options == nil then options = {} end
   if type(options) ~= "table" then

@@ -1,7 +1,9 @@
--- What accuracy costs in time: a scenario over its accuracy settings, each compared with a reference that is tested itself.
+-- What accuracy costs in time: a scenario over its accuracy settings, each compared with a
+-- reference that is tested itself.
 --
--- Every setting runs in this process, with models of its own: a scenario is a function of this Lua state, its start-up is then in
--- no time, and runs of different settings can take turns. The most memory held is counted anew for each (/proc/self/clear_refs).
+-- Every setting runs in this process, with models of its own: a scenario is a function of this Lua state, its start-up
+-- is then in no time, and runs of different settings can take turns. The most memory held is counted anew for each
+-- (/proc/self/clear_refs).
 local check = require "hinge.check"
 local scenarios = require "hinge.scenario"
 local benches = require "hinge.cost.bench"
@@ -14,7 +16,8 @@ local cost = {}
 local where = "hinge.cost"
 
 local rules = {
-  within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true }, case = { "string", optional = true },
+  within = { "number", above = 0, default = 0.01 }, quantity = { "string", optional = true },
+  case = { "string", optional = true },
   parameters = { "table", default = {} }, budget = { "number", unit = "s", above = 0, optional = true },
   repeats = { "number", whole = true, at_least = 1, default = 3 }, out = { "string", optional = true },
   accuracy = { "table", optional = true }, finer = { "table", default = {} }, orders = { "table", default = {} },
@@ -26,7 +29,8 @@ local function references(knobs, compared)
   return { ladder.reference(knobs, compared, 1), ladder.reference(knobs, compared, 2) }
 end
 
--- The setting whose numbers are changed a little: the scenario's default, or the most laborious where that was not reached.
+-- The setting whose numbers are changed a little: the scenario's default, or the most
+-- laborious where that was not reached.
 local function default_of(knobs, compared)
   for _, s in ipairs(compared) do
     local all = true
@@ -43,11 +47,14 @@ local function still_to_come(bench, knobs, compared)
   return seconds + bench:changed_runs(default_of(knobs, compared), compared[#compared])
 end
 
--- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that does not even fit
--- for those that there are, while they fit themselves. Returns those that have an answer, those that failed, and those left out.
+-- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that
+-- does not even fit for those that there are, while they fit themselves. Returns those that have an answer, those that
+-- failed, and those left out.
 local function run_settings(bench, knobs, settings)
   local compared, failed, left_out = {}, {}, {}
-  local function leave_out(s, own, rest) left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest } end
+  local function leave_out(s, own, rest)
+    left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = own, rest = rest }
+  end
   for i, s in ipairs(settings) do
     local with = table.move(compared, 1, #compared, 1, {})
     with[#with + 1] = s
@@ -68,7 +75,9 @@ local function run_settings(bench, knobs, settings)
     end
   end
   local fewer = #compared -- the most settings whose references fit
-  while fewer > 0 and not bench:fits(still_to_come(bench, knobs, table.move(compared, 1, fewer, 1, {}))) do fewer = fewer - 1 end
+  while fewer > 0 and not bench:fits(still_to_come(bench, knobs, table.move(compared, 1, fewer, 1, {}))) do
+    fewer = fewer - 1
+  end
   for _ = 1, fewer > 0 and #compared - fewer or 0 do
     leave_out(compared[#compared], 0, still_to_come(bench, knobs, compared))
     compared[#compared] = nil
@@ -83,18 +92,20 @@ local function run_references(bench, knobs, compared)
     local estimate = still_to_come(bench, knobs, compared)
     bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
     if not bench:record(r) and not bench:fits(bench:estimate(r)) then
-      return nil, ("the budget leaves no time for the reference (%s), about %.2g s with what belongs to it; the next call goes on with a larger one")
-        :format(r.label, estimate)
+      return nil, ("the budget leaves no time for the reference (%s), about %.2g s with what belongs to it; "
+        .. "the next call goes on with a larger one"):format(r.label, estimate)
     end
     r.record = bench:run(r)
-    if not r.record then return nil, ("the budget ended in the reference (%s); give the next call a larger one"):format(r.label) end
+    if not r.record then
+      return nil, ("the budget ended in the reference (%s); give the next call a larger one"):format(r.label)
+    end
     if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
   end
   return refs
 end
 
--- Settings and references as many as fit. With the references measured there may be room for more settings, which are then tried; where
--- their references do not fit after all, what was compared before stands.
+-- Settings and references as many as fit. With the references measured there may be room for more settings, which are
+-- then tried; where their references do not fit after all, what was compared before stands.
 local function compare_within(bench, knobs)
   local found
   repeat
@@ -111,8 +122,13 @@ local function parameters_of(scenario, o)
   local base = scenario:values(o.case)
   for name, value in pairs(o.parameters) do
     local default = scenario.parameters[name]
-    if default == nil then check.unknown(where .. ": parameters", "parameter", name, check.keys(scenario.parameters)) end
-    if type(value) ~= type(default) then check.fail("%s: parameter %s is %s; must be a %s, like its default", where, name, check.show(value), type(default)) end
+    if default == nil then
+      check.unknown(where .. ": parameters", "parameter", name, check.keys(scenario.parameters))
+    end
+    if type(value) ~= type(default) then
+      check.fail("%s: parameter %s is %s; must be a %s, like its default", where, name, check.show(value),
+        type(default))
+    end
     base[name] = value
   end
   return base
@@ -120,32 +136,42 @@ end
 
 --- hinge.cost: see hinge.d.lua.
 function cost.compare(scenario, options)
-  if not scenarios.is(scenario) then check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario)) end
+  if not scenarios.is(scenario) then
+    check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario))
+  end
   local o = check.options(where, options, rules)
   local knobs = ladder.knobs(where, scenario, o, o.parameters)
   local bench = benches.open(scenario, parameters_of(scenario, o), knobs, o)
   if o.effects then return effects.compare(bench, knobs, o) end
   if #knobs == 0 then
-    check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, and use p.dt in run", where)
+    check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, "
+      .. "and use p.dt in run", where)
   end
   local compared, failed, left_out, refs, problem = compare_within(bench, knobs)
   if #compared == 0 then
-    check.fail("%s: %s", where, failed[1] and "no setting has an answer: " .. failed[1].failed or "the budget is over before the first setting is; give a larger one")
+    check.fail("%s: %s", where,
+      failed[1] and "no setting has an answer: " .. failed[1].failed
+      or "the budget is over before the first setting is; give a larger one")
   end
   local notes = { problem }
   local scatter, silent = bench:scatter(default_of(knobs, compared))
   notes[#notes + 1] = silent
   local moving = bench:time_by_turns(compared, o.repeats)
   local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
-  if o.quantity and not quantities[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities)) end
+  if o.quantity and not quantities[o.quantity] then
+    check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities))
+  end
   if refs then verdict.errors(compared, refs, quantities, o.quantity) end
   local orders = verdict.orders(knobs, compared, refs, quantities, o.quantity)
   local front, best = verdict.front(compared, o.within)
   local equal = methods.compare(knobs, compared, o.within, best)
-  for i, r in ipairs(refs or {}) do refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers } end
+  for i, r in ipairs(refs or {}) do
+    refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers }
+  end
   local result = {
-    within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation, knobs = knobs, settings = compared, failed = failed, left_out = left_out,
-    references = refs, quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
+    within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
+    knobs = knobs, settings = compared, failed = failed, left_out = left_out, references = refs,
+    quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
     complete = #left_out == 0 and refs ~= nil, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.report".write(result, o.out) end

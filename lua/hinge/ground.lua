@@ -1,7 +1,8 @@
 -- Ground motion: a record of accelerations as the path of a support.
 local check = require "hinge.check"
 
--- Acceleration linear between the record's values, so velocity and displacement are exact polynomials from value to value.
+-- Acceleration linear between the record's values, so velocity and displacement are exact
+-- polynomials from value to value.
 return function(options)
   local o = check.options("hinge.ground", options, {
     dt = { "number", unit = "s", above = 0 },

@@ -41,7 +41,8 @@ end
 local function picture_path(where, job, filename)
   check.value(where, "filename", filename, { "string" })
   if not filename:match("^[%w._ -]+%.png$") then
-    check.fail("%s: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)", where, filename)
+    check.fail("%s: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)",
+      where, filename)
   end
   return job.out == "" and filename or job.out .. "/" .. filename
 end

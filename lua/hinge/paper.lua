@@ -66,7 +66,8 @@ function paper.figure(job, number, method, labels, curves, converged)
   end
   series[#series + 1] = { name = "converged", x = converged.x, y = converged.y, dashed = true }
   job:plot({ title = ("Fig. %d%s, %s"):format(number, captions[method], labels.title), x_label = labels.x,
-    y_label = labels.y, series = series, width = 1500, height = 950 }, ("fig%d_%s.png"):format(number, method:gsub("-", "_")))
+    y_label = labels.y, series = series, width = 1500, height = 950 },
+    ("fig%d_%s.png"):format(number, method:gsub("-", "_")))
 end
 
 --- Prints a table. Cells are numbers or texts; the first column is set to the left, the others to the right.

@@ -5,7 +5,8 @@ local runner = require "hinge.runner"
 
 local prompt = {}
 
--- The text as a function, first as an expression; else nil, what is wrong with it, and whether more text could mend that.
+-- The text as a function, first as an expression; else nil, what is wrong with it, and
+-- whether more text could mend that.
 local function compile(text, name)
   local expression, lacking = load("return " .. text, name, "t")
   if expression then return expression end
@@ -20,7 +21,8 @@ local function evaluate(chunk, ...)
   if results.n > 0 then print(readable(table.unpack(results, 1, results.n))) end
 end
 
---- hinge -e: runs options.code with the settings in a table, `...`, and prints what it returns. Returns the exit status.
+--- hinge -e: runs options.code with the settings in a table, `...`, and prints what it
+-- returns. Returns the exit status.
 function prompt.line(options)
   return runner.guard(function()
     _G.hinge = require "hinge"
@@ -33,15 +35,17 @@ end
 
 -- Completion ----------------------------------------------------------------------------------------------------------
 
-local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in", "local", "nil", "not",
-  "or", "repeat", "return", "then", "true", "until", "while" }
+local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in",
+  "local", "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
 
 -- Names that a value answers to: its own, and those of its kind. methods: only what can be called.
 local function names_of(value, methods)
   local names = {}
   local function add(map)
     for name, field in next, map do
-      if type(name) == "string" and name:find "^[%a_][%w_]*$" and (not methods or type(field) == "function") then names[name] = true end
+      if type(name) == "string" and name:find "^[%a_][%w_]*$" and (not methods or type(field) == "function") then
+        names[name] = true
+      end
     end
   end
   if type(value) == "table" then add(value) end
@@ -104,8 +108,9 @@ local function read_whole(read)
   end
 end
 
---- hinge -i: runs options.script, if there is one, and then what is typed. options.read: see push_line_reader in src/prompt.h;
--- without it lines come from the standard input. Returns the exit status, which no error at the prompt changes.
+--- hinge -i: runs options.script, if there is one, and then what is typed. options.read: see
+-- push_line_reader in src/prompt.h; without it lines come from the standard input. Returns the exit status,
+-- which no error at the prompt changes.
 function prompt.main(options)
   if options.script then
     local status = runner.guard(function() return runner.run(options) end)
@@ -114,7 +119,8 @@ function prompt.main(options)
   _G.hinge = require "hinge"
   local read = options.read
   if read then
-    print(("hinge %s, %s. Expressions print what they are, Tab completes names, Ctrl-D ends. Locals last for one line."):format(core.version, _VERSION))
+    print(("hinge %s, %s. Expressions print what they are, Tab completes names, Ctrl-D ends. Locals last for one line.")
+      :format(core.version, _VERSION))
   else
     read = function() return io.read "l" end
   end

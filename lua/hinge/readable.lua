@@ -2,8 +2,9 @@
 local width, most, deepest = 100, 40, 6 -- columns; items of one table; tables within tables
 
 local reserved = {}
-for word in ([[and break do else elseif end false for function goto if in local nil not or repeat return then true until while]])
-  :gmatch "%a+" do reserved[word] = true end
+local words = "and break do else elseif end false for function goto if in local nil not or repeat return then true "
+  .. "until while"
+for word in words:gmatch "%a+" do reserved[word] = true end
 
 local function before(a, b)
   if type(a) == type(b) and (type(a) == "number" or type(a) == "string") then return a < b end

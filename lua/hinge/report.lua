@@ -26,7 +26,8 @@ local function damage_table(damage, groups)
   return table.concat(lines, "\n")
 end
 
-local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "numerical", "remainder" }
+local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "numerical",
+  "remainder" }
 
 local function energy_table(energy)
   local brought = math.abs(energy.initial) + math.abs(energy.work)
@@ -34,7 +35,8 @@ local function energy_table(energy)
   for _, name in ipairs(ledger) do
     local joules = energy[name]
     if joules and (joules ~= 0 or name ~= "numerical") then
-      local part = name == "remainder" and brought > 0 and ("   %.2g %% of initial and work"):format(100 * joules / brought) or ""
+      local part = name == "remainder" and brought > 0
+        and ("   %.2g %% of initial and work"):format(100 * joules / brought) or ""
       lines[#lines + 1] = ("%-16s%14.3f%s"):format(name, joules / 1e3, part)
     end
   end
@@ -45,7 +47,8 @@ local function seconds_table(stages)
   local total, lines = 0, { "seconds by stage" }
   for _, stage in ipairs(stages) do total = total + stage.seconds end
   for _, stage in ipairs(stages) do
-    lines[#lines + 1] = ("%-16s%14.3f%7.1f %%"):format(stage.name, stage.seconds, total > 0 and 100 * stage.seconds / total or 0)
+    lines[#lines + 1] = ("%-16s%14.3f%7.1f %%")
+      :format(stage.name, stage.seconds, total > 0 and 100 * stage.seconds / total or 0)
   end
   lines[#lines + 1] = ("%-16s%14.3f"):format("together", total)
   return table.concat(lines, "\n")
@@ -62,9 +65,11 @@ function report.show(run, groups)
   local contacts = ("contacts: %d pairs of elements bound, %d let go"):format(run.contacts.bound, run.contacts.released)
   local fastest = run.fastest
   if fastest then
-    contacts = contacts .. ("\nfastest node: %.4g m/s at t = %.4g s (%s)"):format(fastest.speed, fastest.time, fastest.node)
+    contacts = contacts
+      .. ("\nfastest node: %.4g m/s at t = %.4g s (%s)"):format(fastest.speed, fastest.time, fastest.node)
   end
-  print(table.concat({ head, damage_table(damage, groups), contacts, energy_table(run.energy), seconds_table(run.stages) }, "\n\n"))
+  local parts = { head, damage_table(damage, groups), contacts, energy_table(run.energy), seconds_table(run.stages) }
+  print(table.concat(parts, "\n\n"))
   return damage
 end
 

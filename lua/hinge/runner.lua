@@ -52,8 +52,8 @@ function runner.status(verdict, reason)
 end
 
 --- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
--- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`; `sandbox`, whether the
--- script is not trusted.
+-- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`; `sandbox`,
+-- whether the script is not trusted.
 function runner.load(path, plain, sandbox)
   local chunk, problem = loadfile(path, "t", sandbox and require "hinge.sandbox".environment() or _G)
   if not chunk then check.fail("%s", problem) end
@@ -62,19 +62,22 @@ function runner.load(path, plain, sandbox)
   return nil, result
 end
 
--- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not its fault;
--- what the engine finds wrong is, where the script is to be checked.
+-- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not
+-- its fault; what the engine finds wrong is, where the script is to be checked.
 local function plan_script(options)
   local checking = options.verb == "check"
   core.plan(checking)
-  local say, described = print, 0
+  local say = print
   print = function() end
   local ok, failure = xpcall(function()
     local loaded = runner.load(options.script, runner.plain(options.overrides), options.sandbox)
     if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
   end, explain)
-  print, described = say, core.runs_made()
-  if ok and described == 0 then say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated")) end
+  print = say
+  local described = core.runs_made()
+  if ok and described == 0 then
+    say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated"))
+  end
   if ok then return done end
   if described == 0 or checking and failure.kind == "input" then
     io.stderr:write("hinge: " .. failure.text .. "\n")
@@ -112,7 +115,8 @@ function runner.guard(f, memory)
   local ok, result = xpcall(f, explain)
   if ok then return result end
   if result == out_of_memory then
-    result = { status = run_failed, text = memory and out_of_memory .. ("; the sandbox's limit is %s, --memory gives more"):format(memory) or out_of_memory }
+    local more = memory and ("; the sandbox's limit is %s, --memory gives more"):format(memory) or ""
+    result = { status = run_failed, text = out_of_memory .. more }
   elseif type(result) ~= "table" then -- the error stumbled over itself
     result = { status = wrong_input, text = tostring(result) }
   end
@@ -120,9 +124,10 @@ function runner.guard(f, memory)
   return result.status
 end
 
---- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its input is wrong,
--- 3 interrupted with a checkpoint written, 130 or 143 without one. options: script (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out (folder),
--- sandbox (its memory as text, or nil).
+--- Runs a script and returns the program's exit status: 0 done, 1 the run failed, 2 the script or its
+-- input is wrong, 3 interrupted with a checkpoint written, 130 or 143 without one. options: script
+-- (path), verb ("run", "plan", "check"), overrides (list of { name, text }), case (name or nil), out
+-- (folder), sandbox (its memory as text, or nil).
 function runner.main(options)
   return runner.guard(function()
     local verb = options.verb or "run"

@@ -1,11 +1,11 @@
--- What a script that is not trusted can reach: Lua without files, processes, native modules and what looks into functions, and a
--- copy of the library of its own. Its limits are the program's (src/script/sandbox.h).
+-- What a script that is not trusted can reach: Lua without files, processes, native modules and what looks into
+-- functions, and a copy of the library of its own. Its limits are the program's (src/script/sandbox.h).
 local core = require "hinge.core"
 local check = require "hinge.check"
 local scenario = require "hinge.scenario" -- shared: its module table never leaves the library
 
-local globals = "assert error getmetatable ipairs next pairs pcall rawequal rawget rawlen rawset select setmetatable tonumber "
-  .. "tostring type xpcall _VERSION"
+local globals = "assert error getmetatable ipairs next pairs pcall rawequal rawget rawlen rawset select setmetatable "
+  .. "tonumber tostring type xpcall _VERSION"
 local libraries = {
   coroutine = "close create isyieldable resume running status wrap yield",
   debug = "traceback",
@@ -16,9 +16,9 @@ local libraries = {
   utf8 = "*",
 }
 local left_out = { ["string.dump"] = true }
-local own_modules = { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.models.materials", "hinge.models.space_frame",
-  "hinge.models.ten_storey", "hinge.models.ten_storey_impact", "hinge.paper", "hinge.report", "hinge.section", "hinge.shapes",
-  "hinge.values" }
+local own_modules = { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.models.materials",
+  "hinge.models.space_frame", "hinge.models.ten_storey", "hinge.models.ten_storey_impact", "hinge.paper",
+  "hinge.report", "hinge.section", "hinge.shapes", "hinge.values" }
 
 -- A table that says why it lacks what Lua has. Its metatable is out of reach.
 local function guarded(copy, original, prefix)
@@ -30,7 +30,8 @@ end
 local function copy_of(name, names)
   local original, copy = _G[name], {}
   for key, value in pairs(original) do
-    if (names == "*" or (" " .. names .. " "):find(" " .. key .. " ", 1, true)) and not left_out[name .. "." .. key] then
+    if (names == "*" or (" " .. names .. " "):find(" " .. key .. " ", 1, true))
+      and not left_out[name .. "." .. key] then
       copy[key] = value
     end
   end
@@ -39,7 +40,8 @@ end
 
 local function collect(option, ...)
   if option ~= nil and option ~= "collect" and option ~= "count" and option ~= "step" then
-    check.fail("collectgarbage: option %s is not there for a script in the sandbox; 'collect', 'count' and 'step' are", check.show(option))
+    check.fail("collectgarbage: option %s is not there for a script in the sandbox; 'collect', 'count' and 'step' are",
+      check.show(option))
   end
   return collectgarbage(option, ...)
 end
@@ -74,7 +76,8 @@ function sandbox.environment()
     for _, own in ipairs(own_modules) do
       if name == own then return load_own(name) end
     end
-    check.fail("require: module %s is not there for a script in the sandbox; there are %s", check.show(name), table.concat(own_modules, ", "))
+    check.fail("require: module %s is not there for a script in the sandbox; there are %s", check.show(name),
+      table.concat(own_modules, ", "))
   end)
 end
 

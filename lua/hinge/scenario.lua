@@ -23,7 +23,8 @@ local function each_parameter(parameters)
     if type(name) ~= "string" then
       check.fail("%s: parameters holds %s without a name; write name = value", where, check.show(value))
     elseif not kinds[type(value)] then
-      check.fail("%s: parameter %s is a %s; must be a number, a string, true, false or a list", where, name, type(value))
+      check.fail("%s: parameter %s is a %s; must be a number, a string, true, false or a list", where, name,
+        type(value))
     end
   end
 end

@@ -16,7 +16,8 @@ local optional_length = { "number", unit = "m", above = 0, optional = true }
 
 local function must_be_below(where, field, value, limit, what)
   if value >= limit then
-    check.fail("%s: field '%s' is %s m; must be below %s, %s m", where, field, check.show(value), what, check.show(limit))
+    check.fail("%s: field '%s' is %s m; must be below %s, %s m", where, field, check.show(value), what,
+      check.show(limit))
   end
 end
 
@@ -87,8 +88,8 @@ function shapes.box(options)
 end
 
 --- H, also called I or wide flange: outer depth and width, thickness of web and flange. The web lies along y, so Ix is
--- the strong axis. J = sum b t^3 / 3 of the three plates; plastic torque: their heaps of sand, the web's without slopes
--- at its ends. Neither counts the fillets. Shear along x: 5/6 of the flanges.
+-- the strong axis. J = sum b t^3 / 3 of the three plates; plastic torque: their heaps of sand, the web's without
+-- slopes at its ends. Neither counts the fillets. Shear along x: 5/6 of the flanges.
 function shapes.h(options)
   local where = "hinge.section.h"
   local o = check.options(where, options, { depth = length, width = length, web = length, flange = length })

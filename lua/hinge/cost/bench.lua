@@ -1,4 +1,5 @@
--- The bench: runs settings of a scenario within a budget, keeps what is finished, times by turns, and knows how long others would take.
+-- The bench: runs settings of a scenario within a budget, keeps what is finished, times by turns, and
+-- knows how long others would take.
 local core = require "hinge.core"
 local ladder = require "hinge.cost.ladder"
 local measure = require "hinge.cost.measure"
@@ -8,13 +9,15 @@ local store = require "hinge.cost.store"
 local Bench = {}
 Bench.__index = Bench
 local perturbations = 3
-local enough, most_repeats = 0.1, 21 -- s; what takes less is timed more often, until all its times together are that long
+local enough = 0.1 -- s; what takes less is timed more often, until all its times together are that long
+local most_repeats = 21
 
 --- base: the scenario's parameters; options: see hinge.cost.
 local function open(scenario, base, knobs, options)
   return setmetatable({
-    scenario = scenario, base = base, knobs = knobs, case = options.case, part = options.perturbation, say = options.progress,
-    store = store.open(options.out, scenario.run), start = core.clock(), budget = options.budget, names = {}, paces = {},
+    scenario = scenario, base = base, knobs = knobs, case = options.case, part = options.perturbation,
+    say = options.progress, store = store.open(options.out, scenario.run),
+    start = core.clock(), budget = options.budget, names = {}, paces = {},
   }, Bench)
 end
 
@@ -23,7 +26,8 @@ function Bench:elapsed() return core.clock() - self.start end
 --- Whether so many seconds more are within the budget.
 function Bench:fits(seconds) return not self.budget or self:elapsed() + seconds <= self.budget end
 
--- The parameters of a setting; `turn` > 0: every number that is not whole changed by a part of 1e-9 or so, and how many were.
+-- The parameters of a setting; `turn` > 0: every number that is not whole changed by a part of
+-- 1e-9 or so, and how many were.
 function Bench:parameters(setting, turn)
   local p = {}
   for name, value in pairs(self.base) do p[name] = value end
@@ -36,29 +40,35 @@ function Bench:parameters(setting, turn)
 end
 
 function Bench:key(setting, turn)
-  return store.key(self:parameters(setting, 0), (" case %s, changed by %g times %d%s"):format(self.case or "", self.part, turn,
-    setting.without and ", without " .. setting.without or ""))
+  return store.key(self:parameters(setting, 0), (" case %s, changed by %g times %d%s")
+    :format(self.case or "", self.part, turn, setting.without and ", without " .. setting.without or ""))
 end
 
 function Bench:record(setting, turn) return self.store:get(self:key(setting, turn or 0)) end
 
--- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else what is usual,
--- corrected by how the time of all grew with what is usual.
+-- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else
+-- what is usual, corrected by how the time of all grew with what is usual.
 function Bench:growth(knob)
   local found, all = {}, {}
   for i, a in ipairs(self.paces) do
     for j = 1, i - 1 do
       local b = self.paces[j]
       local alone = a.values[knob.name] ~= b.values[knob.name]
-      for _, other in ipairs(self.knobs) do alone = alone and (other == knob or a.values[other.name] == b.values[other.name]) end
+      for _, other in ipairs(self.knobs) do
+        alone = alone and (other == knob or a.values[other.name] == b.values[other.name])
+      end
       if a.weight ~= b.weight then all[#all + 1] = math.log(a.seconds / b.seconds) / math.log(a.weight / b.weight) end
-      if alone then found[#found + 1] = math.log(a.seconds / b.seconds) / math.log(ladder.finer(knob, a.values[knob.name], b.values[knob.name])) end
+      if alone then
+        found[#found + 1] = math.log(a.seconds / b.seconds)
+          / math.log(ladder.finer(knob, a.values[knob.name], b.values[knob.name]))
+      end
     end
   end
   return math.max(0, judge.median(found) or knob.side.work * (judge.median(all) or 1))
 end
 
---- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and for what is finished.
+--- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and
+-- for what is finished.
 function Bench:estimate(setting, turn)
   if self:record(setting, turn) or #self.paces == 0 then return 0 end
   local nearest, from = math.huge, nil
@@ -68,7 +78,9 @@ function Bench:estimate(setting, turn)
   end
   local seconds = from.seconds
   for _, knob in ipairs(self.knobs) do
-    if knob.side then seconds = seconds * ladder.finer(knob, setting.values[knob.name], from.values[knob.name]) ^ self:growth(knob) end
+    if knob.side then
+      seconds = seconds * ladder.finer(knob, setting.values[knob.name], from.values[knob.name]) ^ self:growth(knob)
+    end
   end
   return seconds
 end
@@ -76,7 +88,8 @@ end
 local function took(record) return record.seconds[1] + record.outside end
 
 function Bench:measure(setting, turn)
-  return measure.once(self.scenario, self:parameters(setting, turn), self.case, self.budget and self.start + self.budget, setting.without)
+  return measure.once(self.scenario, self:parameters(setting, turn), self.case,
+    self.budget and self.start + self.budget, setting.without)
 end
 
 --- Its measurement: the one that is kept, or a new one. nil where the budget ended it.
@@ -89,11 +102,14 @@ function Bench:run(setting, turn)
     record.seconds, record.outside = { record.seconds }, record.outside or 0
     self.store:put(key, record)
   end
-  if not record.failed then self.paces[#self.paces + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) } end
+  if not record.failed then
+    self.paces[#self.paces + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) }
+  end
   return record
 end
 
---- Times a finished setting once more. What its answers are must not have changed: names of those that did are put into `moving`.
+--- Times a finished setting once more. What its answers are must not have changed: names of those
+-- that did are put into `moving`.
 function Bench:time_again(setting, moving)
   local record, again = self:record(setting), self:measure(setting, 0)
   if not again or again.failed then return end
@@ -109,8 +125,8 @@ end
 --- Keeps what was timed again.
 function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
 
---- Times settings again, one after the other so that a slow moment of the machine meets all of them. Returns the names of answers that
--- differed from one time to the next.
+--- Times settings again, one after the other so that a slow moment of the machine meets all of them. Returns the names
+-- of answers that differed from one time to the next.
 function Bench:time_by_turns(compared, repeats)
   local moving = {}
   for _, s in ipairs(compared) do
@@ -120,8 +136,10 @@ function Bench:time_by_turns(compared, repeats)
   for round = 2, repeats > 1 and most_repeats or 1 do
     for i, s in ipairs(compared) do
       local seconds = s.record.seconds
-      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough) and self:fits(seconds[1] + s.record.outside) then
-        self:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared, math.max(1, repeats - round + 1) * seconds[1])
+      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough)
+        and self:fits(seconds[1] + s.record.outside) then
+        self:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared,
+          math.max(1, repeats - round + 1) * seconds[1])
         self:time_again(s, moving)
         again[s] = true
       end
@@ -135,19 +153,24 @@ end
 function Bench:changed_runs(setting, like)
   local seconds = 0
   for turn = 1, perturbations do
-    if not self:record(setting, turn) then seconds = seconds + math.max(self:estimate(setting, turn), self:estimate(like, turn)) end
+    if not self:record(setting, turn) then
+      seconds = seconds + math.max(self:estimate(setting, turn), self:estimate(like, turn))
+    end
   end
   return seconds
 end
 
---- By name, how far a setting's answers scatter when every number that is not whole changes by a part of 1e-9; nil and why where none
--- could be changed.
+--- By name, how far a setting's answers scatter when every number that is not whole changes by a part of 1e-9; nil and
+-- why where none could be changed.
 function Bench:scatter(setting)
   local _, changed = self:parameters(setting, 1)
-  if changed == 0 then return nil, "no number of the scenario could be changed a little, so chaos was not looked for" end
+  if changed == 0 then
+    return nil, "no number of the scenario could be changed a little, so chaos was not looked for"
+  end
   local scatter = {}
   for turn = 1, perturbations do
-    self:progress("changed by a trifle, " .. setting.label, turn - 1, perturbations, (perturbations - turn + 1) * self:estimate(setting, turn))
+    self:progress("changed by a trifle, " .. setting.label, turn - 1, perturbations,
+      (perturbations - turn + 1) * self:estimate(setting, turn))
     local record = (self:record(setting, turn) or self:fits(self:estimate(setting, turn))) and self:run(setting, turn)
     if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
     for name, answer in pairs(setting.record.answers) do
@@ -163,8 +186,10 @@ function Bench:progress(what, done, all, left)
   if not self.say or self.said and core.clock() - self.said < 0.5 then return end
   self.said = core.clock()
   local filled = all > 0 and math.floor(20 * done / all) or 20
-  local spent = self.budget and ("%.1f s of %.3g s"):format(self:elapsed(), self.budget) or ("%.1f s"):format(self:elapsed())
-  io.stderr:write(("cost [%s%s] %d of %d, %s, about %.3g s left: %s\n"):format(("#"):rep(filled), ("-"):rep(20 - filled), done, all, spent, left, what))
+  local spent = self.budget and ("%.1f s of %.3g s"):format(self:elapsed(), self.budget)
+    or ("%.1f s"):format(self:elapsed())
+  io.stderr:write(("cost [%s%s] %d of %d, %s, about %.3g s left: %s\n")
+    :format(("#"):rep(filled), ("-"):rep(20 - filled), done, all, spent, left, what))
 end
 
 return { open = open, label = ladder.label }

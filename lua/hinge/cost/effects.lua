@@ -1,6 +1,8 @@
--- What effects cost: a scenario with one of its effects left out at a time; what that changes in the answers, and in the time.
+-- What effects cost: a scenario with one of its effects left out at a time; what that changes
+-- in the answers, and in the time.
 --
--- The script is not rewritten: while it runs, the engine takes back what its models declare of the effect (core.leave_out).
+-- The script is not rewritten: while it runs, the engine takes back what its models declare
+-- of the effect (core.leave_out).
 local check = require "hinge.check"
 local core = require "hinge.core"
 local judge = require "hinge.cost.judge"
@@ -25,18 +27,22 @@ local function saved(all, rest)
   return judge.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
 end
 
--- The answer that changes most of those that change by more than they scatter; where none does, of all, and true if that one scatters more.
+-- The answer that changes most of those that change by more than they scatter; where none does, of all, and true if
+-- that one scatters more.
 local function worst(changes, scatter, chosen)
   local name, most
   for _, candidate in ipairs(check.keys(changes)) do
     local change = changes[candidate]
     local rank = change > (scatter[candidate] or 0) and 2 or change > 0 and 1 or 0
-    if (not chosen or chosen == candidate) and (not name or rank > most or rank == most and change > changes[name]) then name, most = candidate, rank end
+    if (not chosen or chosen == candidate) and (not name or rank > most or rank == most and change > changes[name]) then
+      name, most = candidate, rank
+    end
   end
   return name, most == 1
 end
 
--- How far the setting is from one twice as fine in all that has a finer side, by answer; nil and why where that is not known.
+-- How far the setting is from one twice as fine in all that has a finer side, by answer; nil
+-- and why where that is not known.
 local function own_error(bench, knobs, all)
   local numbers = {}
   for _, knob in ipairs(knobs) do numbers[#numbers + 1] = knob.side and knob end
@@ -46,7 +52,9 @@ local function own_error(bench, knobs, all)
   bench:progress("twice as fine, " .. finer.label, 0, 1, bench:estimate(finer))
   local record = (bench:record(finer) or bench:fits(bench:estimate(finer))) and bench:run(finer)
   if not record then return nil, "the budget left no time for a run twice as fine, so the error is not known" end
-  if record.failed then return nil, ("a run twice as fine (%s) has no answer: %s"):format(finer.label, record.failed) end
+  if record.failed then
+    return nil, ("a run twice as fine (%s) has no answer: %s"):format(finer.label, record.failed)
+  end
   local errors = {}
   for name, answer in pairs(record.answers) do errors[name] = judge.error(all.record.answers[name], answer) end
   return errors, nil, finer.label
@@ -103,14 +111,19 @@ function effects.compare(bench, knobs, o)
   local moving = bench:time_by_turns(measured, o.repeats)
   local answers = {}
   for name in pairs(all.record.answers) do
-    if not moving[name] then answers[name] = { scatter = scatter and scatter[name], error = errors and errors[name] } end
+    if not moving[name] then
+      answers[name] = { scatter = scatter and scatter[name], error = errors and errors[name] }
+    end
   end
-  if o.quantity and not answers[o.quantity] then check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(answers)) end
+  if o.quantity and not answers[o.quantity] then
+    check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(answers))
+  end
   local rows = {}
   for i, s in ipairs(settings) do rows[i] = judge_one(s, all, moving, scatter or {}, o) end
   local result = {
-    effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes, within = o.within, quantity = o.quantity, case = o.case,
-    perturbation = o.perturbation, seconds = judge.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
+    effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes,
+    within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
+    seconds = judge.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
     complete = #left_out == 0, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.effects_report".write(result, o.out) end

@@ -17,14 +17,17 @@ local function effects_table(result)
   local rows, fewest, most = {}, #result.times, #result.times
   for _, row in ipairs(result.effects) do
     if not row.failed then
-      rows[#rows + 1] = { row.name, change(row), row.same and "" or row.worst or "-", ("%.1f %%"):format(100 * row.saves), ("%.1f"):format(100 * row.spread),
-        ("%.3g"):format(row.seconds), percent(row.remainder) }
+      rows[#rows + 1] = { row.name, change(row), row.same and "" or row.worst or "-",
+        ("%.1f %%"):format(100 * row.saves), ("%.1f"):format(100 * row.spread), ("%.3g"):format(row.seconds),
+        percent(row.remainder) }
       fewest, most = math.min(fewest, #row.times), math.max(most, #row.times)
     end
   end
   rows[#rows + 1] = { "(all effects)", "", "", "", "", ("%.3g"):format(result.seconds), percent(result.remainder) }
-  paper.table(("Each effect left out by itself, timed %s times by turns: what it changes, and what part of the time it takes")
-    :format(fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)), { "effect", "changes", "most in", "takes", "+-", "s without", "remainder" }, rows)
+  local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
+  paper.table(("Each effect left out by itself, timed %s times by turns: what it changes, "
+    .. "and what part of the time it takes"):format(times),
+    { "effect", "changes", "most in", "takes", "+-", "s without", "remainder" }, rows)
 end
 
 local function answers_table(result)
@@ -45,7 +48,8 @@ local function answers_table(result)
     table.insert(rows[i], percent(result.answers[names[i]].error))
     table.insert(rows[i], percent(result.answers[names[i]].scatter))
   end
-  paper.table("Change of each answer without an effect" .. (#names > most_rows and ("; %d more in effects.csv"):format(#names - most_rows) or ""), head, rows)
+  paper.table("Change of each answer without an effect"
+    .. (#names > most_rows and ("; %d more in effects.csv"):format(#names - most_rows) or ""), head, rows)
 end
 
 --- Prints it all.
@@ -66,19 +70,21 @@ function report.show(result)
     local scatter = row.lost and result.answers[row.worst].scatter or 0
     if row.change and row.change <= result.within and scatter <= result.within then small[#small + 1] = row.name end
   end
-  print(#small > 0 and ("changes no more than %s, each by itself: %s"):format(percent(result.within), table.concat(small, ", "))
+  print(#small > 0
+    and ("changes no more than %s, each by itself: %s"):format(percent(result.within), table.concat(small, ", "))
     or ("every effect of this scene changes an answer by more than %s"):format(percent(result.within)))
 end
 
 local function csv(result)
   local names, lines, head = sorted(result.answers), {}, {}
-  for title in ("effect change worst same lost saves spread seconds timings remainder failed"):gmatch "%S+" do head[#head + 1] = title end
+  for title in ("effect change worst same lost saves spread seconds timings remainder failed"):gmatch "%S+" do
+    head[#head + 1] = title
+  end
   for _, name in ipairs(names) do head[#head + 1] = "change of " .. name end
   lines[1] = text.csv_line(head)
   for _, row in ipairs(result.effects) do
-    local cells = { row.name }
-    for _, cell in ipairs { row.change or "", row.worst or "", row.same or false, row.lost or false, row.saves or "", row.spread or "", row.seconds or "",
-      row.times and #row.times or 0, row.remainder or "", row.failed or "" } do cells[#cells + 1] = cell end
+    local cells = { row.name, row.change or "", row.worst or "", row.same or false, row.lost or false, row.saves or "",
+      row.spread or "", row.seconds or "", row.times and #row.times or 0, row.remainder or "", row.failed or "" }
     for _, name in ipairs(names) do cells[#cells + 1] = row.changes[name] or "" end
     lines[#lines + 1] = text.csv_line(cells)
   end

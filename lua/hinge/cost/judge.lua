@@ -1,6 +1,7 @@
 -- Judging answers: how far two are apart, at which order they converge, and which settings nothing else beats.
 local judge = {}
-local least_gain = 1e-3 -- part of an error by which a slower setting must be better to be on the front: less is rounding
+-- The part of an error by which a slower setting must be better to be on the front: less is rounding.
+local least_gain = 1e-3
 
 --- The larger of two numbers; not a number if one of them is not: math.max(a, b) drops a b that is not a number.
 function judge.larger(a, b) return a == a and not (b <= a) and b or a end
@@ -66,10 +67,11 @@ function judge.error(answer, reference)
   return d / (scale > 0 and scale or size(answer))
 end
 
---- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio of their
--- differences. nil where none between 0.02 and 16 fits; 0 differences mean exact: math.huge.
+--- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio
+-- of their differences. nil where none between 0.02 and 16 fits; 0 differences mean exact: math.huge.
 function judge.order(h, answers)
-  local first, second, noise = distance(answers[1], answers[2]), distance(answers[2], answers[3]), 1e-9 * size(answers[3])
+  local first, second = distance(answers[1], answers[2]), distance(answers[2], answers[3])
+  local noise = 1e-9 * size(answers[3])
   if first <= noise and second <= noise then return math.huge end
   if not (first < math.huge and second > 0) then return nil end
   local function excess(p) return (h[1] ^ p - h[2] ^ p) / (h[2] ^ p - h[3] ^ p) - first / second end

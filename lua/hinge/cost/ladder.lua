@@ -1,21 +1,26 @@
--- The settings that trade accuracy for time: which there are, which side of each is finer, and what is finer than all of them.
+-- The settings that trade accuracy for time: which there are, which side of each is finer, and
+-- what is finer than all of them.
 local check = require "hinge.check"
 
 local ladder = {}
 
--- Numbers whose finer side is known by their name. ratio: from one reference to the next; order: of the error, in theory;
--- work: how the time grows as the number is refined, to plan with until something was measured.
+-- Numbers whose finer side is known by their name. ratio: from one reference to the next; order: of the error, in
+-- theory; work: how the time grows as the number is refined, to plan with until something was measured.
 local sides = {
-  { "^dt$", finer = "smaller", ratio = 2, order = 2, work = 1, why = "Newmark's method and central differences, smooth motion" },
-  { "^elements", finer = "larger", ratio = 2, order = 2, work = 1, why = "linear elements; asi-gauss is exact in elastic statics" },
+  { "^dt$", finer = "smaller", ratio = 2, order = 2, work = 1,
+    why = "Newmark's method and central differences, smooth motion" },
+  { "^elements", finer = "larger", ratio = 2, order = 2, work = 1,
+    why = "linear elements; asi-gauss is exact in elastic statics" },
   { "^steps$", finer = "larger", ratio = 2, order = 1, work = 1, why = "backward steps of load, where members yield" },
   { "tolerance$", finer = "smaller", ratio = 10, order = 1, work = 0.05, why = "what is left out of balance" },
   { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "operator of elements that have turned" },
 }
 
--- Words, the finest first: the reference takes the first of them that is compared. Of other words it takes the script's default.
+-- Words, the finest first: the reference takes the first of them that is compared. Of other words
+-- it takes the script's default.
 local words = {
-  formulation = { "asi-gauss", "asi", "conventional" }, integrator = { "newmark", "explicit" }, displacement = { "large", "small" },
+  formulation = { "asi-gauss", "asi", "conventional" }, integrator = { "newmark", "explicit" },
+  displacement = { "large", "small" },
   precision = { "double", "single" }, solver = { "direct", "cg" },
 }
 
@@ -35,7 +40,8 @@ local function usual(name, value)
     if not side or value <= 0 then return nil end
     for i = 1, 2 do
       local factor = side.ratio ^ i
-      list[i + 1] = side.finer == "smaller" and value * factor or math.type(value) == "integer" and math.tointeger(value * factor) or value * factor
+      list[i + 1] = side.finer == "smaller" and value * factor
+        or math.type(value) == "integer" and math.tointeger(value * factor) or value * factor
     end
     return list
   end
@@ -45,8 +51,8 @@ local function usual(name, value)
   return #list > 1 and list or nil
 end
 
---- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }. What is in
--- `held` keeps its value. options: accuracy, finer, orders (see hinge.cost).
+--- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }.
+-- What is in `held` keeps its value. options: accuracy, finer, orders (see hinge.cost).
 function ladder.knobs(where, scenario, options, held)
   local lists, knobs = options.accuracy or scenario.accuracy, {}
   if next(lists) == nil then
@@ -54,13 +60,18 @@ function ladder.knobs(where, scenario, options, held)
     for name, value in pairs(scenario.parameters) do lists[name] = usual(name, value) end
   end
   for name, values in pairs(lists) do
-    if scenario.parameters[name] == nil then check.unknown(where .. ": accuracy", "parameter", name, check.keys(scenario.parameters)) end
-    if type(values) ~= "table" or #values == 0 then check.fail("%s: accuracy.%s is %s; must be a list of settings", where, name, check.show(values)) end
+    if scenario.parameters[name] == nil then
+      check.unknown(where .. ": accuracy", "parameter", name, check.keys(scenario.parameters))
+    end
+    if type(values) ~= "table" or #values == 0 then
+      check.fail("%s: accuracy.%s is %s; must be a list of settings", where, name, check.show(values))
+    end
     if held[name] == nil and #values > 1 then
       local side = type(values[1]) == "number" and side_of(name, options) or nil
       if side then
         local order = options.orders and options.orders[name]
-        side = { finer = side.finer, ratio = side.ratio, order = order or side.order, work = side.work, why = not order and side.why or nil }
+        side = { finer = side.finer, ratio = side.ratio, order = order or side.order, work = side.work,
+          why = not order and side.why or nil }
       end
       knobs[#knobs + 1] = { name = name, values = values, side = side }
     end

@@ -14,7 +14,8 @@ local function is_curve(value)
   return #value > 1
 end
 
--- The numbers of what a script returned, by name: "uz", "damage.columns.broken". A list of numbers is a history over its index.
+-- The numbers of what a script returned, by name: "uz", "damage.columns.broken". A list of
+-- numbers is a history over its index.
 local function flatten(answers, value, name, depth)
   if type(value) == "number" then
     answers[name] = value
@@ -24,11 +25,14 @@ local function flatten(answers, value, name, depth)
       for i = 1, #value do answers[name].x[i] = i end
       return
     end
-    for key, v in pairs(value) do flatten(answers, v, (name == "" and "" or name .. ".") .. tostring(key), depth + 1) end
+    for key, v in pairs(value) do
+      flatten(answers, v, (name == "" and "" or name .. ".") .. tostring(key), depth + 1)
+    end
   end
 end
 
--- What probes recorded, by their names; of several with one name, and of one that a result has too, the others are "uz#2" and so on.
+-- What probes recorded, by their names; of several with one name, and of one that a result has too,
+-- the others are "uz#2" and so on.
 local function add_histories(answers, histories)
   for _, h in ipairs(histories) do
     local name, n = h.name, 1
@@ -52,10 +56,11 @@ local function harvest(result, histories, run)
   if run.verdict == "failed" then result.failed = run.reason end
 end
 
---- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =, y = } },
--- seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes, remainder = the largest as a
--- part of the energy brought in, effects = { name = true } that were in a step, hashes = of the states at the end, failed = why it has no
--- answer }; nil when `deadline` (of core.clock) came first. Models are the scenario's own, made anew by each call.
+--- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =,
+-- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
+-- remainder = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
+-- hashes = of the states at the end, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
+-- Models are the scenario's own, made anew by each call.
 function measure.once(scenario, parameters, case, deadline, without)
   local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {} }
   local runs, histories, expired, say = {}, {}, false, print
@@ -84,7 +89,9 @@ function measure.once(scenario, parameters, case, deadline, without)
   print = say
   if expired then return nil end
   if not ok then
-    if core.error_kind(returned) == "interrupted" or type(returned) ~= "string" or returned == "not enough memory" then error(returned, 0) end
+    if core.error_kind(returned) == "interrupted" or type(returned) ~= "string" or returned == "not enough memory" then
+      error(returned, 0)
+    end
     result.failed = returned
     return result
   end
@@ -97,7 +104,8 @@ function measure.once(scenario, parameters, case, deadline, without)
   return result
 end
 
--- Numbers that a run does not depend on by design: a change of this part, up and down by turns, shows whether its answer does.
+-- Numbers that a run does not depend on by design: a change of this part, up and down by turns,
+-- shows whether its answer does.
 local function changed(value, by)
   if math.type(value) == "float" and value ~= 0 then return value * (1 + by) end
   if type(value) ~= "table" then return value end
@@ -112,7 +120,9 @@ function measure.perturbed(parameters, names, part, turn)
   local copy = {}
   for i, name in ipairs(names) do
     copy[name] = changed(parameters[name], part * ((i + turn) % 2 == 0 and 1 or -1) * (1 + turn) / 2)
-    if copy[name] ~= parameters[name] and type(copy[name]) ~= "table" or type(copy[name]) == "table" then count = count + 1 end
+    if copy[name] ~= parameters[name] and type(copy[name]) ~= "table" or type(copy[name]) == "table" then
+      count = count + 1
+    end
   end
   return copy, count
 end

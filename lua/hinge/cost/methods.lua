@@ -1,4 +1,5 @@
--- Methods at equal error: how long each value of a word (formulation, integrator, ...) takes to come equally near to the reference.
+-- Methods at equal error: how long each value of a word (formulation, integrator, ...) takes to come
+-- equally near to the reference.
 local judge = require "hinge.cost.judge"
 
 local methods = {}
@@ -13,8 +14,9 @@ function methods.front(settings)
   return judge.front(items)
 end
 
---- What a front takes for an error: { seconds =, settings = { one, or two between which it lies } }. Between two of its points it is
--- straight on logarithmic axes. Where even its best is worse, `more` is true and seconds those of the best; nil for an empty front.
+--- What a front takes for an error: { seconds =, settings = { one, or two between which it lies } }. Between two of its
+-- points it is straight on logarithmic axes. Where even its best is worse, `more` is true and seconds those of the
+-- best; nil for an empty front.
 function methods.time_at(front, error)
   for i, item in ipairs(front) do
     if item.error <= error then
@@ -29,8 +31,9 @@ function methods.time_at(front, error)
   return last and { seconds = last.time, settings = { last.setting }, more = true }
 end
 
--- The errors at which a knob's values are compared: the one that is asked for, that of the cheapest setting within it, and the least that
--- all of them reach. What is rounding, or the same as one before to a part in a hundred, is left out.
+-- The errors at which a knob's values are compared: the one that is asked for, that of the cheapest
+-- setting within it, and the least that all of them reach. What is rounding, or the same as one before to
+-- a part in a hundred, is left out.
 local function levels(fronts, within, best)
   local common, wanted, found = 0, { within, best and best.error }, {}
   for _, front in ipairs(fronts) do common = judge.larger(common, #front > 0 and front[#front].error or 0) end
@@ -44,8 +47,9 @@ local function levels(fronts, within, best)
   return found
 end
 
---- For each knob without a finer side: { name = { { error =, methods = { { value =, seconds =, ratio = over the shortest, settings =, more = }, ... } },
--- ... } }, the errors from the largest on; each value with the best that there is of all other knobs.
+--- For each knob without a finer side: { name = { { error =, methods = { { value =, seconds =, ratio = over the
+-- shortest, settings =, more = }, ... } }, ... } }, the errors from the largest on; each value with the best that
+-- there is of all other knobs.
 function methods.compare(knobs, compared, within, best)
   local result = {}
   for _, knob in ipairs(knobs) do

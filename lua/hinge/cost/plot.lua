@@ -4,12 +4,15 @@ local methods = require "hinge.cost.methods"
 
 local plot = {}
 local exact = 1e-10   -- errors below it are rounding: drawn beneath all others
-local near = 1.05     -- two points on logarithmic axes that lie on each other: neither is more than this times the other
+local near = 1.05     -- two points on logarithmic axes lie on each other: neither is more than this times the other
 
 local function method_of(result, s)
   local parts = {}
   for _, knob in ipairs(result.knobs) do
-    if not knob.side then parts[#parts + 1] = (type(s.values[knob.name]) == "string" and "" or knob.name .. " ") .. ladder.text(s.values[knob.name]) end
+    if not knob.side then
+      parts[#parts + 1] = (type(s.values[knob.name]) == "string" and "" or knob.name .. " ")
+        .. ladder.text(s.values[knob.name])
+    end
   end
   return table.concat(parts, ", ")
 end
@@ -31,10 +34,13 @@ local function group(result)
   return groups
 end
 
--- The points of a method's line: where one number is varied all of them, the coarsest first; of several numbers the best there are.
+-- The points of a method's line: where one number is varied all of them, the coarsest first; of
+-- several numbers the best there are.
 local function line_of(numbers, settings)
   if #numbers == 1 then
-    table.sort(settings, function(a, b) return ladder.finer(numbers[1], b.values[numbers[1].name], a.values[numbers[1].name]) > 1 end)
+    table.sort(settings, function(a, b)
+      return ladder.finer(numbers[1], b.values[numbers[1].name], a.values[numbers[1].name]) > 1
+    end)
     return settings
   end
   local best = {}
@@ -79,9 +85,10 @@ function plot.draw(result, job)
   local front = { name = "Pareto front", style = "points", x = {}, y = {} }
   for i, s in ipairs(result.front) do front.x[i], front.y[i] = s.seconds, height(s) end
   series[#series + 1] = front
-  job:plot({ title = "Error against time" .. (result.quantity and ", " .. result.quantity or ""), x_label = "time of the steps, s",
-    y_label = any_exact and ("error, %% (exact: at %.1g)"):format(100 * floor) or "error, %", log_x = true, log_y = true, series = series, width = 1200,
-    height = 760 }, "cost.png")
+  job:plot({ title = "Error against time" .. (result.quantity and ", " .. result.quantity or ""),
+    x_label = "time of the steps, s",
+    y_label = any_exact and ("error, %% (exact: at %.1g)"):format(100 * floor) or "error, %",
+    log_x = true, log_y = true, series = series, width = 1200, height = 760 }, "cost.png")
 end
 
 return plot

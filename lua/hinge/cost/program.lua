@@ -14,19 +14,23 @@ local function positive(option, text, units, allowed)
   return number * units[unit]
 end
 
---- options: script, case, overrides, out, within, budget, quantity, effects (nil or not), all as text. Returns the program's exit status.
+--- options: script, case, overrides, out, within, budget, quantity, effects (nil or not), all as text. Returns the
+-- program's exit status.
 function program.main(options)
   return runner.guard(function()
-    local within = positive("--within", options.within, { [""] = 1, ["%"] = 0.01 }, "a part above 0, such as 1% or 0.01")
-    local budget = positive("--budget", options.budget, { [""] = 1, s = 1, min = 60, h = 3600 }, "a time above 0, such as 60s, 5min or 1h")
+    local within = positive("--within", options.within, { [""] = 1, ["%"] = 0.01 },
+      "a part above 0, such as 1% or 0.01")
+    local budget = positive("--budget", options.budget, { [""] = 1, s = 1, min = 60, h = 3600 },
+      "a time above 0, such as 60s, 5min or 1h")
     local scenario = runner.load(options.script, runner.plain(options.overrides))
     if not scenario then
       check.fail("cost: %s has no settings to compare; it does not return a hinge.scenario", options.script)
     end
     local given, parameters = scenario:values(options.case, options.overrides), {}
     for _, override in ipairs(options.overrides) do parameters[override[1]] = given[override[1]] end
-    local result = cost.compare(scenario, { within = within, budget = budget, quantity = options.quantity, case = options.case, parameters = parameters,
-      out = options.out, progress = true, effects = options.effects ~= nil })
+    local result = cost.compare(scenario, { within = within, budget = budget, quantity = options.quantity,
+      case = options.case, parameters = parameters, out = options.out, progress = true,
+      effects = options.effects ~= nil })
     require(options.effects and "hinge.cost.effects_report" or "hinge.cost.report").show(result)
     print("written to " .. options.out)
     return 0

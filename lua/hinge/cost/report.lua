@@ -13,7 +13,8 @@ local most_rows = 14 -- answers shown; cost.csv has them all
 
 local states = {
   chaotic = "chaotic: it scatters by %s when every number changes by %g of itself, so it has no error",
-  unsettled = "not settled: two references, each finer than all settings, differ by %s; give finer settings, or a greater --within",
+  unsettled = "not settled: two references, each finer than all settings, differ by %s; "
+    .. "give finer settings, or a greater --within",
   moving = "differs from run to run of the same setting (%s): a time, or chance; left out",
 }
 
@@ -42,8 +43,9 @@ local function settings_table(result)
   for i, s in ipairs(result.settings) do
     local row = { ("%d%s"):format(i, s.front and " *" or "") }
     for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
-    table.move({ (s.below and s.error > 1e-12 and "< " or "") .. percent(s.error), s.worst or "-", ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory),
-      percent(s.remainder) }, 1, 6, #row + 1, row)
+    table.move({ (s.below and s.error > 1e-12 and "< " or "") .. percent(s.error), s.worst or "-",
+      ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.remainder) },
+      1, 6, #row + 1, row)
     rows[i] = row
   end
   local fewest, most = math.huge, 0
@@ -71,8 +73,8 @@ local function answers_table(result)
     rows[i] = row
   end
   head[#head + 1] = "references"
-  paper.table("Error of each answer by setting, and by how much the references differ" .. (#names > most_rows and ("; %d more in cost.csv"):format(#names - most_rows) or ""),
-    head, rows)
+  paper.table("Error of each answer by setting, and by how much the references differ"
+    .. (#names > most_rows and ("; %d more in cost.csv"):format(#names - most_rows) or ""), head, rows)
 end
 
 local function stages_of(settings)
@@ -126,8 +128,8 @@ local function equal_tables(result)
         rows[j][2 * i + 1] = others(result, m.settings, name) .. (m.more and ": " .. percent(m.settings[1].error) or "")
       end
     end
-    paper.table("Time at equal error, over the shortest (a to b: on the straight line between two settings, on logarithmic axes; >: not even the best one is as near)",
-      head, rows)
+    paper.table("Time at equal error, over the shortest (a to b: on the straight line between two settings, "
+      .. "on logarithmic axes; >: not even the best one is as near)", head, rows)
   end
 end
 
@@ -152,14 +154,16 @@ function report.show(result)
   for _, s in ipairs(result.failed) do print(("no answer: %s: %s"):format(s.label, s.failed)) end
   local out = result.left_out[1]
   if out then
-    print(("left out by the budget: %d settings, such as %s, about %.2g s and %.2g s for its reference"):format(#result.left_out, out.label, out.estimate, out.rest))
+    print(("left out by the budget: %d settings, such as %s, about %.2g s and %.2g s for its reference")
+      :format(#result.left_out, out.label, out.estimate, out.rest))
   end
   local judged, all = 0, 0
   for _, q in pairs(result.quantities) do judged, all = judged + (q.state == "sound" and 1 or 0), all + 1 end
   local by = result.quantity or ("%d of %d answers"):format(judged, all)
   if result.cheapest then
-    print(("cheapest within %s (judged by %s): %s, %s, %.3g s"):format(percent(result.within), by, result.cheapest.label, percent(result.cheapest.error),
-      result.cheapest.seconds))
+    print(("cheapest within %s (judged by %s): %s, %s, %.3g s")
+      :format(percent(result.within), by, result.cheapest.label, percent(result.cheapest.error),
+        result.cheapest.seconds))
   else
     print(("no setting is known to be within %s"):format(percent(result.within)))
   end
@@ -170,7 +174,8 @@ local function csv(result)
   local function add(cells) lines[#lines + 1] = text.csv_line(cells) end
   local head = {}
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
-  for title in ("error worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"):gmatch "%S+" do head[#head + 1] = title end
+  local titles = "error worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"
+  for title in titles:gmatch "%S+" do head[#head + 1] = title end
   for _, stage in ipairs(stages) do head[#head + 1] = "seconds of " .. stage end
   for _, name in ipairs(names) do head[#head + 1] = "error of " .. name end
   add(head)
@@ -178,8 +183,10 @@ local function csv(result)
     for _, s in ipairs(list) do
       local row = {}
       for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
-      for _, cell in ipairs { s.error or "", s.worst or "", s.seconds or "", s.ratio or "", s.times and #s.times or 0, s.outside or "", s.memory or "", s.remainder or "",
-        s.front or false, s.meets or false, s.failed or "" } do row[#row + 1] = cell end
+      for _, cell in ipairs { s.error or "", s.worst or "", s.seconds or "", s.ratio or "", s.times and #s.times or 0,
+        s.outside or "", s.memory or "", s.remainder or "", s.front or false, s.meets or false, s.failed or "" } do
+        row[#row + 1] = cell
+      end
       for _, stage in ipairs(stages) do row[#row + 1] = s.stages and s.stages[stage] or "" end
       for _, name in ipairs(names) do row[#row + 1] = s.errors and s.errors[name] or "" end
       add(row)
@@ -198,7 +205,8 @@ local function equal_summary(result)
       for j, m in ipairs(row.methods) do
         local labels = {}
         for k, s in ipairs(m.settings) do labels[k] = s.label end
-        all[name][i].methods[j] = { value = m.value, seconds = m.seconds, ratio = m.ratio, more = m.more or false, settings = labels }
+        all[name][i].methods[j] = { value = m.value, seconds = m.seconds, ratio = m.ratio, more = m.more or false,
+          settings = labels }
       end
     end
   end
@@ -211,14 +219,19 @@ function report.write(result, out)
   plot.draw(result, jobs.new(out, result.case))
   local summary = {}
   for name, value in pairs(result) do summary[name] = value end
-  summary.knobs, summary.settings, summary.references, summary.front, summary.cheapest, summary.equal = nil, {}, {}, {}, result.cheapest and result.cheapest.label, equal_summary(result)
+  summary.knobs = nil
+  summary.settings, summary.references, summary.front = {}, {}, {}
+  summary.cheapest = result.cheapest and result.cheapest.label
+  summary.equal = equal_summary(result)
   for i, s in ipairs(result.settings) do
     summary.settings[i] = {}
     for name, value in pairs(s) do
       if name ~= "answers" then summary.settings[i][name] = value end
     end
   end
-  for i, r in ipairs(result.references or {}) do summary.references[i] = { label = r.label, values = r.values, seconds = r.seconds } end
+  for i, r in ipairs(result.references or {}) do
+    summary.references[i] = { label = r.label, values = r.values, seconds = r.seconds }
+  end
   for i, s in ipairs(result.front) do summary.front[i] = s.label end
   summary.version = core.version
   core.write_json(out .. "/summary.json", summary)

@@ -8,7 +8,9 @@ Store.__index = Store
 local function text(value)
   if type(value) == "string" then return (("%q"):format(value):gsub("\\\n", "\\n")) end
   if math.type(value) == "float" then
-    if value ~= value or math.abs(value) == math.huge then return value ~= value and "0/0" or value > 0 and "1/0" or "-1/0" end
+    if value ~= value or math.abs(value) == math.huge then
+      return value ~= value and "0/0" or value > 0 and "1/0" or "-1/0"
+    end
     return ("%.17g"):format(value)
   end
   if type(value) ~= "table" then return tostring(value) end
@@ -37,7 +39,8 @@ local function read(path)
   return content
 end
 
---- folder: nil keeps nothing. `run`: the scenario's function; where its file can be read, that file's content is part of every key.
+--- folder: nil keeps nothing. `run`: the scenario's function; where its file can be read, that
+-- file's content is part of every key.
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
   if not self.path then return self end
@@ -60,7 +63,8 @@ function Store:get(key) return self.lines[key] end
 --- Keeps a measurement; a later one of the same key takes its place.
 function Store:put(key, record)
   self.lines[key] = record
-  if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end -- after a line that was cut short, too
+  -- after a line that was cut short, too
+  if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end
 end
 
 return store

@@ -1,4 +1,5 @@
--- What is known of the answers and the settings once all has been run: which answers can be trusted, errors, orders, the front.
+-- What is known of the answers and the settings once all has been run: which answers can be
+-- trusted, errors, orders, the front.
 local judge = require "hinge.cost.judge"
 local ladder = require "hinge.cost.ladder"
 
@@ -22,7 +23,8 @@ function verdict.answers(refs, scatter, moving, compared, within)
   return quantities
 end
 
---- The errors of each setting, and its own: the worst of what can be trusted, or the chosen answer's; not below what the references differ by.
+--- The errors of each setting, and its own: the worst of what can be trusted, or the chosen answer's; not below what
+-- the references differ by.
 function verdict.errors(compared, refs, quantities, chosen)
   for _, s in ipairs(compared) do
     s.errors = {}
@@ -39,7 +41,8 @@ function verdict.errors(compared, refs, quantities, chosen)
   end
 end
 
---- For each knob whose finer side is known, the order at which answers converge along it, all others at their finest; by the finest three.
+--- For each knob whose finer side is known, the order at which answers converge along it, all others at their finest;
+-- by the finest three.
 function verdict.orders(knobs, compared, refs, quantities, chosen)
   local result, sided = {}, 0
   for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
@@ -48,7 +51,9 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
       local line = {}
       for _, s in ipairs(compared) do
         local along = true
-        for _, other in ipairs(knobs) do along = along and (other == knob or s.values[other.name] == ladder.finest(other, compared)) end
+        for _, other in ipairs(knobs) do
+          along = along and (other == knob or s.values[other.name] == ladder.finest(other, compared))
+        end
         if along then line[#line + 1] = s end
       end
       if sided == 1 and refs then table.move(refs, 1, 2, #line + 1, line) end
@@ -65,19 +70,22 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
           if found[name] ~= math.huge then all[#all + 1] = found[name] end
         end
       end
-      result[knob.name] = { observed = judge.median(all) or next(found) and math.huge, theory = knob.side.order, why = knob.side.why, quantities = found,
+      result[knob.name] = { observed = judge.median(all) or next(found) and math.huge, theory = knob.side.order,
+        why = knob.side.why, quantities = found,
         note = n < 3 and "three values of it are needed, with all else at its finest" or nil }
     end
   end
   return result
 end
 
---- Fills in what each setting took and whether it is on the front, and sorts them by time. Returns the front and the cheapest within `within`.
+--- Fills in what each setting took and whether it is on the front, and sorts them by time. Returns the front and the
+-- cheapest within `within`.
 function verdict.front(compared, within)
   local cheapest, items = math.huge, {}
   for i, s in ipairs(compared) do
     local r = s.record
-    s.seconds, s.times, s.outside, s.stages, s.memory, s.remainder = judge.median(r.seconds), r.seconds, r.outside, r.stages, r.memory, r.remainder
+    s.seconds, s.times, s.outside = judge.median(r.seconds), r.seconds, r.outside
+    s.stages, s.memory, s.remainder = r.stages, r.memory, r.remainder
     cheapest = math.min(cheapest, s.seconds)
     items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, rounding), setting = s }
   end

@@ -9,8 +9,8 @@
 --   fin of 3 ribs                                     6        9
 -- The square stands on its corner, so that wings and tailplanes grow from the side joints and the fin from the top
 -- ones, each by its two spars. All dimensions are shares of `size`, chosen so that the members measure 229.5 m at 15 m.
--- Also reconstructed: members box 120x120x6, duralumin 2017-T4. From the paper: the aircraft's mass is spread evenly over
--- its members, through their density.
+-- Also reconstructed: members box 120x120x6, duralumin 2017-T4. From the paper: the aircraft's mass is spread evenly
+-- over its members, through their density.
 local hinge = require "hinge"
 local check = require "hinge.check"
 local materials = require "hinge.models.materials"
@@ -50,7 +50,8 @@ local function between(a, b, t)
   return { a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3]) }
 end
 
--- Joints, as shares of the size, and members. Body axes: x aft from the nose, y to the left, z up from the fuselage's axis.
+-- Joints, as shares of the size, and members. Body axes: x aft from the nose, y to the left,
+-- z up from the fuselage's axis.
 local function lay_out(s)
   local points, members = {}, {}
   local function point(x, y, z)
@@ -111,7 +112,8 @@ function aircraft.add(model, options)
   local o = check.options(where, options, rules)
   local shape = check.options(where .. " shape", o.shape, shape_rules)
   if shape.length <= shape.nose then
-    check.fail("%s shape: field 'length' is %s; must be above nose, %s", where, check.show(shape.length), check.show(shape.nose))
+    check.fail("%s shape: field 'length' is %s; must be above nose, %s", where, check.show(shape.length),
+      check.show(shape.nose))
   end
   if o.heading[1] == 0 and o.heading[2] == 0 then
     check.fail("%s: field 'heading' is %s; must not be vertical", where, check.show(o.heading))

@@ -1,8 +1,9 @@
 -- The space frame of the paper's section 3 (figure 8): a cube of four columns, fixed at their feet, and four beams.
 --
--- Reconstructed, because figure 8 is lost: side 0.25 m, solid square members of 20 mm, steel with a yield stress of
--- 245 MPa. With them 8 kN is elastic and 12 kN plastic below collapse, as sections 3.1 and 3.2 say. Every one is an option.
--- From the paper: the feet are fixed, and a horizontal load acts on an upper corner, here along the beam from it (x).
+-- Reconstructed, because figure 8 is lost: side 0.25 m, solid square members of 20 mm, steel with a yield
+-- stress of 245 MPa. With them 8 kN is elastic and 12 kN plastic below collapse, as sections 3.1 and 3.2 say.
+-- Every one is an option. From the paper: the feet are fixed, and a horizontal load acts on an upper corner,
+-- here along the beam from it (x).
 local hinge = require "hinge"
 local check = require "hinge.check"
 

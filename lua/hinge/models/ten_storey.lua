@@ -59,7 +59,8 @@ function ten_storey.add(model, options)
 
   local function add_column(level, i, j)
     local inside = i > 0 and i < nx and j > 0 and j < ny
-    model:member { nodes[level - 1][i][j], nodes[level][i][j], section = o.column, material = o.material, up = { 1, 0, 0 },
+    model:member { nodes[level - 1][i][j], nodes[level][i][j],
+      section = o.column, material = o.material, up = { 1, 0, 0 },
       group = { "columns", inside and "inner columns" or "outer columns", "storey " .. level, "building" } }
   end
 

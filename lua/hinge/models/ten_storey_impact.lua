@@ -1,8 +1,9 @@
--- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what is
--- measured of a run, and runs side by side in two processes. Described for editors in library.d.lua.
+-- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what
+-- is measured of a run, and runs side by side in two processes. Described for editors in library.d.lua.
 --
--- Reconstructed, because the paper's figure 16 is lost: where the aircraft hits, and all that ten_storey.lua and aircraft.lua
--- name so. From the paper: table 1, the limits of fracture, contact with a binding time of 0.5 ms, no inclination, no damping.
+-- Reconstructed, because the paper's figure 16 is lost: where the aircraft hits, and all that ten_storey.lua and
+-- aircraft.lua name so. From the paper: table 1, the limits of fracture, contact with a binding time of 0.5 ms, no
+-- inclination, no damping.
 local hinge    = require "hinge"
 local check    = require "hinge.check"
 local core     = require "hinge.core"
@@ -65,7 +66,8 @@ function impact.add(model, options)
   else
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- the paper's 0.0004 is per millimetre
   end
-  model:contact(impact.with({ rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }, o.contact_limits))
+  local numbers = { rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }
+  model:contact(impact.with(numbers, o.contact_limits))
   -- m/s, of an elastic wave along a column; and of a long one, which takes the floors' mass along
   local columns = model:group("columns")
   frame.wave = math.sqrt(steel.E / steel.density)
@@ -103,8 +105,8 @@ function impact.damage(run, frame)
 end
 
 -- Watches the columns: when a storey feels the impact (figure 17), and who is pulled that was pressed (figure 19).
--- felt: a column's f_y has changed by 0.05; faint: by 0.005; red: a column is fully plastic, f_y = 1. A column counts as
--- pulled from a hundredth of the largest compression at rest.
+-- felt: a column's f_y has changed by 0.05; faint: by 0.005; red: a column is fully plastic, f_y = 1. A column counts
+-- as pulled from a hundredth of the largest compression at rest.
 local function watch_columns(run, frame)
   local f_at_rest, n_at_rest = run:read("f_y", "columns"), run:read("N", "columns")
   local x, y, at = run:read("x", "columns"), run:read("y", "columns"), {}
@@ -130,7 +132,8 @@ local function watch_columns(run, frame)
       if n_at_rest[i] < 0 and n > least then
         count = count + 1
         if 2 * at[i] <= #frame.storey_groups then below = below + 1 end
-        local column = w.pulled[i] or { storey = at[i], x = x[i], y = y[i], first = after, before = n_at_rest[i], most = 0 }
+        local column = w.pulled[i]
+          or { storey = at[i], x = x[i], y = y[i], first = after, before = n_at_rest[i], most = 0 }
         column.most, w.pulled[i] = math.max(column.most, n), column
       end
     end
@@ -177,7 +180,9 @@ function impact.simulate(p, see)
   local r, energy, brought = impact.damage(run, frame), run.energy, p.mass * p.speed
   r.verdict, r.reason, r.time, r.seconds, r.touched = run.verdict, run.reason, run.time, run.wall_seconds, watch.touched
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
-  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do r[name] = energy[name] end
+  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do
+    r[name] = energy[name]
+  end
   r.brought, r.own_kinetic = brought, 0.5 * p.mass * p.speed ^ 2
   r.given = since and run.time > since and momentum_of(model, run, before, since) / brought or nil
   r.times, r.counts, r.below, r.pulled = watch.times, watch.counts, watch.below, {}
@@ -191,11 +196,13 @@ function impact.simulate(p, see)
   return r
 end
 
--- Runs side by side ----------------------------------------------------------------------------------------------------
+-- Runs side by side ---------------------------------------------------------------------------------------------------
 
 -- A value as Lua source: numbers to the last bit, strings, booleans and tables of them.
 local function source(value)
-  if type(value) ~= "table" then return type(value) == "string" and ("%q"):format(value):gsub("\n", "n") or ("%q"):format(value) end
+  if type(value) ~= "table" then
+    return type(value) == "string" and ("%q"):format(value):gsub("\n", "n") or ("%q"):format(value)
+  end
   local items = {}
   for key, item in pairs(value) do items[#items + 1] = ("[%q]=%s"):format(key, source(item)) end
   return "{" .. table.concat(items, ",") .. "}"
@@ -229,9 +236,10 @@ local function start_second(job, p, script)
   return io.popen(table.concat(words, " "), "r")
 end
 
---- Calls one(task, job) for each task of a list, half of them in a second process, and returns what it returned, in
--- order; nil in that second process, whose script then has nothing left to do. `p` holds half = 0, or 1 for one process.
--- What `one` returns must be made of numbers, strings, booleans and tables. Pictures all go to the first one's folder.
+--- Calls one(task, job) for each task of a list, half of them in a second process, and returns what it
+-- returned, in order; nil in that second process, whose script then has nothing left to do. `p` holds
+-- half = 0, or 1 for one process. What `one` returns must be made of numbers, strings, booleans and tables.
+-- Pictures all go to the first one's folder.
 function impact.side_by_side(job, p, script, tasks, one)
   local results, mark = {}, "\1result "
   if p.half == 2 then
@@ -257,7 +265,11 @@ function impact.side_by_side(job, p, script, tasks, one)
   if second then
     for line in second:lines() do
       local index, text = line:match("^" .. mark .. "(%d+) (.*)$")
-      if index then results[tonumber(index)] = load(text, "result", "t", {})() elseif line:match("^note:") then print(line) end
+      if index then
+        results[tonumber(index)] = load(text, "result", "t", {})()
+      elseif line:match("^note:") then
+        print(line)
+      end
     end
     second:close()
     for i = 2, #tasks, 2 do results[i] = results[i] or one(tasks[i], job) end -- what the other one failed to do
