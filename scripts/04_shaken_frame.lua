@@ -1,12 +1,15 @@
 -- The ground shakes a portal frame.
 --
 -- Run     hinge run scripts/04_shaken_frame.lua
--- Shows   a heavy beam on two slender columns whose feet follow one wave of ground acceleration, 0.5 s long, weak and then eight
---         times as strong; no damping, so that the frame swings on after it
--- Expect  weak_mm = 7.047 within 3 %               swing after the wave: 2 a/w^2 r / (r^2 - 1) sin(pi / r), w of one mass on two columns
---                                                  (13/35 of their own counts), r the wave's frequency over w
---         weak_plastic_J = 0 exactly               it stays elastic: all of the ground's work is still kinetic and elastic energy
---         strong_mm = 57.84 within 1 %             largest drift of the strong one: eight times as far as the weak one, though it flows
+-- Shows   a heavy beam on two slender columns whose feet follow one wave of ground acceleration, 0.5 s long, weak and
+--         then eight times as strong; no damping, so that the frame swings on after it
+-- Expect  weak_mm = 7.047 within 3 %               swing after the wave: 2 a/w^2 r / (r^2 - 1) sin(pi / r), w of
+--                                                  one mass on two columns (13/35 of their own counts), r the
+--                                                  wave's frequency over w
+--         weak_plastic_J = 0 exactly               it stays elastic: all of the ground's work is still kinetic
+--                                                  and elastic energy
+--         strong_mm = 57.84 within 1 %             largest drift of the strong one: eight times as far as the
+--                                                  weak one, though it flows
 --         set_mm = 6.24 within 5 %                 the drift about which it swings in the end
 --         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the ground's work, of both
 --
@@ -50,8 +53,8 @@ local r = 2 * math.pi / length / w
 local by_hand = 2 * a / w ^ 2 * math.abs(r / (r ^ 2 - 1) * math.sin(math.pi / r))
 print(("period %.3f s; by hand the weak wave leaves a swing of %.3f mm"):format(2 * math.pi / w, 1e3 * by_hand))
 for _, s in ipairs { weak, strong } do
-  print(("largest drift %.3f mm, then a swing of %.3f mm about %.3f mm; plastic %.1f J of the ground's work %.1f J"):format(
-    1e3 * s.peak, 1e3 * s.swing, 1e3 * s.set, s.energy.plastic, s.energy.work))
+  print(("largest drift %.3f mm, then a swing of %.3f mm about %.3f mm; plastic %.1f J of the ground's work %.1f J")
+    :format(1e3 * s.peak, 1e3 * s.swing, 1e3 * s.set, s.energy.plastic, s.energy.work))
 end
 return {
   weak_mm = 1e3 * weak.swing, weak_plastic_J = weak.energy.plastic, strong_mm = 1e3 * strong.peak, set_mm = 1e3 * strong.set,

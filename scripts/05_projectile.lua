@@ -18,7 +18,8 @@ model:fix({ foot, head }, "all")
 model:member { foot, middle, section = box, material = steel, group = "column" }
 model:member { middle, head, section = box, material = steel, group = "column" }
 local projectile = model:member {
-  model:node { -0.12, -0.2, 1.4 }, model:node { -0.12, 0.2, 1.4 }, section = solid, material = steel, group = "projectile",
+  model:node { -0.12, -0.2, 1.4 }, model:node { -0.12, 0.2, 1.4 }, section = solid, material = steel,
+  group = "projectile",
 }
 model:velocity(projectile, { 30, 0, 0 })
 model:contact {}
@@ -31,12 +32,16 @@ run:finish()
 -- The impulse of the supports, by the trapezoidal rule.
 local impulse = 0
 for _, force in ipairs(reactions) do
-  for i = 2, #force.value do impulse = impulse + (force.value[i] + force.value[i - 1]) / 2 * (force.time[i] - force.time[i - 1]) end
+  for i = 2, #force.value do
+    impulse = impulse + (force.value[i] + force.value[i - 1]) / 2 * (force.time[i] - force.time[i - 1])
+  end
 end
 local left = run:momentum().linear[1]
 print(("momentum brought %.3f N s, left %.3f N s, impulse of the supports %.3f N s"):format(brought, left, impulse))
-print(("velocity of the projectile's end %.2f m/s; the column bends by %.1f mm"):format(projectile.a:velocity(), 1e3 * middle:displacement()))
+print(("velocity of the projectile's end %.2f m/s; the column bends by %.1f mm")
+  :format(projectile.a:velocity(), 1e3 * middle:displacement()))
 return {
   brought_Ns = brought, lost_percent = 100 * (brought + impulse - left) / brought,
-  yielded = run:count { group = "column", state = "yielded" }, remainder_percent = 100 * run.energy.remainder / run.energy.initial,
+  yielded = run:count { group = "column", state = "yielded" },
+  remainder_percent = 100 * run.energy.remainder / run.energy.initial,
 }

@@ -2,8 +2,10 @@
 --
 -- Run     hinge run scripts/06_parameter_loop.lua
 --         hinge run scripts/06_parameter_loop.lua | grep , > spectrum.csv          (rows for a spreadsheet)
--- Shows   a heavy beam across the tip of a cantilever; a load acts on it for a part of its natural period; the largest deflection over the static one
--- Expect  at_5_percent = 0.31287 within 1 %        2 sin(pi t/T) of one mass on a spring, for a load that lasts t = T / 20
+-- Shows   a heavy beam across the tip of a cantilever; a load acts on it for a part of its natural period; the largest
+--         deflection over the static one
+-- Expect  at_5_percent = 0.31287 within 1 %        2 sin(pi t/T) of one mass on a spring, for a load that lasts
+--                                                  t = T / 20
 --         at_25_percent = 1.41421 within 1 %       the same for t = T / 4
 --         at_100_percent = 2 within 1 %            and 2 for all that last half a period or longer
 --         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the loads' work, all together
@@ -20,7 +22,8 @@ local function cantilever()
   local model = hinge.model { displacement = "small" }
   local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(wall, "all")
-  local mass = 33 / 140 * model:member { wall, tip, section = bar, material = steel }.mass -- as much of it as swings along
+  -- as much of it as swings along
+  local mass = 33 / 140 * model:member { wall, tip, section = bar, material = steel }.mass
   for _, y in ipairs { -0.4, 0.4 } do
     mass = mass + model:member { tip, model:node { L, y, 0 }, section = cross, material = heavy }.mass
   end

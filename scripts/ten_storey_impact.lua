@@ -16,7 +16,8 @@ local report   = require "hinge.report"
 return hinge.scenario {
   parameters = {
     speed = 440 / 3.6, size = 15, mass = 15000,        -- m/s, m, kg: the paper's table 1, Case I
-    height = 30, offset = 0, gap = 0.5,                -- m: axis above ground, left of the middle, nose before the facade
+    -- m: axis above ground, left of the middle, nose before the facade
+    height = 30, offset = 0, gap = 0.5,
     contact = "gap",                                   -- the paper's rule, or "surface"
     duration = 0.25, frame_every = 250,                -- s, steps
   },
@@ -37,7 +38,8 @@ return hinge.scenario {
     local loaded = model:static { hold = plane }
     loaded:finish()
 
-    local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4, checkpoint = "impact.checkpoint" }
+    local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4,
+      checkpoint = "impact.checkpoint" }
     for step in run:steps() do
       if step.index % p.frame_every == 0 then job:frame(run) end
     end

@@ -1,27 +1,33 @@
 -- What time steps cost in Case I (figures 17 and 18), shortened: the nose hits a column, the first members break.
 --
--- Run     hinge cost scripts/cost/ten_storey_impact.lua --within 1%         (or --quantity before.plastic; after=12e-3: far into fracture)
+-- Run     hinge cost scripts/cost/ten_storey_impact.lua --within 1%   (or --quantity before.plastic;
+--                                                                     after=12e-3: far into fracture)
 --         hinge cost scripts/cost/ten_storey_impact.lua --effects
--- Shows   energies of two runs, before the first member breaks and on from there; how a step is made, its length, and the contact rule
--- Expect  plastic work before: under 1 % at all steps; after: 11 % at 20 us, 0.9 % at 10 us, where the same three members break. Iterations
---         and double precision change neither; explicit steps are 26 % off before (lumped mass), surfaces 12 % (another contact law).
---         With after=12e-3 the references differ by 12 %: no error is given
+-- Shows   energies of two runs, before the first member breaks and on from there; how a step is made,
+--         its length, and the contact rule
+-- Expect  plastic work before: under 1 % at all steps; after: 11 % at 20 us, 0.9 % at 10 us, where the same three
+--         members break. Iterations and double precision change neither; explicit steps are 26 % off before (lumped
+--         mass), surfaces 12 % (another contact law). With after=12e-3 the references differ by 12 %: no error is given
 local hinge    = require "hinge"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"
 
 local schemes = { -- how a step is made, and the contact rule
-  ["newmark"] = { beta = 0.4 }, ["newmark, double"] = { beta = 0.4, precision = "double" }, ["newmark, iterated"] = { beta = 0.4, iterations = 4 },
+  ["newmark"] = { beta = 0.4 }, ["newmark, double"] = { beta = 0.4, precision = "double" },
+  ["newmark, iterated"] = { beta = 0.4, iterations = 4 },
   ["newmark, surface"] = { beta = 0.4 }, ["explicit"] = { integrator = "explicit" },
 }
 
 return hinge.scenario {
-  parameters = { speed = 440 / 3.6, size = 15.0, mass = 15000.0, height = 30.0, before = 3e-3, after = 6e-3 }, -- m/s, m, kg, m, s
-  accuracy = { dt = { 1e-5, 2e-5, 4e-5 }, scheme = { "newmark", "newmark, double", "newmark, iterated", "newmark, surface", "explicit" } },
+  -- m/s, m, kg, m, s
+  parameters = { speed = 440 / 3.6, size = 15.0, mass = 15000.0, height = 30.0, before = 3e-3, after = 6e-3 },
+  accuracy = { dt = { 1e-5, 2e-5, 4e-5 },
+    scheme = { "newmark", "newmark, double", "newmark, iterated", "newmark, surface", "explicit" } },
   run = function(p)
     local model = hinge.model()
     local frame = building.add(model)
-    local plane = aircraft.add(model, { size = p.size, mass = p.mass, speed = p.speed, position = { -0.5, frame.size[2] / 2, p.height } })
+    local plane = aircraft.add(model, { size = p.size, mass = p.mass, speed = p.speed,
+      position = { -0.5, frame.size[2] / 2, p.height } })
     local surface = p.scheme:find "surface"
     model:gravity { 0, 0, -9.80665 }
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
@@ -31,7 +37,8 @@ return hinge.scenario {
       local options = { from = run, dt = p.dt, duration = duration }
       for name, value in pairs(schemes[p.scheme]) do options[name] = value end
       run = model:dynamic(options):finish()
-      return { elastic = run.energy.elastic, plastic = run.energy.plastic, fracture = run.energy.fracture, broken = run:count { state = "broken" } }
+      return { elastic = run.energy.elastic, plastic = run.energy.plastic, fracture = run.energy.fracture,
+        broken = run:count { state = "broken" } }
     end
     local before = go_on(p.before)
     return { before = before, after = go_on(p.after - p.before) }

@@ -1,13 +1,16 @@
 -- What time steps cost in an impact: the paper's two beams (figure 13), as long as they touch and somewhat longer.
 --
--- Run     hinge cost scripts/cost/two_beam_impact.lua --within 1%         (any parameter: elements_per_member=4 speed=20)
--- Shows   a free beam falls on a clamped one at 50 m/s, by surfaces of a given stiffness; Newmark's beta 1/4 and the paper's 0.4
--- Expect  second order in dt with both; beta 1/4 has a fraction of the error at the same step. elements_per_member is no accuracy
---         setting here: each element rings at its own frequency when it is hit, and momentum at a given time never settles
+-- Run     hinge cost scripts/cost/two_beam_impact.lua --within 1%   (any parameter: elements_per_member=4 speed=20)
+-- Shows   a free beam falls on a clamped one at 50 m/s, by surfaces of a given stiffness;
+--         Newmark's beta 1/4 and the paper's 0.4
+-- Expect  second order in dt with both; beta 1/4 has a fraction of the error at the same step.
+--         elements_per_member is no accuracy setting here: each element rings at its own frequency when it is
+--         hit, and momentum at a given time never settles
 local hinge = require "hinge"
 
 return hinge.scenario {
-  parameters = { length = 1.0, thickness = 0.05, gap = 0.06, speed = 50.0, stiffness = 2e9, -- m, m/s, N/m, *reconstructed*
+  -- m, m/s, N/m, *reconstructed*
+  parameters = { length = 1.0, thickness = 0.05, gap = 0.06, speed = 50.0, stiffness = 2e9,
     duration = 2e-3, elements_per_member = 2 }, -- s
   accuracy = { dt = { 2.5e-6, 5e-6, 1e-5, 2e-5 }, beta = { 0.25, 0.4 } },
   run = function(p)

@@ -1,8 +1,9 @@
 -- A joint that fails under axial force and bending together: (N / N_c)^2 + (M / M_c)^2 >= 1.
 --
 -- Run     hinge run scripts/rules/joint_interaction.lua
--- Shows   a cantilever welded to a wall more weakly than it is itself; a load that rises slowly pulls it askew, along three directions,
---         until the weld breaks; the free end, a joint too, and the sections inside the member carry the same force and hold
+-- Shows   a cantilever welded to a wall more weakly than it is itself; a load that rises slowly pulls it askew, along
+--         three directions, until the weld breaks; the free end, a joint too, and the sections inside the member carry
+--         the same force and hold
 -- Expect  along_kN = 200 within 0.5 %              N_c
 --         askew_kN = 19.925 within 0.5 %           1 / sqrt((cos a / N_c)^2 + (L sin a / M_c)^2) for a = 30 degrees
 --         across_kN = 10 within 0.5 %              M_c / L
@@ -27,7 +28,8 @@ local function strength(angle)
   local by_hand = 1 / math.sqrt((math.cos(angle) / N_c) ^ 2 + (L * math.sin(angle) / M_c) ^ 2)
   local last = 1.2 * by_hand
   -- Smooth at its start and slow beside the bar's first period, 7 ms: next to no swing.
-  model:load { node = tip, force = { last * math.cos(angle), 0, -last * math.sin(angle) }, history = function(t) return t ^ 2 end }
+  model:load { node = tip, force = { last * math.cos(angle), 0, -last * math.sin(angle) },
+    history = function(t) return t ^ 2 end }
   model:fracture { where = "all", rule = weld }
   local run = model:dynamic { dt = 1e-4, duration = 1 }
   local work, remainder = 0, 0

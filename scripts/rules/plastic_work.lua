@@ -1,15 +1,18 @@
 -- A rule with a memory: a joint breaks when plastic work has worn it out.
 --
 -- Run     hinge run scripts/rules/plastic_work.lua
--- Shows   the tip of a cantilever is moved up and down, slowly; a plastic hinge at the wall works to and fro until it breaks
--- Expect  break_s = 0.905 within 0.5 %             in the fifth way: Mp (s - 2 u) / L of work a way, Mp (s - u) / L the first, s the way,
---                                                  u = Mp L^2 / (3 E I) what is elastic; ways up count in full, ways down for a third
+-- Shows   the tip of a cantilever is moved up and down, slowly; a plastic hinge at the wall
+--         works to and fro until it breaks
+-- Expect  break_s = 0.905 within 0.5 %             in the fifth way: Mp (s - 2 u) / L of work a way, Mp (s - u) / L the
+--                                                  first, s the way, u = Mp L^2 / (3 E I) what is elastic; ways up
+--                                                  count in full, ways down for a third
 --         damage = 1 within 0.1 %                  largest damage that the rule has kept
 --         work_J = 1835 within 0.5 %               plastic work until then
 --         remainder_percent = 0 within 0.3         what the energy ledger cannot account for, of the moving hand's work
 --
--- The rule keeps two numbers of each section: the plastic work that it saw last, and the damage. The joint is welded at its lower
--- side, which is pulled when the tip goes up (Mx < 0); section.plastic_work alone does not tell the one from the other.
+-- The rule keeps two numbers of each section: the plastic work that it saw last, and the damage. The joint is
+-- welded at its lower side, which is pulled when the tip goes up (Mx < 0); section.plastic_work alone does
+-- not tell the one from the other.
 local hinge = require "hinge"
 
 local L, side, yield_stress, sway, period, limit = 1, 0.05, 245e6, 0.1, 0.4, 1300 -- m, m, Pa, m, s, J
@@ -38,4 +41,5 @@ local run = model:dynamic { dt = 2.5e-5, duration = 1.2 }:finish()
 local _, _, time = member:state()
 time = time or 0 -- 0: it did not break
 print(("broken at %.4f s, after %.1f J of plastic work"):format(time, run.energy.plastic))
-return { break_s = time, work_J = run.energy.plastic, damage = worst, remainder_percent = 100 * run.energy.remainder / run.energy.work }
+return { break_s = time, work_J = run.energy.plastic, damage = worst,
+  remainder_percent = 100 * run.energy.remainder / run.energy.work }

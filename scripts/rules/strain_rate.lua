@@ -1,8 +1,8 @@
 -- A limit that rises with the speed: a rod breaks later when it is pulled faster.
 --
 -- Run     hinge run scripts/rules/strain_rate.lua
--- Shows   glass-fibre rods pulled apart at three speeds, 0.1, 1 and 10 m/s a metre; each breaks where the strain of its outermost fibre
---         reaches e0 (1 + (rate / C)^(1/q)), after Cowper and Symonds
+-- Shows   glass-fibre rods pulled apart at three speeds, 0.1, 1 and 10 m/s a metre; each breaks where the strain of its
+--         outermost fibre reaches e0 (1 + (rate / C)^(1/q)), after Cowper and Symonds
 -- Expect  slow_percent = 2.368 within 0.5 %        strain at the break, for e0 = 2 %, C = 1000 1/s, q = 5.43
 --         middle_percent = 2.560 within 0.5 %
 --         fast_percent = 2.856 within 1 %
