@@ -32,20 +32,21 @@ return {
       local model = hinge.model {}
       local joints = parts.frame(model, { storeys = 2, bays = 2, material = parts.steel { yield_stress = 245e6 } })
       model:gravity { 0, 0, -9.80665 }
-      model:move { node = { joints[0][0], joints[0][1], joints[0][2] }, x = function(t) return 0.1 * math.sin(150 * t) end }
+      model:move { node = { joints[0][0], joints[0][1], joints[0][2] },
+        x = function(t) return 0.1 * math.sin(150 * t) end }
       model:fracture { curvature_x = 0.05, curvature_y = 0.05, axial_strain = 0.005 }
       return model
     end },
-  { "a body in flight breaks into single elements", remainder = 1e-2, momentum = 2e-6, dt = 1e-5, steps = 1000, free = true,
-    make = function(hinge)
+  { "a body in flight breaks into single elements", remainder = 1e-2, momentum = 2e-6, dt = 1e-5, steps = 1000,
+    free = true, make = function(hinge)
       local model = hinge.model { elements_per_member = 4 }
       parts.row(model, { 0, 0, 0 }, { 4, 0, 0 }, { members = 4, group = "body" })
       model:velocity("body", { 10, 0, 0 }, { 0, 0, 20 })
       model:fracture { where = "all", rule = function(s) return s.time > 1e-3 end }
       return model
     end },
-  { "a bond of contact holds while its member breaks", remainder = 2e-2, momentum = 2e-3, dt = 5e-6, steps = 1000, free = true,
-    make = function(hinge)
+  { "a bond of contact holds while its member breaks", remainder = 2e-2, momentum = 2e-3, dt = 5e-6, steps = 1000,
+    free = true, make = function(hinge)
       local model = hinge.model {}
       parts.row(model, { -0.5, 0, 0 }, { 0.5, 0, 0 }, { members = 2, group = "struck" })
       parts.row(model, { 0, -0.5, 0.08 }, { 0, 0.5, 0.08 }, { members = 2, group = "striker" })

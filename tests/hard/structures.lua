@@ -29,7 +29,8 @@ return {
       local nodes = { model:node { 0, 0, 0 } }
       for i = 1, 4 do
         nodes[i + 1] = model:node { i, 0, 0 }
-        model:member { nodes[i], nodes[i + 1], section = parts.square(0.05), material = parts.steel { density = i % 2 == 0 and 7850 or 7.85e-3 } }
+        model:member { nodes[i], nodes[i + 1], section = parts.square(0.05),
+          material = parts.steel { density = i % 2 == 0 and 7850 or 7.85e-3 } }
       end
       model:fix(nodes[1])
       model:velocity(nodes[5], { 0, 0, 3 })
@@ -69,10 +70,10 @@ return {
       model:velocity(far, { 0, 2, 1 })
       return model
     end },
-  { "10 000 turns of a free body", remainder = 1e-2, momentum = 1e-6, dt = 2e-4, steps = 1000000, free = true, slow = true,
-    make = spinning },
-  { "10 000 turns in 4 000 000 steps, hardly damped", remainder = 1e-3, momentum = 1e-6, dt = 5e-5, steps = 4000000, free = true, slow = true, long = true,
-    make = function(hinge) return spinning(hinge), { rho_infinity = 0.99 } end },
+  { "10 000 turns of a free body", remainder = 1e-2, momentum = 1e-6, dt = 2e-4, steps = 1000000, free = true,
+    slow = true, make = spinning },
+  { "10 000 turns in 4 000 000 steps, hardly damped", remainder = 1e-3, momentum = 1e-6, dt = 5e-5, steps = 4000000,
+    free = true, slow = true, long = true, make = function(hinge) return spinning(hinge), { rho_infinity = 0.99 } end },
   { "a chain of 200 members whips freely", remainder = 1e-2, momentum = 1e-5, dt = 2e-5, steps = 5000, free = true,
     make = function(hinge)
       local model = hinge.model {}
@@ -90,9 +91,11 @@ return {
   { "both bendings and axial force on the yield surface's tip", remainder = 2e-2, dt = 1e-5, steps = 2000,
     make = function(hinge)
       local model = hinge.model {}
-      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { members = 2, material = parts.steel { yield_stress = 245e6 } })
+      local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 },
+        { members = 2, material = parts.steel { yield_stress = 245e6 } })
       model:fix(nodes[1])
-      model:load { node = nodes[3], force = { 5.9e5, 400, 300 }, history = function(t) return math.min(1, t / 5e-3) end }
+      model:load { node = nodes[3], force = { 5.9e5, 400, 300 },
+        history = function(t) return math.min(1, t / 5e-3) end }
       return model
     end },
   { "a hinge loaded and unloaded 10 000 times", remainder = 2e-2, dt = 5e-4, steps = 200000, slow = true,
@@ -100,7 +103,8 @@ return {
       local model = hinge.model {}
       local nodes = parts.row(model, { 0, 0, 0 }, { 1, 0, 0 }, { material = parts.steel { yield_stress = 245e6 } })
       model:fix(nodes[1])
-      model:load { node = nodes[2], force = { 0, 6500, 0 }, history = function(t) return math.sin(2 * math.pi * 100 * t) end }
+      model:load { node = nodes[2], force = { 0, 6500, 0 },
+        history = function(t) return math.sin(2 * math.pi * 100 * t) end }
       return model
     end },
   { "supports of a loaded frame are let go at once", remainder = 1e-2, dt = 2e-4, steps = 2000,
@@ -117,7 +121,8 @@ return {
       local model = hinge.model {}
       local nodes = parts.row(model, { 0, 0, 0 }, { 2, 0, 0 }, { members = 2 })
       model:fix(nodes[1])
-      model:load { node = nodes[3], force = { 0, 2e4, 1e4 }, history = function(t) return math.floor(t / 3e-4 + 0.5) % 2 == 0 and 1 or -1 end }
+      model:load { node = nodes[3], force = { 0, 2e4, 1e4 },
+        history = function(t) return math.floor(t / 3e-4 + 0.5) % 2 == 0 and 1 or -1 end }
       return model
     end },
   { "feet that set off, stop and turn back at once", remainder = 1e-2, dt = 1e-4, steps = 600,
@@ -143,7 +148,8 @@ return {
   { "up along the member", says = "up", make = function(hinge)
       parts.row(hinge.model {}, { 0, 0, 0 }, { 1, 0, 0 }, { up = { 1, 1e-13, 0 } })
     end },
-  { "twisted by more than half a turn", says = "have twisted by 160 degrees against each other", dt = 1e-5, steps = 2000, make = function(hinge)
+  { "twisted by more than half a turn", says = "have twisted by 160 degrees against each other", dt = 1e-5,
+    steps = 2000, make = function(hinge)
       local model = hinge.model {}
       local nodes = parts.row(model, { 0, 0, 0 }, { 2, 0, 0 }, { members = 2 })
       model:fix(nodes[1])
@@ -162,8 +168,8 @@ return {
       model:velocity("bar", { 3, 2, 1 })
       return model
     end },
-  { "fifty bodies that have nothing to do with each other", remainder = 1e-6, momentum = 1e-9, dt = 1e-4, steps = 500, free = true,
-    make = function(hinge)
+  { "fifty bodies that have nothing to do with each other", remainder = 1e-6, momentum = 1e-9, dt = 1e-4, steps = 500,
+    free = true, make = function(hinge)
       local model = hinge.model {}
       for i = 1, 50 do
         parts.row(model, { 0, 2 * i, 0 }, { 1, 2 * i, 0 }, { group = "bar " .. i })
@@ -191,7 +197,9 @@ return {
       local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
       model:fix({ a, b }, "xyz")
       local top = model:node { 1.5, 0, 3 }
-      for _, foot in ipairs { a, b } do model:member { foot, top, section = parts.square(0.05), material = parts.steel(), up = { 0, 1, 0 } } end
+      for _, foot in ipairs { a, b } do
+        model:member { foot, top, section = parts.square(0.05), material = parts.steel(), up = { 0, 1, 0 } }
+      end
       model:load { node = top, force = { 0, 1, 0 } } -- nothing keeps the two legs in their plane
       return model
     end },

@@ -22,7 +22,8 @@ local quick, wanted = arg[1] == "quick", table.concat(arg, " "):gsub("^quick ?",
 local own = { "1", times = 1 }
 local settings = {
   { "1/4", times = 0.25 }, { "1/2", times = 0.5 }, { "2", times = 2 }, { "4", times = 4 }, { "8", times = 8 },
-  { "8 control", times = 8, step_control = 0.01 }, { "64 control", times = 64, step_control = 0.01 }, { "8 damped", times = 8, rho_infinity = 0.8 },
+  { "8 control", times = 8, step_control = 0.01 }, { "64 control", times = 64, step_control = 0.01 },
+  { "8 damped", times = 8, rho_infinity = 0.8 },
   { "letter", times = 1, predictor = "displacement", iterations = 1 }, -- eq 15 as printed, one solve a step
   { "auto", dt = "auto" }, { "explicit", dt = "auto", integrator = "explicit" },
 }
@@ -39,8 +40,7 @@ local function finite(x) return x == x and math.abs(x) < math.huge end
 
 -- Momentum's change as a part of what the fastest node would give the whole mass.
 local function momentum_error(run, before)
-  local now, scale = run:momentum(), 0
-  local change = {}
+  local now, change = run:momentum(), {}
   for c = 1, 3 do change[c] = now.linear[c] - before.linear[c] end
   scale = largest_of(size(before.linear), before.mass * (run.fastest and run.fastest.speed or 0), 1e-300)
   return size(change) / scale
@@ -60,7 +60,8 @@ local function balance(energy)
   return left, most
 end
 
--- What came of a scene in a setting: said (ended by itself, or was refused), in bounds, or a breach of the rule. Nil: not tried.
+-- What came of a scene in a setting: said (ended by itself, or was refused), in bounds, or a
+-- breach of the rule. Nil: not tried.
 local function try(scene, setting)
   local out = { times = setting.times }
   local ok, failure = pcall(function()
@@ -72,7 +73,9 @@ local function try(scene, setting)
       local options = { duration = scene.dt * scene.steps, record = false }
       options.dt = setting.dt or scene.dt * setting.times
       for k, v in pairs(more or {}) do options[k] = v end
-      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations", "integrator" } do options[k] = setting[k] or options[k] end
+      for _, k in ipairs { "step_control", "rho_infinity", "predictor", "iterations", "integrator" } do
+        options[k] = setting[k] or options[k]
+      end
       if setting.integrator then options.rho_infinity, options.tolerance = nil, nil end
       run = model:dynamic(options)
       local steps = run.planned_steps
@@ -115,7 +118,8 @@ local function breach(scene, out, own_step)
   local wanted_text = scene.names or scene.says
   if wanted_text then
     if out.verdict == "completed" then return "completed, but should be refused with '" .. wanted_text .. "'" end
-    return not out.reason:find(wanted_text, 1, true) and ("said '%s', without '%s'"):format(out.reason, wanted_text) or nil
+    return not out.reason:find(wanted_text, 1, true)
+      and ("said '%s', without '%s'"):format(out.reason, wanted_text) or nil
   end
   if out.verdict == "refused" then return "refused: " .. out.reason end
   if not (out.unbooked <= 1e-12) then return ("the accounts and the remainder are %.2g apart"):format(out.unbooked) end
@@ -144,7 +148,9 @@ end
 
 local letter = {} -- where eq 15 to the letter does not hold
 local scenes, breaches, count, holding, tried = {}, {}, 0, {}, {}
-for _, file in ipairs { "structures", "breaking", "contacts" } do table.move(require(file), 1, 999, #scenes + 1, scenes) end
+for _, file in ipairs { "structures", "breaking", "contacts" } do
+  table.move(require(file), 1, 999, #scenes + 1, scenes)
+end
 
 -- The outcome in one setting; what breaks the rule goes into the list.
 local function judge(scene, setting)
@@ -159,7 +165,10 @@ local function judge(scene, setting)
   return out
 end
 
-local function mark(out) return not out and "" or out.breach and "BREACH" or out.holds and "+" or out.verdict == "completed" and ("%.0e"):format(out.remainder) or "stops" end
+local function mark(out)
+  return not out and "" or out.breach and "BREACH" or out.holds and "+"
+    or out.verdict == "completed" and ("%.0e"):format(out.remainder) or "stops"
+end
 
 local head = { ("%-58s %8s %9s %9s %8s  %-9s"):format("scene", "steps", "remainder", "momentum", "m/s", "verdict") }
 if not quick then
@@ -172,14 +181,18 @@ for _, scene in ipairs(scenes) do
     count = count + 1
     local first = judge(scene, own)
     local function number(x) return x and ("%9.1e"):format(x) or "" end
-    local row = { ("%-58s %8s %9s %9s %8s  %-9s"):format(scene[1], first.steps or "", number(first.remainder), number(first.momentum),
-      first.speed and ("%.3g"):format(first.speed) or "", first.verdict) }
+    local row = { ("%-58s %8s %9s %9s %8s  %-9s"):format(scene[1], first.steps or "",
+      number(first.remainder), number(first.momentum), first.speed and ("%.3g"):format(first.speed) or "",
+      first.verdict) }
     if not (quick or scene.static or scene.says or scene.long and wanted == "") then
       local cheapest, of = first.holds and first, own
       for _, setting in ipairs(settings) do
         local too_long = scene.slow and wanted == "" and (setting.times or 0) < 2
         local out = not too_long and judge(scene, setting) or nil
-        if out and out.letter and not out.holds then letter[#letter + 1] = ("%s: %s"):format(scene[1], out.reason ~= "" and out.reason or ("remainder %.2g"):format(out.remainder)) end
+        if out and out.letter and not out.holds then
+          local why = out.reason ~= "" and out.reason or ("remainder %.2g"):format(out.remainder)
+          letter[#letter + 1] = ("%s: %s"):format(scene[1], why)
+        end
         row[#row + 1] = ("%11s"):format(mark(out))
         if out and out.holds and (not cheapest or out.seconds < cheapest.seconds) then cheapest, of = out, setting end
       end
@@ -194,7 +207,9 @@ end
 print(("%d scenes; completed within their bounds in their own step: %d"):format(count, holding[own] or 0))
 if not quick then
   local shares = {}
-  for i, setting in ipairs(settings) do shares[i] = ("%s: %d of %d"):format(setting[1], holding[setting] or 0, tried[setting] or 0) end
+  for i, setting in ipairs(settings) do
+    shares[i] = ("%s: %d of %d"):format(setting[1], holding[setting] or 0, tried[setting] or 0)
+  end
   print("in other settings " .. table.concat(shares, ", ") .. "; the others ended by themselves or were refused")
 end
 if #letter > 0 then print "eq 15 to the letter, one solve a step from du = 0, does not hold in" end
