@@ -60,14 +60,18 @@ local function stages(job, name, what, run)
   local rows, sum, n = {}, 0, run.index
   for i, stage in ipairs(run.stages) do
     local us = 1e6 * stage.seconds / n
-    sum, rows[i] = sum + us, { stage.name, text("%.1f", us), name == "case" and text("%.2f", us * 1e-6 / product) or "" }
+    sum = sum + us
+    rows[i] = { stage.name, text("%.1f", us), name == "case" and text("%.2f", us * 1e-6 / product) or "" }
   end
   rows[#rows + 1] = { "step", text("%.1f", sum), name == "case" and text("%.2f", sum * 1e-6 / product) or "" }
   local counts = run.counts
-  show(job, name, what .. (": %d steps of %.3g us; %.2f iterations, %.2f elements rebuilt a step; energy remainder %.2g %%%s")
-    :format(n, 1e6 * run.time / n, counts.cg_iterations / n, counts.element_builds / n, 100 * remainder(run),
-      name == "case" and (", a product takes %.1f us"):format(1e6 * product) or ""), { "stage", "us", "products" }, rows)
-  return { steps = n, step_us = sum, product_us = 1e6 * product, products = sum * 1e-6 / product, remainder = remainder(run) }
+  local title = what
+    .. (": %d steps of %.3g us; %.2f iterations, %.2f elements rebuilt a step; energy remainder %.2g %%%s")
+      :format(n, 1e6 * run.time / n, counts.cg_iterations / n, counts.element_builds / n, 100 * remainder(run),
+        name == "case" and (", a product takes %.1f us"):format(1e6 * product) or "")
+  show(job, name, title, { "stage", "us", "products" }, rows)
+  return { steps = n, step_us = sum, product_us = 1e6 * product, products = sum * 1e-6 / product,
+    remainder = remainder(run) }
 end
 
 -- Runs each choice alternately, `times` times; least seconds of each, and its last run.
@@ -101,11 +105,19 @@ local function savings(job, quick)
     for k, v in pairs(extra) do t[k] = v end
     return t
   end
-  compare("bodies at rest, 2 ms of flight", "rest = false", function() return case_one(short) end, function() return case_one(with(short, { rest = false })) end)
+  compare("bodies at rest, 2 ms of flight", "rest = false",
+    function() return case_one(short) end,
+    function() return case_one(with(short, { rest = false })) end)
   local hit = { duration = quick and 0.005 or 0.01 }
-  compare("contact sleeps between looks", "model:contact { sleep = false }", function() return case_one(hit) end, function() return case_one(hit, { rule = "gap", binding_time = 0.5e-3, sleep = false }) end)
-  compare("operator kept within 0.01 rad", "turn = 1e-9", function() return case_one(hit) end, function() return case_one(with(hit, { turn = 1e-9 })) end)
-  compare("operator in single precision", "precision = 'double'", function() return case_one(hit) end, function() return case_one(with(hit, { precision = "double" })) end)
+  compare("contact sleeps between looks", "model:contact { sleep = false }",
+    function() return case_one(hit) end,
+    function() return case_one(hit, { rule = "gap", binding_time = 0.5e-3, sleep = false }) end)
+  compare("operator kept within 0.01 rad", "turn = 1e-9",
+    function() return case_one(hit) end,
+    function() return case_one(with(hit, { turn = 1e-9 })) end)
+  compare("operator in single precision", "precision = 'double'",
+    function() return case_one(hit) end,
+    function() return case_one(with(hit, { precision = "double" })) end)
   -- a bar thrown at a portal from 3 m away
   local function thrown(dt)
     local model = hinge.model {}
@@ -114,15 +126,21 @@ local function savings(job, quick)
     local a, b, c, d = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { 3, 0, 3 }, model:node { 3, 0, 0 }
     model:fix(a)
     model:fix(d)
-    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do model:member { ends[1], ends[2], section = bar, material = steel } end
-    model:member { model:node { 1.5, -3, 2 }, model:node { 1.5, -3, 4 }, section = bar, material = steel, group = "missile" }
+    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do
+      model:member { ends[1], ends[2], section = bar, material = steel }
+    end
+    model:member { model:node { 1.5, -3, 2 }, model:node { 1.5, -3, 4 },
+      section = bar, material = steel, group = "missile" }
     model:velocity("missile", { 0, 60, 0 })
     model:contact {}
     return model:dynamic { dt = dt, duration = 0.1, record = false }
   end
   local steps = thrown("auto").planned_steps
-  compare("long steps in flight, a thrown bar", "dt = a number", function() return thrown "auto" end, function() return thrown(0.1 / steps) end)
-  show(job, "savings", "Where nothing happens, against everything computed: time as a ratio, difference of the kinetic energy, energy remainders",
+  compare("long steps in flight, a thrown bar", "dt = a number",
+    function() return thrown "auto" end,
+    function() return thrown(0.1 / steps) end)
+  show(job, "savings", "Where nothing happens, against everything computed: time as a ratio, "
+    .. "difference of the kinetic energy, energy remainders",
     { "what", "switch", "time", "difference", "remainder", "of all" }, rows)
   return rows
 end
@@ -152,7 +170,8 @@ local function memory(kind) -- kB: VmRSS now, VmHWM the most so far
   end
 end
 
--- A frame of n x n bays and so many storeys that moves under its own speed; `o.impact`: with contact, fracture and yielding.
+-- A frame of n x n bays and so many storeys that moves under its own speed; `o.impact`: with
+-- contact, fracture and yielding.
 local function frame(elements, o)
   local building = require "hinge.models.ten_storey"
   local bays = math.max(1, math.floor((elements / 2 / 30) ^ (1 / 3) + 0.5))
@@ -168,7 +187,8 @@ local function frame(elements, o)
     model:fracture { curvature_x = 0.4, curvature_y = 0.4 }
   end
   local built = os.clock() - start
-  local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-5, duration = 1, record = false, integrator = o.integrator, threads = o.threads }
+  local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-5, duration = 1, record = false,
+    integrator = o.integrator, threads = o.threads }
   for _ = 1, 3 do run:step() end -- the first one touches all memory
   local count, steps = model:counts().elements, math.max(25, math.floor(3e5 / elements))
   local least, per_batch = math.huge, math.max(1, steps // 5)
@@ -179,8 +199,8 @@ local function frame(elements, o)
   end
   local kB = ((memory "VmHWM" or 0) - before) / count
   local product = o.integrator == "explicit" and 0 or core.time_product(run, 3)
-  return { elements = count, ns = 1e9 * least / count, products = product > 0 and least / product or 0, product_ns = 1e9 * product / count, built = built,
-    kB = kB, remainder = math.abs(remainder(run)), hash = run.hash }
+  return { elements = count, ns = 1e9 * least / count, products = product > 0 and least / product or 0,
+    product_ns = 1e9 * product / count, built = built, kB = kB, remainder = math.abs(remainder(run)), hash = run.hash }
 end
 
 local kinds = { elastic = {}, impact = { impact = true }, explicit = { integrator = "explicit" } }
@@ -189,7 +209,9 @@ local fields = { "elements", "ns", "products", "product_ns", "built", "kB", "rem
 -- The same in a process of its own, whose memory is this frame's alone.
 local function alone(kind, size)
   local script = debug.getinfo(1, "S").source:match "^@(.*)"
-  local pipe = assert(io.popen(("exe=$(readlink /proc/$PPID/exe); \"$exe\" run '%s' one=%s size=%d 2>/dev/null"):format(script, kind, size)))
+  local command = ("exe=$(readlink /proc/$PPID/exe); \"$exe\" run '%s' one=%s size=%d 2>/dev/null")
+    :format(script, kind, size)
+  local pipe = assert(io.popen(command))
   local line = pipe:read("a"):match "frame: ([^\n]*)"
   pipe:close()
   local f, i = {}, 0
@@ -206,15 +228,19 @@ local function growth(job, p)
     local x, y, size = {}, {}, 1000
     while size <= (p.quick and 3000 or p.largest) do
       local f = alone(kind[1], size)
-      rows[#rows + 1] = { kind[1], f.elements, text("%.0f", f.ns), f.products > 0 and text("%.1f", f.products) or "", f.products > 0 and text("%.0f", f.product_ns) or "",
-        text("%.2f", f.built), text("%.2f", f.kB), text("%.1e", f.remainder) }
+      rows[#rows + 1] = { kind[1], f.elements, text("%.0f", f.ns), f.products > 0 and text("%.1f", f.products) or "",
+        f.products > 0 and text("%.0f", f.product_ns) or "", text("%.2f", f.built), text("%.2f", f.kB),
+        text("%.1e", f.remainder) }
       x[#x + 1], y[#y + 1] = f.elements, f.ns
       size = size * 10
     end
     series[#series + 1] = { x = x, y = y, name = kind[1] }
   end
-  show(job, "growth", "Frames of growing size, moving: a step", { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element, peak", "remainder" }, rows)
-  job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true, series = series }, "growth.png")
+  show(job, "growth", "Frames of growing size, moving: a step",
+    { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element, peak", "remainder" },
+    rows)
+  job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true,
+    series = series }, "growth.png")
   return rows
 end
 
@@ -223,7 +249,9 @@ local function rules(job, duration)
   local abs = math.abs
   local choices = {
     { "limits" },
-    { "a function of a section", { rule = function(s) return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3 end } },
+    { "a function of a section", { rule = function(s)
+      return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3
+    end } },
     { "a function of all elements", { batch = function(elements)
       local kx, ky, e, list = elements.curvature_x, elements.curvature_y, elements.axial_strain, nil
       for i = 1, elements.count do
@@ -249,7 +277,8 @@ local function rules(job, duration)
       run:count { state = "broken" },
       must(run.hash == runs[1].hash, "%s: other bits than by limits", choices[i][1]) and "the same" or "OTHER" }
   end
-  show(job, "rules", "Case I, who decides what breaks", { "rule", "us a step", "ratio", "members broken", "bits" }, rows)
+  show(job, "rules", "Case I, who decides what breaks",
+    { "rule", "us a step", "ratio", "members broken", "bits" }, rows)
   return rows
 end
 
@@ -280,8 +309,10 @@ return hinge.scenario {
     assert(os.execute("mkdir -p '" .. job.out:gsub("'", "'\\''") .. "'"))
     local length = p.quick and 0.02 or p.duration
     local result = { case = stages(job, "case", "Case I", (case_one { duration = length })) }
-    result.explicit = stages(job, "explicit", "Case I, explicit", (case_one { duration = length, integrator = "explicit", dt = 1e-5 }))
-    local run = stages(job, "explicit_auto", "Case I, explicit, dt = 'auto'", (case_one { duration = length, integrator = "explicit", dt = "auto" }))
+    result.explicit = stages(job, "explicit", "Case I, explicit",
+      (case_one { duration = length, integrator = "explicit", dt = 1e-5 }))
+    local run = stages(job, "explicit_auto", "Case I, explicit, dt = 'auto'",
+      (case_one { duration = length, integrator = "explicit", dt = "auto" }))
     result.explicit_auto = run
     if p.build ~= "" then result.compiled_out = compiled_out(job, p.build) end
     result.savings = savings(job, p.quick)
