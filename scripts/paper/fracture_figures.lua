@@ -1,14 +1,15 @@
 -- What becomes of an element that breaks, and of its mass? The paper's section 2.3, figures 4 and 5.
 --
 -- Run     hinge run scripts/paper/fracture_figures.lua                (quick=true: stops soon after the fracture)
--- Shows   a portal of three bars in free flight, turning; 5 ms on, the left element of the beam breaks at midspan. It is
---         drawn as a rigid bar that ends in a virtual node, and all its mass goes to the node it still hangs on
--- Expect  node 2 from 9.8125 to 14.7188 kg, node 6 (the middle of the beam) from 9.8125 to 4.9063 kg, the virtual node 0;
---         58.875 kg, 392.5 kg m/s and 441.685 kg m2/s before and after; 1 mJ of kinetic and 29 mJ of strain energy let go
+-- Shows   a portal of three bars in free flight, turning; 5 ms on, the left element of the beam breaks at midspan. It
+--         is drawn as a rigid bar that ends in a virtual node, and all its mass goes to the node it still hangs on
+-- Expect  node 2 from 9.8125 to 14.7188 kg, node 6 (the middle of the beam) from 9.8125 to 4.9063 kg, the
+--         virtual node 0; 58.875 kg, 392.5 kg m/s and 441.685 kg m2/s before and after; 1 mJ of kinetic
+--         and 29 mJ of strain energy let go
 --         fig4_before.png, fig4_after.png, fig4.png: elements, rigid bar and virtual node; fig5.png: mass on the nodes
 --
--- The paper's figures are sketches without numbers: the portal, its motion and the time of fracture are *reconstructed*,
--- and parameters. Free flight, because no support then takes a share of what must be kept.
+-- The paper's figures are sketches without numbers: the portal, its motion and the time of fracture are
+-- *reconstructed*, and parameters. Free flight, because no support then takes a share of what must be kept.
 local hinge = require "hinge"
 local paper = require "hinge.paper"
 
@@ -34,7 +35,9 @@ local function draw_pieces(job, pieces, legend, title, filename)
   local function add(to, point) to.x[#to.x + 1], to.y[#to.y + 1] = point.x, point.z end
   for _, bar in ipairs(pieces.bars) do
     local drawn, a, b = bar.rigid and rigid or whole, pieces.nodes[bar.a], pieces.nodes[bar.b]
-    for t = 0, 1, 0.125 do add(drawn, { x = a.x + t * (b.x - a.x), z = a.z + t * (b.z - a.z) }) end -- seen by the legend
+    for t = 0, 1, 0.125 do -- seen by the legend
+      add(drawn, { x = a.x + t * (b.x - a.x), z = a.z + t * (b.z - a.z) })
+    end
     add(drawn, gap)
   end
   for _, node in ipairs(pieces.nodes) do
@@ -67,8 +70,11 @@ local function show(before, after)
   paper.table(("Fig. 5: mass on the nodes, kg; element 3 breaks at %.2f ms"):format(1e3 * after.time),
     { "node", "before", "after" }, rows)
   rows = {}
-  for i, line in ipairs { { "mass", "mass, kg" }, { "linear", "momentum, kg m/s" },
-    { "angular", "angular momentum, kg m2/s" }, { "kinetic", "kinetic energy, J" }, { "elastic", "strain energy, J" } } do
+  local lines = {
+    { "mass", "mass, kg" }, { "linear", "momentum, kg m/s" }, { "angular", "angular momentum, kg m2/s" },
+    { "kinetic", "kinetic energy, J" }, { "elastic", "strain energy, J" },
+  }
+  for i, line in ipairs(lines) do
     local a, b = before[line[1]], after[line[1]]
     rows[i] = { line[2], ("%.6f"):format(a), ("%.6f"):format(b), ("%.1e"):format(b - a) }
   end

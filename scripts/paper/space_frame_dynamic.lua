@@ -1,13 +1,14 @@
 -- How near is a response with two elements a member? The paper's section 3.2, figures 11 and 12.
 --
 -- Run     hinge run scripts/paper/space_frame_dynamic.lua             (quick=true: fewer elements, a coarser reference)
--- Shows   the cube of space_frame_static.lua under a load that acts at once: 8 kN elastic, 12 kN elasto-plastic, 100 steps
---         of 0.05 ms, beta 1/4. Error of the whole history: RMS over the peak of a run with 32 elements, 16 times the steps
--- Expect  two elements of asi-gauss: 1.55 % elastic, 0.73 % elasto-plastic; two of asi 22.8 and 5.5 %, of the conventional
---         method 22.8 and 44 %. As good as two of asi-gauss are 8 of asi, and 8 or, elasto-plastic, 128 conventional ones.
---         Most of it is the linear mass matrix's doing, 1.47 and 0.52 %: what is wrong with two elements that have the exact
---         stiffness. The element's own part is 0.31 and 0.29 %, that of the time step 0.12 and 0.02 %.
---         With hinge's own cubic mass instead: 0.33 % and 0.27 %
+-- Shows   the cube of space_frame_static.lua under a load that acts at once: 8 kN elastic, 12 kN
+--         elasto-plastic, 100 steps of 0.05 ms, beta 1/4. Error of the whole history: RMS over the peak of a
+--         run with 32 elements, 16 times the steps
+-- Expect  two elements of asi-gauss: 1.55 % elastic, 0.73 % elasto-plastic; two of asi 22.8 and 5.5 %, of the
+--         conventional method 22.8 and 44 %. As good as two of asi-gauss are 8 of asi, and 8 or, elasto-plastic, 128
+--         conventional ones. Most of it is the linear mass matrix's doing, 1.47 and 0.52 %: what is wrong with two
+--         elements that have the exact stiffness. The element's own part is 0.31 and 0.29 %, that of the time step 0.12
+--         and 0.02 %. With hinge's own cubic mass instead: 0.33 % and 0.27 %
 --         fig11_*.png and fig12_*.png: displacement over time
 --
 -- The paper's figure 8 is lost: dimensions and material are *reconstructed*, and parameters.
@@ -27,7 +28,8 @@ local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   local frame = space_frame.add(model,
     { side = p.side, thickness = p.thickness, material = steel, exact_elements = exact and elements or nil })
   model:load { node = frame.loaded, force = { plastic and p.plastic_load or p.elastic_load, 0, 0 } }
-  local run = model:dynamic { dt = p.dt / parts, duration = p.steps * p.dt, beta = p.beta, solver = "direct", record = false }
+  local run = model:dynamic { dt = p.dt / parts, duration = p.steps * p.dt, beta = p.beta,
+    solver = "direct", record = false }
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
   if run.verdict ~= "completed" then

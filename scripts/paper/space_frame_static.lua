@@ -1,15 +1,17 @@
 -- How many elements does a member need? The paper's section 3.1, figures 8, 9 and 10.
 --
 -- Run     hinge run scripts/paper/space_frame_static.lua              (quick=true: coarser steps, fewer elements)
--- Shows   a cube of eight members pushed sideways at an upper corner, by the conventional method, asi and asi-gauss, with
---         1 to 16 elements a member (asi-gauss: 2 and more), small displacement; elastic, then up to the limit load
--- Expect  elastic at 8 kN: 2.143364 mm by asi-gauss whatever the number of elements, which is the exact value; the other
---         two 1.654190, 2.022626, 2.113271, 2.135846 mm with 2, 4, 8, 16. Limit load 12.69 kN (exact: 12.6882) by asi-gauss
---         and asi with two elements; the conventional method comes down to it slowly, 24.2 kN with two, 13.4 with sixteen.
---         For 1 % (0.1 %) of the elastic displacement asi needs 16 (32) elements, asi-gauss 2 (2).
+-- Shows   a cube of eight members pushed sideways at an upper corner, by the conventional method, asi
+--         and asi-gauss, with 1 to 16 elements a member (asi-gauss: 2 and more), small displacement;
+--         elastic, then up to the limit load
+-- Expect  elastic at 8 kN: 2.143364 mm by asi-gauss whatever the number of elements, which is the exact value; the
+--         other two 1.654190, 2.022626, 2.113271, 2.135846 mm with 2, 4, 8, 16. Limit load 12.69 kN (exact: 12.6882) by
+--         asi-gauss and asi with two elements; the conventional method comes down to it slowly, 24.2 kN with two, 13.4
+--         with sixteen. For 1 % (0.1 %) of the elastic displacement asi needs 16 (32) elements, asi-gauss 2 (2).
 --         fig9_*.png and fig10_*.png: load against displacement; error.png: error against elements
 --
--- The paper's figure 8 is lost: dimensions, material and how far the corner is pushed are *reconstructed*, and parameters.
+-- The paper's figure 8 is lost: dimensions, material and how far the corner is pushed are
+-- *reconstructed*, and parameters.
 local hinge       = require "hinge"
 local space_frame = require "hinge.models.space_frame"
 local paper       = require "hinge.paper"
@@ -22,7 +24,8 @@ local function push_over(p, method, elements, plastic, steps)
   local steel = hinge.material { E = p.E, nu = p.nu, yield_stress = p.yield_stress }
   local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })
   model:load { node = frame.loaded, force = { p.load, 0, 0 } }
-  local run = plastic and model:static { steps = steps, control = { node = frame.loaded, "ux", to = p.reach }, record = false }
+  local run = plastic
+    and model:static { steps = steps, control = { node = frame.loaded, "ux", to = p.reach }, record = false }
     or model:static { steps = 20, record = false }
   local ux = run:probe { node = frame.loaded, "ux", name = "ux" }
   run:finish()
@@ -123,7 +126,9 @@ return hinge.scenario {
       for i, measure in ipairs(measures) do
         local one, tenth = paper.needed(found.errors[i], 1e-2), paper.needed(found.errors[i], 1e-3)
         needed_rows[#needed_rows + 1] = { method, measure, one, tenth }
-        results.needed[#results.needed + 1] = { method = method, of = measure, one_percent = one, tenth_percent = tenth }
+        results.needed[#results.needed + 1] = {
+          method = method, of = measure, one_percent = one, tenth_percent = tenth,
+        }
       end
       add_errors(method .. ", whole curve", found, 3)
       if method == "asi" then add_errors("conventional and asi, elastic", found, 1) end

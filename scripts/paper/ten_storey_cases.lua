@@ -1,8 +1,9 @@
 -- Does a heavier, faster or larger aircraft do more damage, and how does the building feel it? The paper's section 4.
 --
--- Run     hinge run scripts/paper/ten_storey_cases.lua             (half=1: in one process; quick=true: 20 ms of each case)
--- Shows   table 1, figures 17 to 19: Cases I to IV side by side, 0.25 s at 10 us; each once more at 20 us with the aircraft
---         a millimetre aside, because what the debris does is chaotic: only what all runs of a case show counts
+-- Run     hinge run scripts/paper/ten_storey_cases.lua   (half=1: in one process; quick=true: 20 ms of each case)
+-- Shows   table 1, figures 17 to 19: Cases I to IV side by side, 0.25 s at 10 us; each once more at
+--         20 us with the aircraft a millimetre aside, because what the debris does is chaotic: only what
+--         all runs of a case show counts
 -- Expect  no column fractured in any case, while in the paper most inner ones of the upper storeys are: why, says
 --         ten_storey_sensitivity.lua. Damage, which is the plastic work in the building, over all runs of each case on five
 --         builds: I 9.1 to 13.9, II 3.9 to 5.2, III 6.5 to 9.8, IV 11.9 to 17.1 MJ; so I > II holds, I > III and I < IV on the
@@ -23,7 +24,8 @@ local snapshots = { 0, 2e-3, 5e-3, 10e-3, 25e-3, 50e-3, 100e-3, 150e-3, 240e-3 }
 local function mega(joules) return ("%.2f"):format(joules / 1e6) end
 local function ms(seconds) return seconds < 0 and "-" or ("%.2f"):format(1e3 * seconds) end
 
--- Pictures of one run: what is left of the upper five storeys (figure 18) and, of Case I, a strip of snapshots (figure 17).
+-- Pictures of one run: what is left of the upper five storeys (figure 18) and, of Case I, a
+-- strip of snapshots (figure 17).
 local function pictures(p, job, case)
   return function(run, frame, watch)
     local strip = {}
@@ -36,8 +38,8 @@ local function pictures(p, job, case)
       if step.index < run.planned_steps then return end
       if #strip > 0 then job:strip(strip, 3, "fig17_stills.png") end
       local upper = frame.size[3] / 2 - 0.5 -- half a metre below the sixth floor, so that its beams are in
-      job:picture(run, { title = "Fig. 18, Case " .. case, above = upper, leave_out_broken = true, groups = { "building" } },
-        ("fig18_%s.png"):format(case))
+      job:picture(run, { title = "Fig. 18, Case " .. case, above = upper, leave_out_broken = true,
+        groups = { "building" } }, ("fig18_%s.png"):format(case))
     end
   end
 end
@@ -73,7 +75,9 @@ local function tables(first, runs)
   local function count(name) return function(r) return ("%d"):format(r[name]) end end
   local function energy(name) return function(r) return mega(r[name]) end end
 
-  row("speed, km/h; size, m; mass, t", function(r) return ("%.0f; %.0f; %.0f"):format(3.6 * r.speed, r.size, r.mass / 1e3) end)
+  row("speed, km/h; size, m; mass, t", function(r)
+    return ("%.0f; %.0f; %.0f"):format(3.6 * r.speed, r.size, r.mass / 1e3)
+  end)
   row("kinetic energy brought, MJ", energy "own_kinetic")
   row("momentum brought, kN s", function(r) return ("%.0f"):format(r.brought / 1e3) end)
   row("ended by itself, ms", function(r) return r.verdict == "failed" and ("%.1f *"):format(1e3 * r.time) or "no" end)
@@ -123,12 +127,13 @@ local function figure_17(r, job)
     return seen
   end
   for level = #r.felt, 1, -1 do
-    rows[#rows + 1] = { level, ms(away(level) / r.wave), ms(away(level) / r.long_wave), ms(r.faint[level]), ms(r.felt[level]),
-      ms(r.red[level]) }
+    rows[#rows + 1] = { level, ms(away(level) / r.wave), ms(away(level) / r.long_wave), ms(r.faint[level]),
+      ms(r.felt[level]), ms(r.red[level]) }
   end
   paper.table("Fig. 17, Case I: when a column of a storey first feels the impact, ms after first contact",
     { "storey", "elastic wave", "long wave", "f_y changed by 0.005", "by 0.05", "fully plastic" }, rows)
-  job:plot({ title = "Fig. 17, Case I: the impact travels", x_label = "time after first contact, ms", y_label = "storey",
+  job:plot({ title = "Fig. 17, Case I: the impact travels",
+    x_label = "time after first contact, ms", y_label = "storey",
     series = { wave("elastic wave", r.wave), points("f_y changed by 0.005", r.faint), points("by 0.05", r.felt),
       wave("long wave, with the floors", r.long_wave) } }, "fig17.png")
 end
@@ -143,7 +148,8 @@ local function figure_19(r, job)
   end
   for level = #r.felt, 1, -1 do
     local s = by_storey[level]
-    rows[#rows + 1] = s and { level, s.count, ms(s.first), ("%.2f"):format(s.most / 1e6), ("%.2f"):format(s.before / 1e6) }
+    rows[#rows + 1] = s
+      and { level, s.count, ms(s.first), ("%.2f"):format(s.most / 1e6), ("%.2f"):format(s.before / 1e6) }
       or { level, 0, "-", "-", "-" }
   end
   paper.table("Fig. 19, Case I: columns that were compressed and carry tension",
@@ -233,7 +239,8 @@ return hinge.scenario {
     local tasks = {}
     for twin = 0, p.twins do
       for _, case in ipairs(impact.order) do
-        local aside = twin == 0 and {} or { dt = p.twin_dt, offset = p.offset + 1e-3 * (twin % 2 * 2 - 1) * ((twin + 1) // 2) }
+        local aside = twin == 0 and {}
+          or { dt = p.twin_dt, offset = p.offset + 1e-3 * (twin % 2 * 2 - 1) * ((twin + 1) // 2) }
         tasks[#tasks + 1] = { case = case, twin = twin, p = impact.with(impact.with(p, impact.cases[case]), aside) }
       end
     end

@@ -26,8 +26,8 @@ local paper  = require "hinge.paper"
 local script = debug.getinfo(1, "S").source:sub(2)
 local limit  = { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- eq 16, 1/m and -
 
--- The building's two sections, every measure times `scale`. The floors' weight follows the steel's, so that the columns stay as
--- stressed at rest as they were.
+-- The building's two sections, every measure times `scale`. The floors' weight follows the steel's, so that the columns
+-- stay as stressed at rest as they were.
 local function sections(scale)
   return {
     column = hinge.section.box { width = 0.4 * scale, depth = 0.4 * scale, thickness = 0.022 * scale },
@@ -109,7 +109,9 @@ local function show_grid(p, tasks, results, job)
       row[#row + 1], off = cell(mega(r[case].work), r[case]), math.max(off, r[case].off)
       series[k].x[number], series[k].y[number] = number, r[case].work / 1e6
     end
-    for _, case in ipairs(impact.order) do row[#row + 1] = ("%d+%d"):format(r[case].broken_inner, r[case].broken_outer) end
+    for _, case in ipairs(impact.order) do
+      row[#row + 1] = ("%d+%d"):format(r[case].broken_inner, r[case].broken_outer)
+    end
     for f, finding in ipairs(findings) do
       local whole = true
       for _, case in ipairs(finding[2]) do whole = whole and not r[case].ended end
@@ -120,8 +122,10 @@ local function show_grid(p, tasks, results, job)
     row[#row + 1] = ("%.1f"):format(off)
     rows[number] = row
   end
-  paper.table("Plastic work in the building, MJ; fractured columns, inner+outer; findings; largest remainder of the four, %",
-    { "sections; height, m", "I", "II", "III", "IV", "I", "II", "III", "IV", "1", "2", "3", "4", "5", "6", "7", "off" }, rows)
+  local head = { "sections; height, m", "I", "II", "III", "IV", "I", "II", "III", "IV",
+    "1", "2", "3", "4", "5", "6", "7", "off" }
+  paper.table("Plastic work in the building, MJ; fractured columns, inner+outer; findings; "
+    .. "largest remainder of the four, %", head, rows)
   job:plot({ title = "Plastic work in the building", y_label = "MJ", series = series,
     x_label = ("sections %s, each hit at %s m"):format(table.concat(p.scales, ", "), table.concat(p.heights, ", ")) },
     "sensitivity.png")
@@ -136,10 +140,11 @@ local function show_grid(p, tasks, results, job)
   return list, variants
 end
 
--- Why no column is cut: Case I, one thing changed at a time ------------------------------------------------------------------
+-- Why no column is cut: Case I, one thing changed at a time -----------------------------------------------------------
 
--- Declares eq 16 and remembers the largest curvature of a column. `unsigned`: columns break when the rotations of an
--- element's hinges, whatever their sign, make up the critical curvature: their work over the plastic moment and the length.
+-- Declares eq 16 and remembers the largest curvature of a column. `unsigned`: columns break when the
+-- rotations of an element's hinges, whatever their sign, make up the critical curvature: their work over the
+-- plastic moment and the length.
 local function watched(seen, o)
   return function(model)
     local column = o.building.column
@@ -202,13 +207,15 @@ local function show_why(tasks, results)
     list[i] = { change = task.why, broken_inner = r.broken_inner, broken_outer = r.broken_outer, curvature = r.curvature,
       rotation = r.rotation, work = r.work, work_aircraft = r.work_aircraft, given = r.given, ended = r.ended }
   end
-  paper.table("Case I, one thing changed at a time: columns fractured, inner+outer; largest curvature that eq 16 reads in a\n"
-    .. "column; how far a column's hinges have turned, all together; plastic work in building and aircraft; share of the momentum",
-    { "change", "fractured", "curvature, 1/m", "turned, rad", "building, MJ", "aircraft, MJ", "momentum, %", "off, %" }, rows)
+  local head = { "change", "fractured", "curvature, 1/m", "turned, rad", "building, MJ", "aircraft, MJ",
+    "momentum, %", "off, %" }
+  paper.table("Case I, one thing changed at a time: columns fractured, inner+outer; largest curvature that eq 16 "
+    .. "reads in a\ncolumn; how far a column's hinges have turned, all together; plastic work in building and "
+    .. "aircraft; share of the momentum", head, rows)
   return list
 end
 
--- A weak frame against a strong aircraft: columns are cut here ------------------------------------------------------------
+-- A weak frame against a strong aircraft: columns are cut here --------------------------------------------------------
 
 local function weak_tasks(p)
   local tasks = {}
@@ -228,7 +235,8 @@ local function show_weak(tasks, results)
     list[i] = { case = task.case, broken_inner = r.broken_inner, broken_outer = r.broken_outer, work = r.work,
       kinetic = r.kinetic, ended = r.ended }
   end
-  paper.table("Sections half as large, aircraft of box 300x300x20: fractured, inner+outer; plastic work; still moving; momentum given",
+  paper.table("Sections half as large, aircraft of box 300x300x20: fractured, inner+outer; plastic work; "
+    .. "still moving; momentum given",
     { "Case", "columns", "beams", "building, MJ", "aircraft, MJ", "moving, MJ", "momentum, %" }, rows)
   return list
 end
@@ -248,7 +256,7 @@ end
 return hinge.scenario {
   parameters = impact.parameters {
     scales = { 0.75, 1, 1.25 },                 -- of the building's sections
-    heights = { 29, 30, 32 },                   -- m, of the fuselage's axis: a quarter up the storey, its middle, a floor
+    heights = { 29, 30, 32 }, -- m, of the fuselage's axis: a quarter up the storey, its middle, a floor
     path = 8,                                   -- m of flight after the facade that a run follows
     dt = 2e-5, watch = 1e-4,                    -- s
     quick = false, half = 0,

@@ -52,8 +52,8 @@ local function collide(p, name, rule, changes, see)
       local e = run.energy
       worst = math.max(worst, math.abs(e.remainder))
       ledger.time[#ledger.time + 1] = 1e3 * run.time
-      local terms = { kinetic = e.kinetic + e.gravity, elastic = e.elastic, stored = e.contact_stored, gone = e.contact_released,
-        total = e.kinetic + e.gravity + e.elastic + e.contact_stored }
+      local terms = { kinetic = e.kinetic + e.gravity, elastic = e.elastic, stored = e.contact_stored,
+        gone = e.contact_released, total = e.kinetic + e.gravity + e.elastic + e.contact_stored }
       for name, value in pairs(terms) do
         ledger[name] = ledger[name] or {}
         table.insert(ledger[name], value / 1e3)
@@ -86,8 +86,8 @@ local function snapshots(p, job)
   return function(run)
     local at = due[#shown + 1]
     if not at or 1e3 * run.time < at then return end
-    shown[#shown + 1] = { run:snapshot(), { width = 640, height = 400, from = { -1, -1.4, 0.4 }, box = { -half, half, -half, half, -0.1, 0.25 },
-      title = ("Fig. 15, %.1f ms"):format(1e3 * run.time) } }
+    shown[#shown + 1] = { run:snapshot(), { width = 640, height = 400, from = { -1, -1.4, 0.4 },
+      box = { -half, half, -half, half, -0.1, 0.25 }, title = ("Fig. 15, %.1f ms"):format(1e3 * run.time) } }
     if #shown == #due then job:strip(shown, 3, "fig15.png") end
   end
 end
@@ -138,7 +138,8 @@ local function sweep(p, count)
       rows[#rows + 1] = row
     end
   end
-  paper.table("Other crossings, % of the initial energy: remainder by surfaces; remainder, let go by gaps; let go by gaps cut at 0.5 ms",
+  paper.table("Other crossings, % of the initial energy: remainder by surfaces; remainder, let go by gaps; "
+    .. "let go by gaps cut at 0.5 ms",
     { "angle", "off clamped, m", "off free, m", "m/s", "surface", "gap", "let go", "cut" }, rows)
   return result
 end
