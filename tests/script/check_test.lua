@@ -1,4 +1,5 @@
--- hinge check: counts, masses and periods of what a script would run, and each warning beside a scene that must not have it.
+-- hinge check: counts, masses and periods of what a script would run, and each warning beside
+-- a scene that must not have it.
 --
 -- Run: lua5.4 tests/script/check_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -10,13 +11,12 @@ local hinge = quote(arg[1] .. "/hinge")
 local folder = support.temporary_folder()
 local function check(text, arguments)
   support.write(folder .. "/scene.lua", text)
-  local status, printed, complaint = run(("cd %s && %s check scene.lua %s"):format(quote(folder), hinge, arguments or ""))
-  return status, printed, complaint
+  return run(("cd %s && %s check scene.lua %s"):format(quote(folder), hinge, arguments or ""))
 end
 
 -- A scene with what is to be looked at in the places that $name marks.
-local usual = { E = "206e9", density = "7850", yields = "245e6", size = "width = 0.1, depth = 0.1", gravity = "{ 0, 0, -9.80665 }", feet = '"all"', more = "",
-  make = "dynamic { dt = 1e-5, duration = 1 }" }
+local usual = { E = "206e9", density = "7850", yields = "245e6", size = "width = 0.1, depth = 0.1",
+  gravity = "{ 0, 0, -9.80665 }", feet = '"all"', more = "", make = "dynamic { dt = 1e-5, duration = 1 }" }
 local frame = [[
 local hinge = require "hinge"
 local steel = hinge.material { E = $E, density = $density, yield_stress = $yields }
@@ -32,9 +32,12 @@ $more
 model:$make
 ]]
 local function scene(changes)
-  return (frame:gsub("%$(%l+)", function(name) return changes[name] or usual[name] end):gsub("%$E", changes.E or usual.E)
+  return (frame:gsub("%$(%l+)", function(name) return changes[name] or usual[name] end)
+    :gsub("%$E", changes.E or usual.E)
     :gsub("joint(%b())", function(x) return "model:node {" .. x:sub(2, -2) .. "}" end)
-    :gsub("member(%b())", function(ends) return "model:member {" .. ends:sub(2, -2) .. ", section = bar, material = steel }" end))
+    :gsub("member(%b())", function(ends)
+      return "model:member {" .. ends:sub(2, -2) .. ", section = bar, material = steel }"
+    end))
 end
 local function line_of(text, part)
   local number = 0
@@ -49,15 +52,19 @@ local function warnings(printed)
   return list
 end
 
--- What is counted ---------------------------------------------------------------------------------------------------------
+-- What is counted -----------------------------------------------------------------------------------------------------
 
+local _ -- a result that is not looked at
 local status, printed, complaint = check(scene {})
 equal(status, 0, "status " .. complaint)
-expect(printed:find("dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 free freedoms, 785 kg\n  3 members on 2 supported nodes, 785 kg: natural periods ", 1, true)
-  and printed:find "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1%-2\n  no warnings\n", "a plain frame:\n%s", printed)
+expect(printed:find("dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 free freedoms, 785 kg\n"
+  .. "  3 members on 2 supported nodes, 785 kg: natural periods ", 1, true)
+  and printed:find "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1%-2\n  no warnings\n",
+  "a plain frame:\n%s", printed)
 expect(not support.is_there(folder .. "/out"), "a check writes nothing")
 
--- A cantilever that carries all its mass at its tip but for its own 2 %: T = 2 pi sqrt(m L^3 / 3 E I), with Rayleigh's 33/140 of its own.
+-- A cantilever that carries all its mass at its tip but for its own 2 %: T = 2 pi sqrt(m L^3 / 3 E I),
+-- with Rayleigh's 33/140 of its own.
 local cantilever = [[
 local hinge = require "hinge"
 local model = hinge.model { elements_per_member = $n }
@@ -72,77 +79,106 @@ status, printed = check((cantilever:gsub("%$n", "8")))
 local own, weight, I = 2 * 0.0025 * 7850, 0.001 * 0.0025 * 1e9, 0.05 ^ 4 / 12
 local exact = 2 * math.pi * math.sqrt((weight + 33 / 140 * own) * 2.0005 ^ 3 / (3 * 206e9 * I))
 local period = tonumber(printed:match "natural periods ([%d.e-]+)")
-expect(status == 0 and period and math.abs(period / exact - 1) < 2e-3, "a weight on a cantilever: %s s, wanted %.6g s\n%s", period, exact, printed)
+expect(status == 0 and period and math.abs(period / exact - 1) < 2e-3,
+  "a weight on a cantilever: %s s, wanted %.6g s\n%s", period, exact, printed)
 
 status, printed = check("local hinge = require 'hinge'\nhinge.model()\n")
 expect(status == 0 and printed:find "nothing to check: the script makes no run", "no run: %s", printed)
 status, _, complaint = check(scene { E = "-1" })
-expect(status == 2 and complaint:find "scene.lua:2: hinge.material: field 'E' is %-1 Pa", "wrong input: %s %s", status, complaint)
+expect(status == 2 and complaint:find "scene.lua:2: hinge.material: field 'E' is %-1 Pa", "wrong input: %s %s",
+  status, complaint)
 status, _, complaint = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nmodel:nod {}" })
-expect(status == 2 and complaint:find "scene.lua:13: model has no field or method 'nod'", "wrong input after a run: %s %s", status, complaint)
+expect(status == 2 and complaint:find "scene.lua:13: model has no field or method 'nod'",
+  "wrong input after a run: %s %s", status, complaint)
 status, printed = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nlocal t = nil\nreturn t.x" })
-expect(status == 0 and printed:find "as far as it goes without results", "a script that needs results: %s %s", status, printed)
-status, printed = check(scene { more = "model:static {}" })
-expect(select(2, printed:gsub("natural periods", "")) == 1 and printed:find "the model as above", "one model, two runs: %s", printed)
+expect(status == 0 and printed:find "as far as it goes without results", "a script that needs results: %s %s",
+  status, printed)
+_, printed = check(scene { more = "model:static {}" })
+expect(select(2, printed:gsub("natural periods", "")) == 1 and printed:find "the model as above",
+  "one model, two runs: %s", printed)
 status, printed = check("local p = ...\n" .. scene { E = "p.E" }, "E=206e6*1000")
 expect(status == 0 and printed:find "no warnings", "settings: %s", printed)
 
--- What looks like a slip --------------------------------------------------------------------------------------------------
+-- What looks like a slip ----------------------------------------------------------------------------------------------
 
 -- `changes` brings the one warning, which begins with `says` and names the line that holds `part`; `fine` brings none.
 local function suspicious(what, changes, says, part, fine)
   local text = scene(changes)
-  local status, printed = check(text)
-  local list = warnings(printed)
-  expect(status == 0 and #list == 1, "%s: status %s, %d warnings:\n%s", what, status, #list, printed)
+  local ended, said = check(text)
+  local list = warnings(said)
+  expect(ended == 0 and #list == 1, "%s: status %s, %d warnings:\n%s", what, ended, #list, said)
   local line = part and "scene.lua:" .. line_of(text, part) or ""
-  expect((list[1] or ""):sub(1, #says) == says and (list[1] or ""):find(line, 1, true), "%s:\n    says   %s\n    wanted %s ... %s", what, list[1], says, line)
+  expect((list[1] or ""):sub(1, #says) == says and (list[1] or ""):find(line, 1, true),
+    "%s:\n    says   %s\n    wanted %s ... %s", what, list[1], says, line)
   local _, quiet = check(scene(fine))
   expect(#warnings(quiet) == 0 and quiet:find "no warnings", "%s, where there is none:\n%s", what, quiet)
 end
 
-suspicious("E in GPa", { E = "206", yields = "nil" }, "E is 206 Pa (the material of member 1)", "hinge.material", { E = "2e7", yields = "2e5" })
+suspicious("E in GPa", { E = "206", yields = "nil" }, "E is 206 Pa (the material of member 1)",
+  "hinge.material", { E = "2e7", yields = "2e5" })
 suspicious("E in MPa", { E = "206e3", yields = "nil" }, "E is 206000 Pa", "hinge.material", { E = "1.2e12" })
 suspicious("E in mPa", { E = "206e12" }, "E is 2.06e+14 Pa", "hinge.material", { E = "1.9e12" })
-suspicious("density in g/cm^3", { density = "7.85" }, "the density is 7.85 kg/m^3", "hinge.material", { density = "30" })
-suspicious("density in t/mm^3", { density = "7.85e-9", make = "dynamic { dt = 'auto', duration = 1 }" }, "the density is 7.85e-09 kg/m^3", "hinge.material", { density = "1e6" })
-suspicious("yield stress in MPa", { yields = "245" }, "the yield stress is 245 Pa", "hinge.material", { yields = "1e6" })
-suspicious("yield stress above E / 10", { yields = "245e9" }, "the yield stress 2.45e+11 Pa is more than a tenth of E", "hinge.material", { yields = "2e10" })
-suspicious("section in mm", { size = "width = 100, depth = 100" }, "the section (solid) of member 1 measures 100 m across", "hinge.section", { size = "width = 1.5, depth = 3.5" })
-suspicious("section in mm, of a long member", { size = "width = 50, depth = 50", gravity = "{ 0, 0, -1 } member(b, joint(0, 0, 100))" }, "the section (solid) of member 1 measures 50 m", "hinge.section",
+suspicious("density in g/cm^3", { density = "7.85" }, "the density is 7.85 kg/m^3",
+  "hinge.material", { density = "30" })
+suspicious("density in t/mm^3", { density = "7.85e-9", make = "dynamic { dt = 'auto', duration = 1 }" },
+  "the density is 7.85e-09 kg/m^3", "hinge.material", { density = "1e6" })
+suspicious("yield stress in MPa", { yields = "245" }, "the yield stress is 245 Pa",
+  "hinge.material", { yields = "1e6" })
+suspicious("yield stress above E / 10", { yields = "245e9" },
+  "the yield stress 2.45e+11 Pa is more than a tenth of E", "hinge.material", { yields = "2e10" })
+suspicious("section in mm", { size = "width = 100, depth = 100" },
+  "the section (solid) of member 1 measures 100 m across", "hinge.section", { size = "width = 1.5, depth = 3.5" })
+suspicious("section in mm, of a long member",
+  { size = "width = 50, depth = 50", gravity = "{ 0, 0, -1 } member(b, joint(0, 0, 100))" },
+  "the section (solid) of member 1 measures 50 m", "hinge.section",
   { gravity = "{ 0, 0, -1 } member(b, joint(0, 0, 100))" })
-suspicious("gravity in mm/s^2", { gravity = "{ 0, 0, -9810 }" }, "gravity is {0, 0, -9810} m/s^2", "model:gravity", { gravity = "{ 0, 0, -30 }" })
-suspicious("gravity without its sign", { gravity = "{ 0, 0, 9.81 }" }, "gravity is {0, 0, 9.81} m/s^2, which pulls up", "model:gravity", { gravity = "{ 9.81, 0, 1 }" })
-suspicious("a step longer than a wave takes", { make = "dynamic { dt = 1e-3, duration = 1 }" }, "dt is 0.001 s, and an axial wave", "model:dynamic",
-  { make = "dynamic { dt = 'auto', duration = 1 }" })
-suspicious("a node nobody uses", { more = "joint(9, 0, 0) joint(9, 0, 1)" }, "node 5 at {9, 0, 0} m belongs to no member (scene.lua:11, and 1 more like it)", "{9, 0, 0}", {})
-suspicious("nodes in one place", { more = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f)" }, "nodes 3 and 5 are both at {4, 0, 3} m, but not joined", "{8, 0, 3}",
+suspicious("gravity in mm/s^2", { gravity = "{ 0, 0, -9810 }" }, "gravity is {0, 0, -9810} m/s^2",
+  "model:gravity", { gravity = "{ 0, 0, -30 }" })
+suspicious("gravity without its sign", { gravity = "{ 0, 0, 9.81 }" },
+  "gravity is {0, 0, 9.81} m/s^2, which pulls up", "model:gravity", { gravity = "{ 9.81, 0, 1 }" })
+suspicious("a step longer than a wave takes", { make = "dynamic { dt = 1e-3, duration = 1 }" },
+  "dt is 0.001 s, and an axial wave", "model:dynamic", { make = "dynamic { dt = 'auto', duration = 1 }" })
+suspicious("a node nobody uses", { more = "joint(9, 0, 0) joint(9, 0, 1)" },
+  "node 5 at {9, 0, 0} m belongs to no member (scene.lua:11, and 1 more like it)", "{9, 0, 0}", {})
+suspicious("nodes in one place", { more = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f)" },
+  "nodes 3 and 5 are both at {4, 0, 3} m, but not joined", "{8, 0, 3}",
   { more = "member(c, joint(8, 0, 3)) local e, f = joint(4.001, 0.01, 3), joint(4.1, 5, 3) member(e, f)" })
-suspicious("one member twice", { more = "member(c, b)" }, "member 4 lies on member 2 over 4 m", "{c, b", { more = "member(c, a)" })
-suspicious("members on one line", { more = "member(b, joint(1, 0, 3))" }, "member 4 lies on member 2 over 1 m", "{1, 0, 3}", { more = "member(b, joint(-1, 0, 3))" })
-suspicious("a member that passes through a node", { more = "member(a, joint(2, 0, 3))" }, "member 2 passes through node 5 at {2, 0, 3} m, but is not joined to it", "{b, c",
+suspicious("one member twice", { more = "member(c, b)" }, "member 4 lies on member 2 over 4 m",
+  "{c, b", { more = "member(c, a)" })
+suspicious("members on one line", { more = "member(b, joint(1, 0, 3))" }, "member 4 lies on member 2 over 1 m",
+  "{1, 0, 3}", { more = "member(b, joint(-1, 0, 3))" })
+suspicious("a member that passes through a node", { more = "member(a, joint(2, 0, 3))" },
+  "member 2 passes through node 5 at {2, 0, 3} m, but is not joined to it", "{b, c",
   { more = "member(a, joint(2, 0, 2.99))" })
-suspicious("a tiny member", { make = "dynamic { dt = 'auto', duration = 1 }", more = "member(c, joint(4.03, 0, 3))" }, "member 4 is 0.03 m long, one that it is joined to 4 m", "{4.03",
-  { more = "member(c, joint(4.2, 0, 3))" })
+suspicious("a tiny member", { make = "dynamic { dt = 'auto', duration = 1 }", more = "member(c, joint(4.03, 0, 3))" },
+  "member 4 is 0.03 m long, one that it is joined to 4 m", "{4.03", { more = "member(c, joint(4.2, 0, 3))" })
 suspicious("feet that turn about the line through them", { feet = '"xyz"' },
-  "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can turn about x through that node without resistance", "model:fix", { feet = '"xyz,rx"' })
-suspicious("a foot that slides", { feet = '"y,z,rx,ry,rz"' }, "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can move along x without resistance",
+  "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can turn about x "
+    .. "through that node without resistance", "model:fix", { feet = '"xyz,rx"' })
+suspicious("a foot that slides", { feet = '"y,z,rx,ry,rz"' },
+  "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can move along x without resistance",
   "model:fix", { feet = '"x,y,z,rx"' })
-suspicious("an oblique axis", { more = "local e, f, g = joint(9, 0, 0), joint(10, 1, 0), joint(9, 0, 1) member(e, f) member(e, g) model:fix({ e, f }, 'xyz')" },
-  "mechanism: the body of 2 members held at node 5 at {9, 0, 0} m and 1 more node can turn about the line through", "model:fix({ e, f }",
-  { more = "local e, f, g = joint(9, 0, 0), joint(10, 1, 0), joint(9, 0, 1) member(e, f) member(e, g) model:fix({ e, f, g }, 'xyz')" })
+local oblique = "local e, f, g = joint(9, 0, 0), joint(10, 1, 0), joint(9, 0, 1) member(e, f) member(e, g) "
+suspicious("an oblique axis", { more = oblique .. "model:fix({ e, f }, 'xyz')" },
+  "mechanism: the body of 2 members held at node 5 at {9, 0, 0} m and 1 more node can turn about the line through",
+  "model:fix({ e, f }", { more = oblique .. "model:fix({ e, f, g }, 'xyz')" })
 
 -- A projectile is not a mechanism; one of a static run is refused as ever, at its line.
 status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" })
-expect(status == 0 and printed:find "\n  free body of 1 member, 78.5 kg: natural periods " and #warnings(printed) == 0, "a free body:\n%s", printed)
+expect(status == 0 and printed:find "\n  free body of 1 member, 78.5 kg: natural periods " and #warnings(printed) == 0,
+  "a free body:\n%s", printed)
 status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
-expect(status == 2 and complaint:find "scene.lua:12: model:static: .* without resistance", "a mechanism in statics: %s %s", status, complaint)
+expect(status == 2 and complaint:find "scene.lua:12: model:static: .* without resistance",
+  "a mechanism in statics: %s %s", status, complaint)
 
 -- The project's own scenes have none.
 local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")
-for _, name in ipairs { "01_first_cantilever", "02_portal_collapse", "ten_storey_impact", "paper/two_beam_impact", "paper/space_frame_dynamic", "paper/space_frame_static", "paper/fracture_figures", "paper/ten_storey_cases" } do
-  status, printed, complaint = run("cd " .. quote(folder) .. " && " .. hinge .. " check " .. quote(root .. "/scripts/" .. name .. ".lua"))
-  expect(status == 0 and printed:find "no warnings" and #warnings(printed) == 0, "scripts/%s.lua: status %s\n%s%s", name, status, printed, complaint)
+for _, name in ipairs { "01_first_cantilever", "02_portal_collapse", "ten_storey_impact", "paper/two_beam_impact",
+  "paper/space_frame_dynamic", "paper/space_frame_static", "paper/fracture_figures", "paper/ten_storey_cases" } do
+  local script = quote(root .. "/scripts/" .. name .. ".lua")
+  status, printed, complaint = run("cd " .. quote(folder) .. " && " .. hinge .. " check " .. script)
+  expect(status == 0 and printed:find "no warnings" and #warnings(printed) == 0, "scripts/%s.lua: status %s\n%s%s",
+    name, status, printed, complaint)
 end
 equal(support.output("ls " .. quote(folder)), "scene.lua\n", "what checks leave behind")
 

@@ -1,5 +1,5 @@
--- Long runs survive: a run goes on from its checkpoint with the same bits, whatever it is doing; what is damaged, of another run or
--- another hinge is refused; killed, stopped, out of disk, nothing that was written is lost.
+-- Long runs survive: a run goes on from its checkpoint with the same bits, whatever it is doing; what is damaged, of
+-- another run or another hinge is refused; killed, stopped, out of disk, nothing that was written is lost.
 --
 -- Run: lua5.4 tests/script/checkpoint_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -23,7 +23,9 @@ local function impact(o)
     local a, b, c, d = model:node { 0, y, 0 }, model:node { 0, y, 3 }, model:node { 3, y, 3 }, model:node { 3, y, 0 }
     model:fix(a)
     model:fix(d)
-    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do model:member { ends[1], ends[2], section = bar, material = steel } end
+    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do
+      model:member { ends[1], ends[2], section = bar, material = steel }
+    end
     foot, corner = a, b
   end
   local low = model:node { 1.5, -0.3, 2 }
@@ -52,14 +54,17 @@ local function with(options, more)
   return result
 end
 
--- The same bits ---------------------------------------------------------------------------------------------------------
+-- The same bits -------------------------------------------------------------------------------------------------------
 
 local function same(what, resumed, whole)
   equal(resumed.hash, whole.hash, what .. ": state")
   equal(resumed.verdict, whole.verdict, what .. ": verdict")
   equal(resumed.index, whole.index, what .. ": steps")
-  for _, name in ipairs { "initial", "work", "remainder" } do equal(resumed.energy[name], whole.energy[name], what .. ": " .. name) end
-  for name, count in pairs(whole.counts) do -- all but factors, which are not kept: they are made anew from the same numbers
+  for _, name in ipairs { "initial", "work", "remainder" } do
+    equal(resumed.energy[name], whole.energy[name], what .. ": " .. name)
+  end
+  -- all but factors, which are not kept: they are made anew from the same numbers
+  for name, count in pairs(whole.counts) do
     if name ~= "factorisations" then equal(resumed.counts[name], count, ("%s: %s"):format(what, name)) end
   end
   equal(table.concat(resumed.probes[1].value, " "), table.concat(whole.probes[1].value, " "), what .. ": probe")
@@ -70,15 +75,16 @@ end
 local function goes_on(name, options, times)
   local whole = impact_run(options)
   whole:finish()
-  expect(whole:count { state = "broken" } > 0 and whole.contacts.bound > 0, "%s: %d broken, %d bound", name, whole:count { state = "broken" },
-    whole.contacts.bound)
+  expect(whole:count { state = "broken" } > 0 and whole.contacts.bound > 0, "%s: %d broken, %d bound", name,
+    whole:count { state = "broken" }, whole.contacts.bound)
   local watched, resumed_from = impact_run(options), 0
   for step in watched:steps() do
     if step.index % (whole.index // times) == 3 then
       resumed_from = resumed_from + 1
       watched:checkpoint(path "one.checkpoint")
       local threads = 1 + resumed_from % 2
-      local other = impact_run(with(options, { run = with(options.run or {}, { threads = threads }) })):resume(path "one.checkpoint")
+      local other = impact_run(with(options, { run = with(options.run or {}, { threads = threads }) }))
+        :resume(path "one.checkpoint")
       equal(other.hash, watched.hash, ("%s: state at step %d"):format(name, step.index))
       other:finish()
       same(("%s, from step %d on %d threads"):format(name, step.index, threads), other, whole)
@@ -86,7 +92,9 @@ local function goes_on(name, options, times)
   end
   expect(resumed_from >= times, "%s: went on %d times", name, resumed_from)
   same(name .. ", with checkpoints taken", watched, whole)
-  if (options.run or {}).step_control then expect(whole.counts.rejected_steps > 2, "%s: %d steps taken back", name, whole.counts.rejected_steps) end
+  if (options.run or {}).step_control then
+    expect(whole.counts.rejected_steps > 2, "%s: %d steps taken back", name, whole.counts.rejected_steps)
+  end
 end
 
 goes_on("gap", {}, 8)
@@ -95,9 +103,13 @@ goes_on("explicit", { run = { integrator = "explicit", dt = "auto", duration = 0
 goes_on("dt auto", { run = { dt = "auto", duration = 0.01 } }, 6)
 goes_on("no rest", { run = { rest = false, beta = 0.25 }, contact = { rule = "surface" } }, 3)
 goes_on("point and all", { model = { shift = "whole" } }, 3)
-goes_on("conventional, factors", { model = { formulation = "conventional" }, run = { solver = "direct", duration = 0.008 } }, 3)
-goes_on("long steps, double", { fracture = { curvature_x = 0.03, curvature_y = 0.03 }, run = { dt = 2e-4, precision = "double", duration = 0.02 } }, 5)
-goes_on("damped, with step control", { run = { dt = 8e-5, beta = false, rho_infinity = 0.7, step_control = 3e-4, duration = 0.02 } }, 5)
+goes_on("conventional, factors",
+  { model = { formulation = "conventional" }, run = { solver = "direct", duration = 0.008 } }, 3)
+goes_on("long steps, double",
+  { fracture = { curvature_x = 0.03, curvature_y = 0.03 }, run = { dt = 2e-4, precision = "double", duration = 0.02 } },
+  5)
+goes_on("damped, with step control",
+  { run = { dt = 8e-5, beta = false, rho_infinity = 0.7, step_control = 3e-4, duration = 0.02 } }, 5)
 goes_on("rules of the script's own", {
   fracture = { keep = { "damage" }, rule = function(section)
     section.damage = section.damage + math.abs(section.curvature_rate_x) * section.dt
@@ -105,7 +117,9 @@ goes_on("rules of the script's own", {
   end },
   contact = { rule = "surface", pairs = function() return { friction = 0.2 } end },
   declare = function(model, corner, foot)
-    model:load { node = corner, force = function(t, r) return 100 * math.sin(200 * t), 0, -1e3 * r:displacement(corner) end }
+    model:load { node = corner, force = function(t, r)
+      return 100 * math.sin(200 * t), 0, -1e3 * r:displacement(corner)
+    end }
     model:move { node = foot, x = function(t) return 1e-3 * math.sin(300 * t) ^ 2 end }
   end,
 }, 4)
@@ -114,7 +128,8 @@ goes_on("rules of the script's own", {
 local strict = { run = { energy_tolerance = 1e-3 } }
 local failed = impact_run(strict)
 failed:finish()
-expect(failed.verdict == "failed" and failed.reason:find "ledger", "a run whose ledger does not close: %s %s", failed.verdict, failed.reason)
+expect(failed.verdict == "failed" and failed.reason:find "ledger",
+  "a run whose ledger does not close: %s %s", failed.verdict, failed.reason)
 local failing = impact_run(strict)
 while failing.index < failed.index + 5 do failing:step() end
 failing:checkpoint(path "failing.checkpoint")
@@ -137,17 +152,19 @@ local whole = case_1(1)
 for step in whole:steps() do
   if step.index == 650 then whole:checkpoint(path "case1.checkpoint") end
 end
-expect(whole.contacts.bound > 2 and whole:count { state = "broken" } > 0, "Case I: %d bound, %d broken", whole.contacts.bound, whole:count { state = "broken" })
+expect(whole.contacts.bound > 2 and whole:count { state = "broken" } > 0, "Case I: %d bound, %d broken",
+  whole.contacts.bound, whole:count { state = "broken" })
 local resumed = hinge.resume(case_1(2), path "case1.checkpoint")
 resumed:finish()
 same("Case I on two threads", resumed, whole)
 
--- What is refused -------------------------------------------------------------------------------------------------------
+-- What is refused -----------------------------------------------------------------------------------------------------
 
 local function refused(what, message, f, ...)
   local ok, failure = pcall(f, ...)
   if expect(not ok, "%s: nothing was raised", what) then
-    expect(support.says(tostring(failure), message), "%s\n    says   %s\n    wanted %s", what, tostring(failure), message)
+    expect(support.says(tostring(failure), message), "%s\n    says   %s\n    wanted %s", what,
+      tostring(failure), message)
   end
 end
 
@@ -157,7 +174,9 @@ local function small(dt, more)
   model:fix(a)
   local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
   model:member { a, b, section = bar, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
-  if more then model:member { b, model:node { 2, 0, 0 }, section = bar, material = hinge.material { E = 206e9, density = 7800 } } end
+  if more then
+    model:member { b, model:node { 2, 0, 0 }, section = bar, material = hinge.material { E = 206e9, density = 7800 } }
+  end
   model:load { node = b, force = { 0, 0, -10 } }
   return model:dynamic { dt = dt, duration = 1e-2 }, b
 end
@@ -174,19 +193,27 @@ for i = 1, #bytes do -- every byte
   local flipped = (i % 2 == 0) and 255 or 1 << (i % 8)
   support.write(file, bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
   local ok, failure = pcall(victim.resume, victim, file)
-  if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before or victim.index ~= 0 then quiet.expect = i break end
+  if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before
+    or victim.index ~= 0 then
+    quiet.expect = i
+    break
+  end
 end
 equal(quiet.expect, 0, "byte changed that was not noticed")
 for length = 0, #bytes - 1 do -- every length
   support.write(file, bytes:sub(1, length))
   local ok, failure = pcall(victim.resume, victim, file)
-  if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then quiet.expect = length + 1 break end
+  if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then
+    quiet.expect = length + 1
+    break
+  end
 end
 equal(quiet.expect, 0, "cut short, not noticed, at byte")
 support.write(file, bytes .. "\0")
 refused("a byte more", "checkpoint " .. file .. " is damaged: ...", victim.resume, victim, file)
 support.write(file, "speed,height\n" .. bytes)
-refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume, victim, file)
+refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume,
+  victim, file)
 refused("no file", "cannot read " .. path "none" .. ": No such file or directory", victim.resume, victim, path "none")
 
 -- Another version: the checksum (CRC-32 of all behind it) is right.
@@ -200,8 +227,9 @@ local function crc(text)
 end
 local newer = string.pack("<I4", 7) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
 support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
-refused("another version", "checkpoint " .. file .. " is of format 7, written by hinge 9.8.7; this is hinge " .. hinge.version ..
-  ", which reads format 2: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
+refused("another version",
+  "checkpoint " .. file .. " is of format 7, written by hinge 9.8.7; this is hinge " .. hinge.version
+    .. ", which reads format 2: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
 
 support.write(file, bytes)
 refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...", function() small(5e-5):resume(file) end)
@@ -232,7 +260,8 @@ for given, message in pairs {
   [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s, keep = table }",
   [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s, keep = table }",
   [{ file = "x", keep = 3 }] = "checkpoint: field 'keep' is 3...; must be a table, whose values are kept with the run",
-  [{ file = "x", keep = { list = { 1, print } } }] = "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
+  [{ file = "x", keep = { list = { 1, print } } }] =
+    "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
   [{ file = "x", keep = itself }] = "checkpoint: keep.t....t is nested too deep to be kept; does a table hold itself?",
   [{ file = "x", every = -1 }] = "checkpoint: field 'every' is -1 s; must be ...",
 } do
@@ -248,10 +277,14 @@ local function gathers(keep)
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:fix(a)
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
   model:load { node = b, force = { 0, 0, -10 } }
   local r = model:dynamic { dt = 1e-4, duration = 1e-2, checkpoint = { file = path "gathers.checkpoint", keep = keep } }
-  return r, function(step) keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0, { n = step.index, s = "a\0b" } end
+  return r, function(step)
+    keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0,
+      { n = step.index, s = "a\0b" }
+  end
 end
 local all, half, rest = { list = {} }, { list = {} }, { list = {}, lost = 1 }
 local r, gather = gathers(all)
@@ -263,13 +296,13 @@ for step in r:steps() do
 end
 r, gather = gathers(rest)
 r:resume(path "gathers.checkpoint")
-expect(#rest.list == 40 and rest.lost == nil and rest.last == true and rest[1.5].n == 40 and rest[1.5].s == "a\0b" and math.type(rest[1.5].n) == "integer",
-  "what the script gathered, at step 40")
+expect(#rest.list == 40 and rest.lost == nil and rest.last == true and rest[1.5].n == 40 and rest[1.5].s == "a\0b"
+  and math.type(rest[1.5].n) == "integer", "what the script gathered, at step 40")
 for step in r:steps() do gather(step) end
 equal(#all.list, 100, "what was gathered")
 equal(table.concat(rest.list, " "), table.concat(all.list, " "), "what was gathered, half of it before")
 
--- The program -----------------------------------------------------------------------------------------------------------
+-- The program ---------------------------------------------------------------------------------------------------------
 
 local program = quote(arg[1] .. "/hinge")
 support.write(path "impact.lua", scene .. [[
@@ -284,7 +317,9 @@ return hinge.scenario {
   end,
 }
 ]])
-local function command(out, more) return ("%s run %s --out %s %s"):format(program, quote(path "impact.lua"), quote(path(out)), more or "") end
+local function command(out, more)
+  return ("%s run %s --out %s %s"):format(program, quote(path "impact.lua"), quote(path(out)), more or "")
+end
 local function summary(out) return support.json(support.read(path(out) .. "/summary.json") or "{}") end
 local function history(out) return support.read(path(out) .. "/history.csv") end
 
@@ -295,12 +330,14 @@ expect(#history "whole" > 10000 and wanted.results.steps == 5000, "the run: %s",
 -- A signal: the step ends, the checkpoint is written, and the same command goes on.
 local status, _, complaint = run(command("ended", "slow=1234"))
 equal(status, 3, "status after SIGTERM")
-expect(complaint:find("hinge: interrupted by SIGTERM after step 1234, t = 0.02468 s; written to " .. path "ended/impact.checkpoint" ..
-  "; the same command with --resume goes on from there", 1, true), "after SIGTERM: %s", complaint)
+expect(complaint:find("hinge: interrupted by SIGTERM after step 1234, t = 0.02468 s; written to "
+  .. path "ended/impact.checkpoint" .. "; the same command with --resume goes on from there", 1, true),
+  "after SIGTERM: %s", complaint)
 expect(not support.is_there(path "ended/summary.json"), "a summary of a run that is not over")
 status, _, complaint = run(command("ended", "threads=2 --resume"))
 equal(status, 0, "status of --resume: " .. complaint)
-expect(complaint:find("goes on from " .. path "ended/impact.checkpoint: step 1234, t = 0.02468 s", 1, true), "--resume: %s", complaint)
+expect(complaint:find("goes on from " .. path "ended/impact.checkpoint: step 1234, t = 0.02468 s", 1, true),
+  "--resume: %s", complaint)
 local function as_whole(what, out)
   equal(summary(out).state_hash, wanted.state_hash, what .. ": state")
   equal(summary(out).results.uy, wanted.results.uy, what .. ": result")
@@ -313,20 +350,28 @@ expect(status == 0 and complaint:find "step 5000", "--resume of a run that is ov
 as_whole("over, once more", "ended")
 status, _, complaint = run(command("unkept", "slow=100 checkpoint=none"))
 equal(status, 143, "status after SIGTERM without a checkpoint")
-expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1, true), "without: %s", complaint)
-equal(select(2, history "unkept":gsub("\n", "")), 12, "rows of the history that SIGTERM left") -- the heading, step 0, and one in ten
+expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1, true),
+  "without: %s", complaint)
+-- the heading, step 0, and one in ten
+equal(select(2, history "unkept":gsub("\n", "")), 12, "rows of the history that SIGTERM left")
 status, _, complaint = run(command("fresh", "--resume duration=0.002"))
-expect(status == 0 and complaint:find("--resume: there is no " .. path "fresh/impact.checkpoint; the run starts from its beginning", 1, true),
+expect(status == 0 and complaint:find("--resume: there is no "
+  .. path "fresh/impact.checkpoint; the run starts from its beginning", 1, true),
   "--resume without a checkpoint: %s %s", status, complaint)
 status, _, complaint = run(command("fresh", "--resume duration=0.004"))
-expect(status == 2 and complaint:find("not the same duration", 1, true), "--resume of another run: %s %s", status, complaint)
+expect(status == 2 and complaint:find("not the same duration", 1, true), "--resume of another run: %s %s",
+  status, complaint)
 status, _, complaint = run(command("fresh", "duration=0.004"))
-expect(status == 0 and not support.is_there(path "fresh/impact.checkpoint.before"), "anew after one that is over: %s %s", status, complaint)
+expect(status == 0 and not support.is_there(path "fresh/impact.checkpoint.before"),
+  "anew after one that is over: %s %s", status, complaint)
 equal(run(command("again", "slow=50")), 3, "status after SIGTERM")
 status, _, complaint = run(command("again", "duration=0.004"))
-expect(status == 0 and complaint:find("is of a run that is not over, and kept as " .. path "again/impact.checkpoint.before", 1, true), "anew: %s %s", status, complaint)
+expect(status == 0
+  and complaint:find("is of a run that is not over, and kept as " .. path "again/impact.checkpoint.before", 1, true),
+  "anew: %s %s", status, complaint)
 
--- kill -9 at 50 random moments, each time going on from what is there; whenever a run came to its end it is the same one.
+-- kill -9 at 50 random moments, each time going on from what is there; whenever a run came
+-- to its end it is the same one.
 support.write(path "kill.sh", ([[
 RANDOM=11 kills=0 ends=0
 while [ $kills -lt 50 ]; do
@@ -340,8 +385,8 @@ while [ $kills -lt 50 ]; do
   if [ -e %s ] && [ -n "$(tail -c 1 %s)" ]; then echo "half a row"; exit 1; fi
 done
 echo "kills $kills ends $ends"
-]]):format(command("killed", "duration=0.05 every=0 --resume"), path "log", path "killed/impact.checkpoint", path "log", path "killed/history.csv",
-  path "killed/history.csv"))
+]]):format(command("killed", "duration=0.05 every=0 --resume"), path "log", path "killed/impact.checkpoint",
+  path "log", path "killed/history.csv", path "killed/history.csv"))
 local killed, printed
 killed, printed, complaint = run("bash " .. quote(path "kill.sh"))
 expect(killed == 0 and printed:find "kills 50", "kill -9: %s %s", printed, complaint)
@@ -358,18 +403,21 @@ local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=200k tmpfs %s && %%s
 local can_mount = os.execute(mounted:format "true" .. " 2>" .. quote(path "log"))
 local kept = ("; s=$?; cp -r %s/out %s; exit $s"):format(tiny, path "full")
 if can_mount then
-  status, _, complaint = run(mounted:format((("%s run %s --out %s"):format(program, path "impact.lua", tiny .. "/out") .. kept):gsub("'", "")))
+  local inside = ("%s run %s --out %s"):format(program, path "impact.lua", tiny .. "/out") .. kept
+  status, _, complaint = run(mounted:format((inside:gsub("'", ""))))
 else
   status, _, complaint = run(("trap '' XFSZ; ulimit -f 100; %s"):format(command "full"))
 end
 print("full disk: " .. (can_mount and "a file system of 200 kB" or "a limit on the size of files"))
-expect(complaint:find("cannot write .-: N?F?[oi][ l][se].-; the run goes on, the checkpoint before stays as it was"), "full disk: status %s, %s", status, complaint)
+expect(complaint:find("cannot write .-: N?F?[oi][ l][se].-; the run goes on, the checkpoint before stays as it was"),
+  "full disk: status %s, %s", status, complaint)
 status, _, complaint = run(command("full", "--resume"))
 expect(status == 0 and complaint:find "goes on from", "after a full disk: %s %s", status, complaint)
 as_whole("after a full disk", "full")
 
 -- A folder that cannot be written to is noticed before the first step.
-for name, message in pairs { ["/proc/hinge/x.checkpoint"] = "cannot make folder /proc/hinge", ["/proc/x.checkpoint"] = "cannot write /proc/x.checkpoint" } do
+for name, message in pairs { ["/proc/hinge/x.checkpoint"] = "cannot make folder /proc/hinge",
+  ["/proc/x.checkpoint"] = "cannot write /proc/x.checkpoint" } do
   status, _, complaint = run(command("nowhere", "checkpoint=" .. name))
   expect(status == 1 and complaint:find(message, 1, true), "unwritable: %s %s", status, complaint)
 end

@@ -1,4 +1,5 @@
--- What effects change and cost: against closed forms, against scripts without the effect, idle ones, and those that a script cannot do without.
+-- What effects change and cost: against closed forms, against scripts without the effect, idle ones, and those that a
+-- script cannot do without.
 --
 -- Run: lua5.4 tests/script/cost_effects_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -16,12 +17,13 @@ local function effect(result, name)
   return { changes = {} }
 end
 
--- A slender cantilever far beyond small deflections: the elastica, and what the same load does to the first geometry -------------
+-- A slender cantilever far beyond small deflections: the elastica, and what the same load does to the first geometry --
 
 local E, length, side = 206e9, 1, 0.01
 local EI = E * side ^ 4 / 12
 
--- Tip deflection over length of EI theta'' = -P cos theta, clamped at one end, free of moment at the other: shooting, by Runge and Kutta.
+-- Tip deflection over length of EI theta'' = -P cos theta, clamped at one end, free of moment at the
+-- other: shooting, by Runge and Kutta.
 local function elastica(load)
   local function tip(curvature)
     local theta, k, y, h = 0, curvature, 0, 1 / 2000
@@ -75,17 +77,20 @@ local idle = effect(r, "plasticity")
 expect(idle.same and idle.change == 0, "plasticity far from yielding: the same bits, no change; %s", idle.change)
 equal(table.concat(r.absent, ", "), "gravity, fracture, contact, friction", "what is not in the scene")
 near(r.answers.uz.error, 0, 1e-3, "its own error, against 64 elements")
-expect(r.answers.uz.scatter < 1e-7 and r.finer == "elements_per_member 64", "scatter %g, twice as fine: %s", r.answers.uz.scatter, r.finer)
+expect(r.answers.uz.scatter < 1e-7 and r.finer == "elements_per_member 64", "scatter %g, twice as fine: %s",
+  r.answers.uz.scatter, r.finer)
 
 -- A load at the tip and the own weight in small displacement: w L^4 / 8 EI of it goes with gravity.
 local weight, load = 10 * 7850 * side ^ 2, 5.5
-r = hinge.cost(hinge.scenario { parameters = { load = load, density = 7850.5, yield_stress = 1e12, elements_per_member = 32 }, run = cantilever.run },
+r = hinge.cost(hinge.scenario {
+  parameters = { load = load, density = 7850.5, yield_stress = 1e12, elements_per_member = 32 }, run = cantilever.run },
   { effects = true, repeats = 1, accuracy = { elements_per_member = { 32 } }, parameters = { load = load } })
 local bending = weight * 7850.5 / 7850 * length ^ 4 / (8 * EI)
-near(effect(r, "gravity").change / (bending / (load * length ^ 3 / (3 * EI) + bending)), 1, 5e-3, "what gravity changes")
+near(effect(r, "gravity").change / (bending / (load * length ^ 3 / (3 * EI) + bending)), 1, 5e-3,
+  "what gravity changes")
 expect(r.notes[1] and r.notes[1]:find "no number to refine", "nothing to refine is said: %s", r.notes[1])
 
--- Leaving out is the same as a script that never asked: every effect at once in a scene, bit by bit ------------------------------
+-- Leaving out is the same as a script that never asked: every effect at once in a scene, bit by bit -------------------
 
 local function scene(p)
   local model = hinge.model { displacement = p.without == "large displacement" and "small" or "large" }
@@ -103,17 +108,20 @@ local function scene(p)
   if p.without ~= "contact" then
     model:contact { friction = friction, pairs = p.pairs and function() return { friction = 2 * friction } end or nil }
   end
-  local run = model:dynamic { dt = 4e-6, duration = 6e-4, energy_tolerance = 0 } -- in small displacement stubs that turn make energy
+  -- in small displacement stubs that turn make energy
+  local run = model:dynamic { dt = 4e-6, duration = 6e-4, energy_tolerance = 0 }
   run:probe { node = d, "ux", name = "end" }
   run:finish()
-  return { plastic = run.energy.plastic, slid = run.energy.contact, broken = run:count { state = "broken" }, hash = run.hash,
-    low = run:momentum().linear[1] }
+  return { plastic = run.energy.plastic, slid = run.energy.contact, broken = run:count { state = "broken" },
+    hash = run.hash, low = run:momentum().linear[1] }
 end
 for _, pairs_too in ipairs { false, true } do
-  r = hinge.cost(hinge.scenario { parameters = { pairs = pairs_too }, run = scene }, { effects = true, repeats = 1, accuracy = { pairs = { pairs_too } } })
+  r = hinge.cost(hinge.scenario { parameters = { pairs = pairs_too }, run = scene }, { effects = true, repeats = 1,
+    accuracy = { pairs = { pairs_too } } })
   equal(#r.effects, 6, "all effects are in the scene")
   local all = scene { pairs = pairs_too }
-  expect(all.broken > 0 and all.slid > 0 and all.plastic > 0, "what happens in it: %d broken, %g J in contact, %g J plastic", all.broken, all.slid, all.plastic)
+  expect(all.broken > 0 and all.slid > 0 and all.plastic > 0,
+    "what happens in it: %d broken, %g J in contact, %g J plastic", all.broken, all.slid, all.plastic)
   for _, e in ipairs(r.effects) do
     local by_hand = scene { pairs = pairs_too, without = e.name }
     for name, value in pairs(by_hand) do
@@ -128,25 +136,30 @@ for _, pairs_too in ipairs { false, true } do
 end
 equal(scene {}.hash, scene {}.hash, "a comparison leaves nothing behind")
 
--- Idle, chaotic, failing, chosen -----------------------------------------------------------------------------------------------------
+-- Idle, chaotic, failing, chosen --------------------------------------------------------------------------------------
 
 local function falling(p)
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = E, density = 7850, yield_stress = 2e8 } }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = E, density = 7850, yield_stress = 2e8 } }
   model:gravity { 0, 0, -p.g }
   model:contact { friction = 0.1 }
   model:fracture { curvature_x = 0.4 }
-  local run = model:dynamic { dt = 4e-6, duration = 4e-4 }:finish() -- short: in long steps what may yield is solved otherwise
+  -- short: in long steps what may yield is solved otherwise
+  local run = model:dynamic { dt = 4e-6, duration = 4e-4 }:finish()
   local _, _, vz = run:velocity(a)
   local x = p.chaos
   for _ = 1, 200 do x = 3.9 * x * (1 - x) end
   if p.needs and vz == 0 then error("it does not fall\nand more") end
   return { vz = vz, chaos = x + 1e-3 * vz, clock = os.clock() }
 end
-local body = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false }, accuracy = { needs = { false, true } }, run = falling }
+local body = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false },
+  accuracy = { needs = { false, true } }, run = falling }
 r = hinge.cost(body, { effects = true, parameters = { needs = false } })
-for _, name in ipairs { "plasticity", "fracture", "contact", "friction" } do expect(effect(r, name).same and effect(r, name).change == 0, "%s is idle", name) end
+for _, name in ipairs { "plasticity", "fracture", "contact", "friction" } do
+  expect(effect(r, name).same and effect(r, name).change == 0, "%s is idle", name)
+end
 near(effect(r, "gravity").changes.vz, 1, 1e-12, "the whole of the speed is gravity's")
 equal(effect(r, "gravity").worst, "vz", "what changes by more than it scatters comes first")
 equal(r.answers.clock, nil, "what differs from run to run is no answer")
@@ -154,29 +167,34 @@ expect(r.answers.chaos.scatter > 0.05, "chaos scatters: %g", r.answers.chaos.sca
 r = hinge.cost(body, { effects = true, parameters = { needs = false }, quantity = "chaos" })
 equal(effect(r, "gravity").lost, true, "a change that drowns in scatter is said to")
 r = hinge.cost(body, { effects = true, parameters = { needs = true }, repeats = 1 })
-expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall$", "a script that cannot do without: %s", effect(r, "gravity").failed)
+expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall$",
+  "a script that cannot do without: %s", effect(r, "gravity").failed)
 local _, refusal = pcall(hinge.cost, body, { effects = true, quantity = "vx" })
 expect(tostring(refusal):find "unknown quantity 'vx' %(did you mean 'vz'%?%)", "an unknown quantity: %s", refusal)
 _, refusal = pcall(hinge.cost, hinge.scenario { run = function() error "broken" end }, { effects = true })
 expect(tostring(refusal):find "hinge.cost: the scenario has no answer: .*broken", "a scenario that fails: %s", refusal)
 
--- A budget: what does not fit is named; nothing at all is an error. An answer that goes with its effect has no finite change.
+-- A budget: what does not fit is named; nothing at all is an error. An answer that goes with
+-- its effect has no finite change.
 local clock = require "hinge.core".clock
-local slow = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false }, accuracy = { needs = { false, true } }, run = function(p)
-  local start = clock()
-  while clock() - start < 0.05 do end
-  local answers = falling(p)
-  answers.falls = answers.vz ~= 0 and 1 or nil
-  return answers
-end }
+local slow = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false },
+  accuracy = { needs = { false, true } }, run = function(p)
+    local start = clock()
+    while clock() - start < 0.05 do end
+    local answers = falling(p)
+    answers.falls = answers.vz ~= 0 and 1 or nil
+    return answers
+  end }
 r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
-expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s", table.concat(r.left_out, ", "))
+expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s",
+  table.concat(r.left_out, ", "))
 r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
 equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
 _, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
-expect(tostring(refusal):find "hinge.cost: the budget is over before the scenario is; give a larger one", "no time at all: %s", refusal)
+expect(tostring(refusal):find "hinge.cost: the budget is over before the scenario is; give a larger one",
+  "no time at all: %s", refusal)
 
--- The program ----------------------------------------------------------------------------------------------------------------------------
+-- The program ---------------------------------------------------------------------------------------------------------
 
 local folder, program = support.temporary_folder(), support.quote(arg[1] .. "/hinge")
 local script = folder .. "/script.lua"
@@ -187,7 +205,8 @@ return hinge.scenario {
   run = function(p)
     local model = hinge.model {}
     local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 } }
+    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+      material = hinge.material { E = 206e9, density = 7850 } }
     model:gravity { 0, 0, -p.g }
     model:contact {}
     local _, _, vz = model:dynamic { dt = p.dt, duration = 0.01 }:finish():velocity(a)
@@ -198,15 +217,19 @@ return hinge.scenario {
 local command = ("%s cost %s --effects --case moon --out %s/p"):format(program, support.quote(script), folder)
 local status, printed, complaint = support.run(command)
 equal(status, 0, "status: " .. complaint)
-for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)", "own error: how far the setting is from one twice as fine (dt 0.0005)",
-  "not in this scene: plasticity, fracture, friction", "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
+for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
+  "own error: how far the setting is from one twice as fine (dt 0.0005)",
+  "not in this scene: plasticity, fracture, friction",
+  "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
   expect(printed:find(part, 1, true), "hinge cost --effects does not say '%s':\n%s", part, printed)
 end
 local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
 equal(#(summary.effects or {}), 3, "effects in summary.json")
-expect(summary.effects[1].name == "gravity" and summary.effects[1].change == 1 and summary.effects[3].same == true, "summary.json")
+expect(summary.effects[1].name == "gravity" and summary.effects[1].change == 1 and summary.effects[3].same == true,
+  "summary.json")
 local csv = support.read(folder .. "/p/effects.csv") or ""
-equal(csv:match "^[^\n]*", "effect,change,worst,same,lost,saves,spread,seconds,timings,remainder,failed,change of vz", "head of effects.csv")
+equal(csv:match "^[^\n]*", "effect,change,worst,same,lost,saves,spread,seconds,timings,remainder,failed,change of vz",
+  "head of effects.csv")
 equal(select(2, csv:gsub("\n", "")), 4, "lines of effects.csv")
 local before = support.read(folder .. "/p/finished.lua")
 equal(support.run(command), 0, "a second call")

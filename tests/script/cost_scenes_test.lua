@@ -1,4 +1,5 @@
--- The five scenes whose accuracy and time stand in the README: each runs as its head says, and has the errors that it says.
+-- The five scenes whose accuracy and time stand in the README: each runs as its head says,
+-- and has the errors that it says.
 --
 -- Run: lua5.4 tests/script/cost_scenes_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -7,18 +8,22 @@ local hinge = require "hinge"
 local checks = support.checks "cost_scenes"
 local expect, near = checks.expect, checks.near
 
--- What of its settings is compared here, what is held, and the error, %, of the named answer that its head states, by setting.
+-- What of its settings is compared here, what is held, and the error, %, of the named answer
+-- that its head states, by setting.
 local scenes = {
   static_frame = {
     accuracy = { elements_per_member = { 2, 16 }, formulation = { "asi-gauss", "conventional" } },
     errors = { { "ux", { 2, "asi-gauss" }, 0, 1e-8 }, { "ux", { 16, "conventional" }, 0.351, 1e-3 } },
   },
   static_collapse = {
-    accuracy = { elements_per_member = { 2, 16 }, formulation = { "asi-gauss", "asi", "conventional" } }, parameters = { steps = 50 },
-    errors = { { "load", { 2, "asi-gauss" }, 0, 0.01 }, { "limit_load", { 16, "conventional" }, 6.01, 0.01 }, { "plastic", { 2, "asi" }, 6.1, 0.1 } },
+    accuracy = { elements_per_member = { 2, 16 }, formulation = { "asi-gauss", "asi", "conventional" } },
+    parameters = { steps = 50 },
+    errors = { { "load", { 2, "asi-gauss" }, 0, 0.01 }, { "limit_load", { 16, "conventional" }, 6.01, 0.01 },
+      { "plastic", { 2, "asi" }, 6.1, 0.1 } },
   },
   dynamic_frame = {
-    accuracy = { dt = { 5e-5, 2.5e-5 }, elements_per_member = { 2, 8 }, method = { "asi-gauss", "asi-gauss, cubic", "conventional" } },
+    accuracy = { dt = { 5e-5, 2.5e-5 }, elements_per_member = { 2, 8 },
+      method = { "asi-gauss", "asi-gauss, cubic", "conventional" } },
     errors = { { "plastic", { 5e-5, 2, "asi-gauss" }, 1.64, 0.1 }, { "ux", { 5e-5, 2, "asi-gauss" }, 0.73, 0.05 },
       { "plastic", { 5e-5, 8, "conventional" }, 23, 0.2 } },
   },
@@ -40,14 +45,19 @@ for path in support.output(("cd %s && ls scripts/cost/*.lua"):format(support.quo
   if expect(scene, "%s is not known here", path) then
     expect(head:find("hinge cost " .. path, 1, true), "%s: the head does not say how to run it", path)
     expect(readme:find("](" .. path .. ")", 1, true), "the README does not show %s", path)
-    expect(readme:find("](scripts/pictures/cost_" .. name .. ".png)", 1, true), "the README does not show the plot of %s", path)
-    local r = hinge.cost(dofile(support.root .. path), { accuracy = scene.accuracy, parameters = scene.parameters, repeats = 1, within = 0.05 })
+    expect(readme:find("](scripts/pictures/cost_" .. name .. ".png)", 1, true),
+      "the README does not show the plot of %s", path)
+    local r = hinge.cost(dofile(support.root .. path), { accuracy = scene.accuracy, parameters = scene.parameters,
+      repeats = 1, within = 0.05 })
     expect(#r.failed == 0 and r.references, "%s: settings without an answer", path)
     for _, wanted in ipairs(scene.errors) do
       for _, s in ipairs(r.settings) do
         local same = true
         for i, knob in ipairs(r.knobs) do same = same and s.values[knob.name] == wanted[2][i] end
-        if same then near(100 * (s.errors[wanted[1]] or math.huge), wanted[3], wanted[4], ("%s: error of %s, %%, %s"):format(name, wanted[1], s.label)) end
+        if same then
+          near(100 * (s.errors[wanted[1]] or math.huge), wanted[3], wanted[4], ("%s: error of %s, %%, %s")
+            :format(name, wanted[1], s.label))
+        end
       end
     end
   end

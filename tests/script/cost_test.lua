@@ -1,4 +1,5 @@
--- What accuracy costs: errors and orders against closed forms, chaos called chaos, budgets kept, finished settings not run again.
+-- What accuracy costs: errors and orders against closed forms, chaos called chaos, budgets kept,
+-- finished settings not run again.
 --
 -- Run: lua5.4 tests/script/cost_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -25,13 +26,14 @@ end
 
 -- Judging -------------------------------------------------------------------------------------------------------------
 
-local front = judge.front { { time = 1, error = 9 }, { time = 2, error = 3 }, { time = 3, error = 3 }, { time = 4, error = 4 }, { time = 5, error = 1 }, { time = 0.5 },
-  { time = 2, error = 5 } }
+local front = judge.front { { time = 1, error = 9 }, { time = 2, error = 3 }, { time = 3, error = 3 },
+  { time = 4, error = 4 }, { time = 5, error = 1 }, { time = 0.5 }, { time = 2, error = 5 } }
 equal(#front, 3, "items on the front")
 for i, wanted in ipairs { { 1, 9 }, { 2, 3 }, { 5, 1 } } do
   expect(front[i] and front[i].time == wanted[1] and front[i].error == wanted[2], "item %d of the front", i)
 end
-equal(#judge.front { { time = 1, error = 2 }, { time = 2, error = 1.999 }, { time = 3, error = 1.99 } }, 2, "what is better by rounding alone is not on the front")
+equal(#judge.front { { time = 1, error = 2 }, { time = 2, error = 1.999 }, { time = 3, error = 1.99 } }, 2,
+  "what is better by rounding alone is not on the front")
 for p, h in pairs { [1] = { 4, 2, 1 }, [2] = { 5, 3, 1 }, [4] = { 4, 3, 1 } } do
   local answers = {}
   for i, size in ipairs(h) do answers[i] = 10 - 0.01 * size ^ p end
@@ -91,8 +93,9 @@ for _, n in ipairs { 2, 4, 8, 16 } do
   raced[#raced + 1] = { values = { n = n, way = "slow" }, seconds = 3 * n, error = 1 / n }
   raced[#raced + 1] = { values = { n = n, way = "exact" }, seconds = 5 * n, error = 0 }
 end
-local race = methods.compare({ { name = "n", values = { 2, 4, 8, 16 }, side = {} }, { name = "way", values = { "quick", "slow", "exact" } } }, raced, 0.11,
-  { error = 0.03 })
+local race = methods.compare(
+  { { name = "n", values = { 2, 4, 8, 16 }, side = {} }, { name = "way", values = { "quick", "slow", "exact" } } },
+  raced, 0.11, { error = 0.03 })
 equal(race.n, nil, "a number with a finer side is no method")
 equal(#race.way, 3, "errors at which ways are compared: that asked for, that of the cheapest, the least that all reach")
 for i, error in ipairs { 0.11, 1 / 16, 0.03 } do
@@ -109,7 +112,7 @@ equal(race.way[1].methods[1].settings[2].values.n, 4, "and after")
 equal(#race.way[2].methods[1].settings, 1, "a setting that has just that error")
 equal(methods.time_at(methods.front {}, 0.1), nil, "time of no setting")
 
--- Time steps: one freedom under a load from t = 0, u = F / k (1 - cos wt). Newmark's method is of second order. --------------
+-- Time steps: one freedom under a load from t = 0, u = F / k (1 - cos wt). Newmark's method is of second order. -------
 
 local E, rho, length, side, force = 206e9, 7850, 1, 0.05, 1000
 local omega, stiffness = math.sqrt(3 * E / rho) / length, E * side ^ 2 / length -- k over a third of the mass
@@ -122,7 +125,8 @@ local oscillator = hinge.scenario {
     local wall, tip = model:node { 0, 0, 0 }, model:node { length, 0, 0 }
     model:fix(wall, "all")
     model:fix(tip, "y,z,rx,ry,rz")
-    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side }, material = hinge.material { E = E, density = rho } }
+    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side },
+      material = hinge.material { E = E, density = rho } }
     model:load { node = tip, force = { p.force, 0, 0 } }
     local run = model:dynamic { dt = p.dt, duration = 2.3 * period }
     run:probe { node = tip, "ux", name = "ux" }
@@ -139,7 +143,8 @@ for _, s in ipairs(r.settings) do
   near(s.error / true_error, 1, 0.08, ("reported over true error, %s"):format(s.label))
   equal(s.worst, "ux#2", "the answer that was asked for")
   equal(s.meets, s.error <= 0.02, "within")
-  expect(s.seconds > 0 and s.ratio >= 1 and #s.times >= 3 and s.stages.solve and s.remainder < 1e-6, "what %s took", s.label)
+  expect(s.seconds > 0 and s.ratio >= 1 and #s.times >= 3 and s.stages.solve and s.remainder < 1e-6,
+    "what %s took", s.label)
   expect(s.memory == nil or s.memory >= 0, "memory")
 end
 near(r.orders.dt.observed or 0, 2, 0.05, "order of Newmark's method")
@@ -148,10 +153,13 @@ equal(r.quantities["ux#2"].state, "sound", "state of a history")
 equal(r.references[2].values.dt, period / 320, "the reference is finer than all")
 equal(r.references[1].values.dt, period / 160, "so is the other one")
 expect(r.cheapest and r.cheapest.meets and r.complete, "the cheapest within 2 %%")
-for _, s in ipairs(r.settings) do expect(not s.meets or s.seconds >= r.cheapest.seconds, "nothing cheaper is within 2 %%") end
-equal(find(r, { dt = period / 80 }).errors["energy.elastic"] ~= nil or r.quantities["energy.elastic"].state ~= "sound", true, "every answer is judged")
+for _, s in ipairs(r.settings) do
+  expect(not s.meets or s.seconds >= r.cheapest.seconds, "nothing cheaper is within 2 %%")
+end
+equal(find(r, { dt = period / 80 }).errors["energy.elastic"] ~= nil or r.quantities["energy.elastic"].state ~= "sound",
+  true, "every answer is judged")
 
--- Elements: a cantilever. The midpoint element lacks 1 / (4 n^2) of the bending deflection; asi-gauss is exact. ----------------
+-- Elements: a cantilever. The midpoint element lacks 1 / (4 n^2) of the bending deflection; asi-gauss is exact. -------
 
 local I, shear = side ^ 4 / 12, 5 / 6 * side ^ 2 * E / 2.6
 local bending, sheared = force * length ^ 3 / (3 * E * I), force * length / shear
@@ -159,10 +167,12 @@ local cantilever = hinge.scenario {
   parameters = { force = force + 0.5 },
   accuracy = { elements_per_member = { 2, 4, 8 }, formulation = { "conventional", "asi-gauss" } },
   run = function(p)
-    local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member, displacement = "small" }
+    local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member,
+      displacement = "small" }
     local wall, tip = model:node { 0, 0, 0 }, model:node { length, 0, 0 }
     model:fix(wall, "all")
-    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side }, material = hinge.material { E = E, nu = 0.3 } }
+    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side },
+      material = hinge.material { E = E, nu = 0.3 } }
     model:load { node = tip, force = { 0, 0, -p.force } }
     local _, _, uz = model:static { steps = 1 }:finish():displacement(tip)
     return { uz = uz }
@@ -190,12 +200,14 @@ near(shorter, 1, 1e-12, "the shorter of both times is the measure")
 r = hinge.cost(cantilever, { parameters = { formulation = "conventional" }, repeats = 1, within = 0.01 })
 equal(#r.settings, 3, "a setting that is given is held")
 near(r.orders.elements_per_member.observed, 2, 1e-3, "order of the midpoint element")
-equal(hinge.cost(cantilever, { accuracy = { elements_per_member = { 2, 4 } }, parameters = { formulation = "asi" }, repeats = 1 }).settings[1].values.formulation, nil,
-  "only what is varied is in a setting's values")
+equal(hinge.cost(cantilever, { accuracy = { elements_per_member = { 2, 4 } }, parameters = { formulation = "asi" },
+  repeats = 1 }).settings[1].values.formulation, nil, "only what is varied is in a setting's values")
 
--- What has no error -------------------------------------------------------------------------------------------------------
+-- What has no error ---------------------------------------------------------------------------------------------------
 
-local function toy(run, accuracy) return hinge.scenario { parameters = { x = 0.3 }, accuracy = accuracy or { dt = { 0.1, 0.2 } }, run = run } end
+local function toy(run, accuracy)
+  return hinge.scenario { parameters = { x = 0.3 }, accuracy = accuracy or { dt = { 0.1, 0.2 } }, run = run }
+end
 r = hinge.cost(toy(function(p)
   local x = p.x
   for _ = 1, 200 do x = 3.9 * x * (1 - x) end
@@ -213,29 +225,36 @@ r = hinge.cost(toy(function(p)
   return { chaos = x }
 end))
 expect(r.cheapest == nil and #r.front == 0 and r.settings[1].error == nil, "only chaos: neither front nor cheapest")
-r = hinge.cost(toy(function(p) return { grows = 1 / p.dt, clock = os.clock(), fine = 2, [3] = { nested = { p.x } } } end))
+r = hinge.cost(toy(function(p)
+  return { grows = 1 / p.dt, clock = os.clock(), fine = 2, [3] = { nested = { p.x } } }
+end))
 equal(r.quantities.grows.state, "unsettled", "what does not converge")
 near(r.quantities.grows.agreement, 0.5, 1e-12, "by how much its references differ")
 equal(r.quantities.clock.state, "moving", "what differs from run to run")
 equal(r.quantities["3.nested.1"].state, "sound", "names of what is nested")
 
 -- A setting that fails is said; so is a scenario whose settings all do.
-r = hinge.cost(toy(function(p) return p.way == "bad" and error "no such way" or { v = 1 } end, { dt = { 1, 2 }, way = { "good", "bad" } }))
+r = hinge.cost(toy(function(p)
+  return p.way == "bad" and error "no such way" or { v = 1 }
+end, { dt = { 1, 2 }, way = { "good", "bad" } }))
 expect(#r.settings == 2 and #r.failed == 2 and r.failed[1].failed:find "no such way", "settings that fail")
 refused("...hinge.cost: no setting has an answer: ...broken...", hinge.cost, toy(function() error "broken" end))
 refused("...hinge.cost: takes a scenario, made by hinge.scenario{...}, got 3", hinge.cost, 3)
 refused("...hinge.cost: the scenario has no setting to vary; ...", hinge.cost, hinge.scenario { run = function() end })
-refused("...unknown quantity 'sum.tp' (did you mean 'sum.tip'?)...", hinge.cost, toy(function() return { sum = { tip = 1 } } end), { quantity = "sum.tp" })
+refused("...unknown quantity 'sum.tp' (did you mean 'sum.tip'?)...", hinge.cost,
+  toy(function() return { sum = { tip = 1 } } end), { quantity = "sum.tp" })
 refused("...field 'within' is -1; must be a number above 0", hinge.cost, toy(function() end), { within = -1 })
 refused("...unknown parameter 'y'...", hinge.cost, toy(function() end), { parameters = { y = 1 } })
-r = hinge.cost(hinge.scenario { parameters = { dt = 0.5, elements_per_member = 3, own = 7 }, run = function(p) return { v = 1 + p.dt } end }, { repeats = 1 })
+r = hinge.cost(hinge.scenario { parameters = { dt = 0.5, elements_per_member = 3, own = 7 },
+  run = function(p) return { v = 1 + p.dt } end }, { repeats = 1 })
 equal(#r.settings, 9, "a ladder where the script gives none")
 expect(find(r, { dt = 2, elements_per_member = 12 }), "its coarsest steps and most elements")
-r = hinge.cost(toy(function(p) return { v = 1 + p.h ^ 3 } end, { h = { 0.1, 0.2, 0.4 } }), { finer = { h = "smaller" }, orders = { h = 3 }, repeats = 1 })
+r = hinge.cost(toy(function(p) return { v = 1 + p.h ^ 3 } end, { h = { 0.1, 0.2, 0.4 } }), { finer = { h = "smaller" },
+  orders = { h = 3 }, repeats = 1 })
 near(r.orders.h.observed, 3, 1e-6, "order in a number of the script's own")
 equal(r.orders.h.theory, 3, "its theory")
 
--- Memory -------------------------------------------------------------------------------------------------------------------
+-- Memory --------------------------------------------------------------------------------------------------------------
 
 r = hinge.cost(toy(function(p)
   local held = ("x"):rep(math.floor(4e6 / p.dt))
@@ -246,7 +265,7 @@ if r.settings[1].memory then
   near(find(r, { dt = 0.4 }).memory / 10e6, 2, 0.6, "10 MB, beside one that held more")
 end
 
--- Budget, and going on ------------------------------------------------------------------------------------------------------
+-- Budget, and going on ------------------------------------------------------------------------------------------------
 
 local clock = require "hinge.core".clock
 local function wait(seconds)
@@ -262,13 +281,16 @@ end, { dt = { 0.0625, 0.125, 0.25, 0.5, 1 } })
 r = hinge.cost(slow, { budget = 1, out = folder .. "/kept" })
 expect(r.elapsed < 1.2, "a budget of 1 s: %.2f s", r.elapsed)
 equal(calls[1], 1, "the cheapest is first")
-expect(#r.left_out > 0 and #r.settings >= 2 and r.references and not r.complete, "part of it: %d settings, %d left out", #r.settings, #r.left_out)
+expect(#r.left_out > 0 and #r.settings >= 2 and r.references and not r.complete, "part of it: %d settings, %d left out",
+  #r.settings, #r.left_out)
 equal(r.references[2].values.dt < r.settings[#r.settings].values.dt, true, "a reference finer than what was compared")
 local first, done = calls, #r.settings
 calls = {}
 r = hinge.cost(slow, { budget = 30, out = folder .. "/kept" })
 expect(r.complete and #r.settings == 5, "a second call goes on to the end: %d", #r.settings)
-for _, dt in ipairs(calls) do expect(dt ~= 1 and dt ~= 0.5 or #find(r, { dt = dt }).times >= 3, "dt %g is run again", dt) end
+for _, dt in ipairs(calls) do
+  expect(dt ~= 1 and dt ~= 0.5 or #find(r, { dt = dt }).times >= 3, "dt %g is run again", dt)
+end
 expect(done >= 2 and #first >= 2, "settings of the first call")
 support.write(folder .. "/kept/finished.lua", support.read(folder .. "/kept/finished.lua") .. "\n{[\"key\"]=\"cut sho")
 calls = {}
@@ -276,7 +298,8 @@ local again = hinge.cost(slow, { out = folder .. "/kept" })
 equal(#calls, 0, "runs of a third call")
 for _, s in ipairs(again.settings) do
   local before = find(r, s.values)
-  expect(s.error == before.error and s.seconds == before.seconds and s.errors.list == before.errors.list, "the same: %s", s.label)
+  expect(s.error == before.error and s.seconds == before.seconds and s.errors.list == before.errors.list,
+    "the same: %s", s.label)
 end
 calls = {}
 hinge.cost(slow, { out = folder .. "/kept", parameters = { x = 0.4 }, repeats = 1 })
@@ -288,13 +311,14 @@ refused("...hinge.cost: the budget is over before the first setting is; ...", hi
     local model = hinge.model()
     local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
     model:fix(wall)
-    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side }, material = hinge.material { E = E, density = rho } }
+    model:member { wall, tip, section = hinge.section.solid { width = side, depth = side },
+      material = hinge.material { E = E, density = rho } }
     model:dynamic { dt = p.dt, duration = 1000 }:finish()
   end,
 }, { budget = 0.2 })
 expect(clock() - start < 0.5, "a run that is longer than the budget ends with it")
 
--- The program -----------------------------------------------------------------------------------------------------------------
+-- The program ---------------------------------------------------------------------------------------------------------
 
 local program = support.quote(arg[1] .. "/hinge")
 local script = folder .. "/script.lua"
@@ -314,16 +338,23 @@ return hinge.scenario {
 ]]
 support.write(script, "local hinge = require 'hinge'\n" .. text)
 local command = ("%s cost %s --out %s/p"):format(program, support.quote(script), folder)
+local _ -- a result that is not looked at
 local status, printed, complaint = support.run(command .. " --within 5% --budget 60s")
 equal(status, 0, "status: " .. complaint)
-for _, part in ipairs { "6 settings", "Error of each answer", "Order of convergence", "Time at equal error", "dt      2.00       2", "reference: dt 0.025, way one", "cheapest within 5 %",
-  "written to " .. folder .. "/p" } do expect(printed:find(part, 1, true), "hinge cost does not say '%s':\n%s", part, printed) end
-expect(not printed:find "not seen" and complaint:find "^cost %[", "what the script prints is not shown, progress is: %s", complaint)
+for _, part in ipairs { "6 settings", "Error of each answer", "Order of convergence", "Time at equal error",
+  "dt      2.00       2", "reference: dt 0.025, way one", "cheapest within 5 %", "written to " .. folder .. "/p" } do
+  expect(printed:find(part, 1, true), "hinge cost does not say '%s':\n%s", part, printed)
+end
+expect(not printed:find "not seen" and complaint:find "^cost %[",
+  "what the script prints is not shown, progress is: %s", complaint)
 local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
 equal(#(summary.settings or {}), 6, "settings in summary.json")
-expect(summary.complete == true and summary.quantities.v.state == "sound" and summary.orders.dt.theory == 2 and #summary.front >= 1, "summary.json")
+expect(summary.complete == true and summary.quantities.v.state == "sound" and summary.orders.dt.theory == 2
+  and #summary.front >= 1, "summary.json")
 local csv = support.read(folder .. "/p/cost.csv") or ""
-equal(csv:match "^[^\n]*", "dt,way,error,worst,seconds,ratio,timings,outside_seconds,memory_bytes,remainder,front,within,failed,error of v", "head of cost.csv")
+equal(csv:match "^[^\n]*",
+  "dt,way,error,worst,seconds,ratio,timings,outside_seconds,memory_bytes,remainder,front,within,failed,error of v",
+  "head of cost.csv")
 equal(select(2, csv:gsub("\n", "")), 7, "lines of cost.csv")
 if support.is_there(arg[1] .. "/libhinge_output.so") then
   expect((support.read(folder .. "/p/cost.png") or ""):find "^\137PNG", "cost.png")
@@ -343,14 +374,17 @@ for arguments, message in pairs {
   [" --case near"] = "...unknown case 'near'...",
 } do
   status, _, complaint = support.run(command .. arguments)
-  expect(status == 2 and support.says(complaint:gsub("^cost[^\n]*\n", ""), message), "cost%s: %s %s", arguments, status, complaint)
+  expect(status == 2 and support.says(complaint:gsub("^cost[^\n]*\n", ""), message), "cost%s: %s %s", arguments,
+    status, complaint)
 end
 support.write(folder .. "/confined.lua", [[
 local hinge = require "hinge"
-local r = hinge.cost(hinge.scenario { accuracy = { dt = { 1, 2, 4 } }, run = function(p) return { v = 900 + p.dt ^ 2 } end })
+local r = hinge.cost(hinge.scenario { accuracy = { dt = { 1, 2, 4 } },
+  run = function(p) return { v = 900 + p.dt ^ 2 } end })
 print(("order %.2f"):format(r.orders.dt.observed))
 ]])
-status, printed, complaint = support.run(("%s run --sandbox %s/confined.lua --out %s/c"):format(program, folder, folder))
+status, printed, complaint = support.run(("%s run --sandbox %s/confined.lua --out %s/c")
+  :format(program, folder, folder))
 expect(status == 0 and printed:find "order 2.00", "in the sandbox: %s %s %s", status, printed, complaint)
 support.write(folder .. "/plain.lua", "return 1")
 status, _, complaint = support.run(("%s cost %s/plain.lua --out %s/q"):format(program, folder, folder))

@@ -18,7 +18,8 @@ equal(status, 0, "two at once: " .. complaint)
 
 local function read(i, name) return support.read(("%s/%d/%s"):format(folder, i, name)) or "" end
 local first = support.json(read(1, "summary.json"))
-checks.expect(first.steps == math.floor(arg[2] / 1e-5 + 0.5) and first.results.damage.fuselage.touched > 0, "%s steps, with contact", first.steps)
+checks.expect(first.steps == math.floor(arg[2] / 1e-5 + 0.5) and first.results.damage.fuselage.touched > 0,
+  "%s steps, with contact", first.steps)
 for i = 2, 3 do
   equal(support.json(read(i, "summary.json")).state_hash, first.state_hash, "state_hash of run " .. i)
   for _, name in ipairs { "history.csv", "history-1.csv" } do

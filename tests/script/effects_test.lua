@@ -22,7 +22,8 @@ local function flying(options, declare, run_options)
   end
   model:velocity("flying", { 0, 3, 0 }, { 1, 2, 3 })
   if declare then declare(model) end
-  local all = { dt = 4e-6, duration = 1.2e-3, record = false } -- short: in long steps scenes that may yield are solved otherwise
+  -- short: in long steps scenes that may yield are solved otherwise
+  local all = { dt = 4e-6, duration = 1.2e-3, record = false }
   for name, value in pairs(run_options or {}) do all[name] = value end
   local run = model:dynamic(all)
   run:finish()
@@ -54,7 +55,8 @@ expect(linear.counts.element_builds <= 8, "element builds: %s for 8 elements", l
 local model = hinge.model { displacement = "small" }
 local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
 model:fix(wall)
-model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9 } }
+model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9 } }
 model:load { node = tip, force = { 0, 0, -1000 } }
 local static = model:static { steps = 10 }
 static:finish()

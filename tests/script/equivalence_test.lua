@@ -1,4 +1,5 @@
--- The same structure told in other words: other axes, another order, other units, another solver. The answer is the same to rounding.
+-- The same structure told in other words: other axes, another order, other units, another solver. The
+-- answer is the same to rounding.
 --
 -- Run: lua5.4 tests/script/equivalence_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -7,7 +8,8 @@ local hinge = require "hinge"
 local checks = support.checks "equivalence"
 local largest_of = support.largest_of
 
--- A scene: a frame that is pushed until it yields while a bar falls on it. `told`: how places, directions, members and units are given.
+-- A scene: a frame that is pushed until it yields while a bar falls on it. `told`: how places,
+-- directions, members and units are given.
 local plain = {
   place = function(x) return x end, direction = function(v) return v end, -- m
   order = function(list) return list end, length = 1, mass = 1,           -- units of the script in m and kg; s in any
@@ -20,9 +22,13 @@ local function simulate(way)
   local m, kg = 1 / way.length, 1 / way.mass -- numbers for a metre, a kilogram
   local newton, pascal = kg * m, kg / m
   local function place(x, y, z) local p = way.place { x, y, z } return { p[1] * m, p[2] * m, p[3] * m } end
-  local function vector(x, y, z, unit) local v = way.direction { x, y, z } return { v[1] * unit, v[2] * unit, v[3] * unit } end
+  local function vector(x, y, z, unit)
+    local v = way.direction { x, y, z }
+    return { v[1] * unit, v[2] * unit, v[3] * unit }
+  end
   local model = hinge.model {}
-  local steel = hinge.material { E = 206e9 * pascal, nu = 0.3, density = 7850 * kg / m ^ 3, yield_stress = 245e6 * pascal }
+  local steel = hinge.material { E = 206e9 * pascal, nu = 0.3, density = 7850 * kg / m ^ 3,
+    yield_stress = 245e6 * pascal }
   local section = hinge.section.solid { width = 0.1 * m, depth = 0.14 * m }
   local joints = {}
   for s = 0, 2 do
@@ -40,7 +46,8 @@ local function simulate(way)
   end
   model:fix { joints[1], joints[2] }
   model:gravity(vector(0, 0, -9.80665, m))
-  model:load { node = joints[6], force = vector(9e4, 2e4, 0, newton), history = function(t) return math.min(1, t / 0.01) end }
+  model:load { node = joints[6], force = vector(9e4, 2e4, 0, newton),
+    history = function(t) return math.min(1, t / 0.01) end }
   model:velocity("bar", vector(0, 0, -30, m), vector(1, 2, 0, 1))
   model:contact { stiffness = 2e8 * newton / m }
   way.declare(model, joints)
@@ -77,7 +84,8 @@ local function same(what, way, limit, back)
       worst, size = largest_of(worst, math.abs(there[c] - reference[i][c])), largest_of(size, math.abs(reference[i][c]))
     end
   end
-  checks.expect(worst / size <= limit, "%s: displacements off by %.2g of the largest, at most %.0e", what, worst / size, limit)
+  checks.expect(worst / size <= limit,
+    "%s: displacements off by %.2g of the largest, at most %.0e", what, worst / size, limit)
   checks.expect(math.abs(work / plastic - 1) <= 100 * limit, "%s: plastic work off by %.2g", what, work / plastic - 1)
   if os.getenv "HINGE_FIGURES" then print(what, worst / size) end
 end
@@ -111,10 +119,18 @@ same("in inches and pounds", { length = 0.0254, mass = 0.45359237 }, 1e-10)
 same("direct solver", { options = { solver = "direct" } }, 1e-10)
 same("two threads", { options = { threads = 2 } }, 0)
 same("kept halfway and gone on with", { interrupted = true }, 0)
-same("limits of fracture that nothing reaches", { declare = function(model) model:fracture { curvature_x = 1e3, curvature_y = 1e3, axial_strain = 10 } end }, 0)
-same("a function of fracture that says no", { declare = function(model) model:fracture { rule = function() return false end } end }, 0)
-same("a load of nothing", { declare = function(model, joints) model:load { node = joints[3], force = { 0, 0, 0 } } end }, 0)
-same("a support that is moved by nothing", { declare = function(model, joints) model:move { node = joints[1], x = function() return 0 end } end }, 1e-10)
+same("limits of fracture that nothing reaches", { declare = function(model)
+  model:fracture { curvature_x = 1e3, curvature_y = 1e3, axial_strain = 10 }
+end }, 0)
+same("a function of fracture that says no", { declare = function(model)
+  model:fracture { rule = function() return false end }
+end }, 0)
+same("a load of nothing", { declare = function(model, joints)
+  model:load { node = joints[3], force = { 0, 0, 0 } }
+end }, 0)
+same("a support that is moved by nothing", { declare = function(model, joints)
+  model:move { node = joints[1], x = function() return 0 end }
+end }, 1e-10)
 same("bodies never left alone", { options = { rest = false } }, 0)
 same("step control that keeps every step", { options = { step_control = 0.5 } }, 1e-10)
 same("single precision in the operator", { options = { precision = "single", solver_tolerance = 1e-8 } }, 1e-8)

@@ -1,6 +1,8 @@
--- Random calls with random arguments: every one returns or raises an error that is a text; nothing crashes, hangs or leaks.
+-- Random calls with random arguments: every one returns or raises an error that is a text;
+-- nothing crashes, hangs or leaks.
 --
--- Run: lua5.4 tests/script/fuzz_test.lua [calls] [seed], with the module on LUA_CPATH; the last call is in HINGE_FUZZ_LOG, if that is set
+-- Run: lua5.4 tests/script/fuzz_test.lua [calls] [seed], with the module on LUA_CPATH; the last call is in
+-- HINGE_FUZZ_LOG, if that is set
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
@@ -22,14 +24,20 @@ local function keep(...)
   end
 end
 
-local numbers = { 0, 1, -1, 2, 3, 4, 0.5, 1e-3, 0.3, 10, 1e3, -0.0, 0 / 0, math.huge, -math.huge, 1e308, 1e-308, 2 ^ 53, math.mininteger, math.maxinteger, 206e9, 7850 }
-local words = { "", "all", "xyz", "ux", "rz", "frame", "asi-gauss", "asi", "cubic", "auto", "explicit", "newmark", "surface", "gap", "time", "plastic", "arc", "load",
-  "nonsense", ("x"):rep(300), "\0", "N", "f_y", "node_x", "broken", "elastic", "large", "small", "direct", "cg", "single" }
-local fields = { "node", "force", "moment", "history", "group", "groups", "between", "section", "material", "up", "elements", "E", "nu", "G", "density", "yield_stress", "width",
-  "depth", "diameter", "thickness", "dt", "duration", "from", "steps", "control", "hold", "rule", "batch", "where", "keep", "pairs", "on_touch", "stiffness", "friction",
-  "curvature_x", "axial_strain", "formulation", "displacement", "mass", "elements_per_member", "record", "integrator", "beta", "iterations", "threads", "solver", "to", "x", "z",
-  "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "turn", "letter", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y" }
-local functions = { function() end, function() return 1, 2, 3 end, function() return true end, function() return {} end, function() error "mine" end,
+local numbers = { 0, 1, -1, 2, 3, 4, 0.5, 1e-3, 0.3, 10, 1e3, -0.0, 0 / 0, math.huge, -math.huge, 1e308, 1e-308, 2 ^ 53,
+  math.mininteger, math.maxinteger, 206e9, 7850 }
+local words = { "", "all", "xyz", "ux", "rz", "frame", "asi-gauss", "asi", "cubic", "auto", "explicit", "newmark",
+  "surface", "gap", "time", "plastic", "arc", "load", "nonsense", ("x"):rep(300), "\0", "N", "f_y", "node_x", "broken",
+  "elastic", "large", "small", "direct", "cg", "single" }
+local fields = { "node", "force", "moment", "history", "group", "groups", "between", "section", "material", "up",
+  "elements", "E", "nu", "G", "density", "yield_stress", "width", "depth", "diameter", "thickness", "dt", "duration",
+  "from", "steps", "control", "hold", "rule", "batch", "where", "keep", "pairs", "on_touch", "stiffness", "friction",
+  "curvature_x", "axial_strain", "formulation", "displacement",
+  "mass", "elements_per_member", "record", "integrator", "beta", "iterations", "threads", "solver", "to", "x", "z",
+  "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "turn", "letter", "area", "Ix", "Iy", "J",
+  "shear_area_x", "shear_area_y" }
+local functions = { function() end, function() return 1, 2, 3 end, function() return true end, function() return {} end,
+  function() error "mine" end,
   function(v) return v and v.nonsense end, function() coroutine.yield() end, function() return 0 / 0 end }
 
 local value
@@ -54,7 +62,8 @@ function value(depth)
 end
 
 -- Now and then something that is right, so that calls get beyond the first complaint.
-local steel, square = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }, hinge.section.solid { width = 0.05, depth = 0.05 }
+local steel, square = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 },
+  hinge.section.solid { width = 0.05, depth = 0.05 }
 local function scene()
   local model = hinge.model { elements_per_member = 2, formulation = pick { "asi-gauss", "asi", "conventional" } }
   local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 1, 0.2, 1 }
@@ -64,7 +73,8 @@ local function scene()
   if random() < 0.5 then model:load { node = c, force = { 1e4 * random(), 1e3, -1e4 } } end
   if random() < 0.3 then model:contact {} end
   if random() < 0.3 then model:fracture(pick(functions)) end
-  local run = random() < 0.5 and model:dynamic { dt = 1e-4, duration = 1e-2, record = false } or model:static { steps = 3, record = false }
+  local run = random() < 0.5 and model:dynamic { dt = 1e-4, duration = 1e-2, record = false }
+    or model:static { steps = 3, record = false }
   keep(model, a, b, c, m, model:group "frame", run, steel, square)
 end
 
@@ -72,8 +82,9 @@ local methods = {}
 local function add(receiver, list) for name in list:gmatch "%S+" do methods[#methods + 1] = { receiver, name } end end
 add("hinge", "model material")
 add("section", "box h pipe solid round general")
-add("any", "node member fix load move gravity velocity fracture contact group counts static dynamic nodes members groups loads close step stop on_step probe displacement "
-  .. "velocity acceleration reaction position forces state read momentum remove count hash energy time verdict fastest stages reason contacts probes wakings counts "
+add("any", "node member fix load move gravity velocity fracture contact group counts static dynamic nodes members "
+  .. "groups loads close step stop on_step probe displacement velocity acceleration reaction position forces state "
+  .. "read momentum remove count hash energy time verdict fastest stages reason contacts probes wakings counts "
   .. "nonsense __gc __index __eq __tostring __len __pairs")
 
 local before, ran, failed = collectgarbage "count", 0, 0
@@ -97,7 +108,9 @@ for i = 1, calls do
     else
       ok, problem = pcall(function()
         local method = receiver[what[2]]
-        if type(method) == "function" then keep(method(random() < 0.9 and receiver or value(1), table.unpack(arguments, 1, count))) end
+        if type(method) == "function" then
+          keep(method(random() < 0.9 and receiver or value(1), table.unpack(arguments, 1, count)))
+        end
       end)
     end
   else
@@ -114,5 +127,6 @@ end
 made = {}
 collectgarbage() collectgarbage()
 checks.expect(failed > 0.2 * ran and failed < ran, "%d of %d calls were refused", failed, ran)
-checks.expect(collectgarbage "count" < before + 2000, "memory of Lua grew from %.0f to %.0f kB", before, collectgarbage "count")
+checks.expect(collectgarbage "count" < before + 2000,
+  "memory of Lua grew from %.0f to %.0f kB", before, collectgarbage "count")
 checks.done()

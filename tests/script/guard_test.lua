@@ -10,7 +10,8 @@ local checks = support.checks "guard"
 local function turning(options)
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
   model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
   options.dt, options.duration, options.record = 1e-4, options.duration or 0.05, false
   return model:dynamic(options)
@@ -21,30 +22,39 @@ local last = 0
 run:on_step(function(r) last = r.time end)
 run:finish()
 checks.equal(run.verdict, "failed", "verdict")
-checks.expect(support.says(run.reason, "step ..., t = ... s: the energy ledger no longer closes, its remainder is ... % of the energy turned over (energy_tolerance 10 %); "
-  .. "fastest was node ... with ... m/s at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt or step_control or rho_infinity below 1 may hold"), "reason: %s", run.reason)
-checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial, "it went back, from %g to %g s, where the ledger closes", last, run.time)
+checks.expect(support.says(run.reason, "step ..., t = ... s: the energy ledger no longer closes, "
+  .. "its remainder is ... % of the energy turned over (energy_tolerance 10 %); fastest was node ... with ... m/s "
+  .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt or step_control or "
+  .. "rho_infinity below 1 may hold"), "reason: %s", run.reason)
+checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial,
+  "it went back, from %g to %g s, where the ledger closes", last, run.time)
 checks.expect(not run:step(), "there is no further step")
 
 local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()
-checks.expect(blind.verdict == "completed" or not blind.reason:find "ledger", "energy_tolerance = 0 does not look: %s", blind.reason)
+checks.expect(blind.verdict == "completed" or not blind.reason:find "ledger", "energy_tolerance = 0 does not look: %s",
+  blind.reason)
 checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "and the ledger does not close")
 
 -- What turns far in long steps takes Newton's method by itself, and then holds.
 local held = turning {}:finish()
-checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial, "Newton: %s, remainder %g", held.verdict, held.energy.remainder)
+checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
+  "Newton: %s, remainder %g", held.verdict, held.energy.remainder)
 
 -- An element that is twisted towards half a turn, where its frame would jump without a trace in the ledger.
 for _, step_control in ipairs { 0, 0.01 } do
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 } }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, density = 7850 } }
   model:fix(a)
   model:velocity(b, { 0, 0, 0 }, { 6e4, 0, 0 })
   local twisted = model:dynamic { dt = 5e-6, duration = 0.01, step_control = step_control, record = false }:finish()
-  checks.expect(support.says(twisted.reason, "step ..., t = ... s: the two ends of element ... of member 1, nodes 1-2 have twisted by 160 degrees against each other, "
-    .. "and at half a turn an element's frame jumps; more elements a member, or fracture, may help" .. (step_control > 0 and "; dt was halved down to ... s, and no shorter step is tried" or "")), "twisted: %s, %s", twisted.verdict, twisted.reason)
-  checks.expect(math.abs(twisted.energy.remainder) < 1e-2 * twisted.energy.initial, "twisted: its ledger closes, %g", twisted.energy.remainder / twisted.energy.initial)
+  local says = "step ..., t = ... s: the two ends of element ... of member 1, nodes 1-2 have twisted by 160 degrees "
+    .. "against each other, and at half a turn an element's frame jumps; more elements a member, or fracture, may help"
+    .. (step_control > 0 and "; dt was halved down to ... s, and no shorter step is tried" or "")
+  checks.expect(support.says(twisted.reason, says), "twisted: %s, %s", twisted.verdict, twisted.reason)
+  checks.expect(math.abs(twisted.energy.remainder) < 1e-2 * twisted.energy.initial, "twisted: its ledger closes, %g",
+    twisted.energy.remainder / twisted.energy.initial)
 end
 
 -- Rows of history.csv never go back in time.
@@ -57,12 +67,14 @@ file:write [[
 local hinge = require "hinge"
 local model = hinge.model {}
 local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
+model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
 model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
 return model:dynamic { dt = 1e-4, duration = 0.05, iterations = 1, record = 3 }:finish().verdict
 ]]
 file:close()
-local _, _, status = os.execute(("%s run %s --out %s > /dev/null 2>&1"):format(support.quote(build .. "/hinge"), support.quote(script), support.quote(folder)))
+local _, _, status = os.execute(("%s run %s --out %s > /dev/null 2>&1")
+  :format(support.quote(build .. "/hinge"), support.quote(script), support.quote(folder)))
 checks.equal(status, 1, "the program's status")
 local before, rows = -1, 0
 for line in io.lines(folder .. "/history.csv") do

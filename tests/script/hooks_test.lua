@@ -1,5 +1,5 @@
--- A script's own functions inside the run: rules of fracture and contact, loads and supports that are functions, callbacks; what they
--- see, that a step whose function fails is taken back, and that equal rules give equal bits.
+-- A script's own functions inside the run: rules of fracture and contact, loads and supports that are functions,
+-- callbacks; what they see, that a step whose function fails is taken back, and that equal rules give equal bits.
 --
 -- Run: lua5.4 tests/script/hooks_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -39,18 +39,22 @@ local batch = pulled({ batch = function(elements)
   return list
 end }):finish()
 checks.equal(batch.hash, numbers.hash, "a batch against numbers")
-checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash, "limits beside a rule that never breaks")
+checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash,
+  "limits beside a rule that never breaks")
 
 -- Debris: the same members of Case I break at the same steps.
 do
   local impact = require "hinge.models.ten_storey_impact"
   local abs = math.abs
-  local function breaks(s) return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3 end
+  local function breaks(s)
+    return abs(s.curvature_x) >= 0.4 or abs(s.curvature_y) >= 0.4 or abs(s.axial_strain) >= 0.3
+  end
   local function case_one(rule)
     local model = hinge.model()
     local _, plane = impact.add(model, impact.parameters { dt = 1e-5 })
     if rule then model:fracture(rule) end
-    return model:dynamic { from = model:static { hold = plane }:finish(), dt = 1e-5, duration = 0.02, beta = 0.4 }:finish()
+    return model:dynamic { from = model:static { hold = plane }:finish(), dt = 1e-5, duration = 0.02,
+      beta = 0.4 }:finish()
   end
   local limits = case_one()
   checks.expect(limits:count { state = "broken" } > 5, "members break in Case I")
@@ -65,7 +69,7 @@ do
   end }.hash, limits.hash, "Case I by a batch")
 end
 
--- What a section shows --------------------------------------------------------------------------------------------------
+-- What a section shows ------------------------------------------------------------------------------------------------
 
 -- Two rules by groups; every field against what the run tells after the step.
 do
@@ -75,7 +79,7 @@ do
   model:member { a, b, section = bar, material = steel, group = "near" }
   model:member { b, c, section = bar, material = steel, group = "far" }
   model:load { node = c, force = { 1e5, 4e3, 4e4 }, moment = { 500, 0, 0 }, history = { { 0, 0 }, { 2e-2, 1 } } }
-  local last, asked, strain, work = {}, { near = 0, far = 0 }, {}, 0
+  local last, asked = {}, { near = 0, far = 0 }
   model:fracture { group = "far", rule = function(s)
     asked.far = asked.far + 1
     assert(s.plastic and s.group == "far")
@@ -89,26 +93,30 @@ do
       checks.near(s.count, s.step, 0, "a number kept")
     end
     s.strain = s.axial_strain
-    last[key] = { N = s.N, Mx = s.Mx, My = s.My, Mz = s.Mz, f_y = s.f_y, work = s.plastic_work, curvature = s.curvature_x, rest = s.plastic_curvature_x, time = s.time }
+    last[key] = { N = s.N, Mx = s.Mx, My = s.My, Mz = s.Mz, f_y = s.f_y, work = s.plastic_work,
+      curvature = s.curvature_x, rest = s.plastic_curvature_x, time = s.time }
   end }
   local run = model:dynamic { dt = 2e-5, duration = 2e-2 }
   for step in run:steps() do
     if step.index % 250 == 0 then
       local at_a = run:forces(model:members()[1])
       local s = last[11]
-      for _, name in ipairs { "N", "Mx", "My", "Mz", "f_y" } do checks.near(s[name], at_a[name], 1e-9 * math.abs(at_a[name]) + 1e-9, name .. " at the wall") end
+      for _, name in ipairs { "N", "Mx", "My", "Mz", "f_y" } do
+        checks.near(s[name], at_a[name], 1e-9 * math.abs(at_a[name]) + 1e-9, name .. " at the wall")
+      end
       checks.near(s.time, step.time, 1e-12, "time")
       checks.near(last[11].work + last[21].work, run:read "plastic_work"[1], 1e-9, "plastic work of the member")
     end
   end
   checks.equal(asked.near, 4 * 1000, "where = 'all' asks every section at every step")
-  checks.expect(run:count { state = "yielded", group = "near" } == 1 and math.abs(last[11].rest) > 1e-3, "the bar at the wall has flowed")
+  checks.expect(run:count { state = "yielded", group = "near" } == 1 and math.abs(last[11].rest) > 1e-3,
+    "the bar at the wall has flowed")
   checks.expect(asked.far > 0 and asked.far < 1000, "a rule is asked where something flows: %d times", asked.far)
 end
 
 -- What a rule has not asked for before, and what it may not: read once, read after it has returned, set, misspelt.
 do
-  local kept, seen
+  local kept, strain
   local function says(rule, wanted)
     local ok, message = pcall(function() return pulled { rule = rule, keep = { "damage" } }:finish() end)
     checks.expect(not ok and message:find(wanted, 1, true), "%s, said: %s", wanted, tostring(message))
@@ -118,17 +126,19 @@ do
     checks.equal(tostring(s), ("end %d of element %d, member 1"):format(s["end"], s.element), "a section as text")
     if s.step % 7 == 0 then checks.near(s.N / 612.5e3, 1, 0.05, "read at some steps only") end
     if kept then checks.expect(rawequal(kept, s), "the same object at every call") end
-    kept, seen = s, s.axial_strain
+    kept, strain = s, s.axial_strain
   end):finish()
   local ok, message = pcall(function() return kept.axial_strain end)
-  checks.expect(seen > 0 and not ok and message:find "read after its rule has returned", "read too late: %s", tostring(message))
+  checks.expect(strain > 0 and not ok and message:find "read after its rule has returned", "read too late: %s",
+    tostring(message))
   checks.equal(tostring(kept), "section of a rule that has returned", "a section as text, too late")
   says(function(s) s.axial_strain = 0 end, "field 'axial_strain' cannot be set")
   says(function(s) s.damage = 0 / 0 end, "must be finite numbers")
   says(function(s) return s.axial_strian end, "has no field 'axial_strian' (did you mean 'axial_strain'?)")
   says(function(s) return s.N end, "it must return true where the section breaks, false or nil where it holds")
   local place = says(function(s) if s.element == 2 then error "no good" end end, "no good")
-  for _, part in ipairs { "hooks_test.lua:%d+: no good", "fracture rule of .*hooks_test.lua:%d+", "element 2", "end [12]", "at step %d+, t = ", "the step was taken back" } do
+  for _, part in ipairs { "hooks_test.lua:%d+: no good", "fracture rule of .*hooks_test.lua:%d+", "element 2",
+    "end [12]", "at step %d+, t = ", "the step was taken back" } do
     checks.expect(place:find(part), "an error in a rule says %s: %s", part, place)
   end
 end
@@ -158,7 +168,8 @@ do
   checks.expect(nested > 0, "the run inside asks its rule: %d times", nested)
 end
 
--- Two rules by turns along the frame are asked in the order of the elements; a section that breaks leaves out its twin alone.
+-- Two rules by turns along the frame are asked in the order of the elements; a section that
+-- breaks leaves out its twin alone.
 do
   local order = {}
   local model = hinge.model()
@@ -180,21 +191,24 @@ do
     if elements[#elements] == element then twice[element] = true else elements[#elements + 1] = element end
   end
   checks.equal(table.concat(elements, " "), "1 2 3 4 5 6", "the order")
-  checks.expect(twice["1"] and twice["2"] and not twice["3"] and twice["4"] and twice["6"], "the twins: %s", table.concat(order, " "))
+  checks.expect(twice["1"] and twice["2"] and not twice["3"] and twice["4"] and twice["6"], "the twins: %s",
+    table.concat(order, " "))
   checks.equal(run:count { group = "even", state = "broken" }, 1, "what broke")
 end
 
 -- The fields of a batch are those of the sections.
 do
   local seen_by_rule, seen_by_batch = {}, {}
-  local fields = { "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_axial_strain", "curvature_rate_x", "axial_strain_rate", "N", "Mz", "plastic_work", "member", "element" }
+  local fields = { "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_axial_strain",
+    "curvature_rate_x", "axial_strain_rate", "N", "Mz", "plastic_work", "member", "element" }
   local function bent(rule)
     local model = hinge.model()
     local nodes = {}
     for i = 0, 3 do nodes[i] = model:node { i, 0, 0.1 * i } end
     model:fix(nodes[0], "all")
     for i = 1, 3 do model:member { nodes[i - 1], nodes[i], section = bar, material = steel } end
-    model:load { node = nodes[3], force = { 1e5, 6e3, 4e4 }, moment = { 900, 0, 0 }, history = { { 0, 0 }, { 5e-3, 1 } } }
+    model:load { node = nodes[3], force = { 1e5, 6e3, 4e4 }, moment = { 900, 0, 0 },
+      history = { { 0, 0 }, { 5e-3, 1 } } }
     model:fracture(rule)
     return model:dynamic { dt = 2e-5, duration = 1e-2 }:finish()
   end
@@ -209,7 +223,11 @@ do
     if e.step ~= 400 then return end
     for i = 1, e.count do
       for _, f in ipairs(fields) do seen_by_batch[f .. i] = e[f][i] end
-      for side = 1, 2 do for _, f in ipairs { "Mx", "My", "f_y", "plastic" } do seen_by_batch[f .. side .. "of" .. i] = e[f .. side][i] end end
+      for side = 1, 2 do
+        for _, f in ipairs { "Mx", "My", "f_y", "plastic" } do
+          seen_by_batch[f .. side .. "of" .. i] = e[f .. side][i]
+        end
+      end
     end
   end }
   local n, flows = 0, 0
@@ -221,7 +239,7 @@ do
   checks.expect(n == 6 * (#fields + 8) and flows > 0, "%d numbers compared, %d sections flow", n, flows)
 end
 
--- Contact ---------------------------------------------------------------------------------------------------------------
+-- Contact -------------------------------------------------------------------------------------------------------------
 
 -- Two bars fly at a third from both sides.
 local function met(declare, dt)
@@ -243,15 +261,20 @@ local _, both = met(function(m, _, note) m:contact { on_touch = note } end)
 local touched = {}
 for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
 checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
-checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s", touched["left-middle"])
-local one, events = met(function(m, _, note) m:contact { between = { "left", "middle" }, on_touch = note, on_release = note } end)
-checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0, "between two groups alone; the right one flies through")
+checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s",
+  touched["left-middle"])
+local one, events = met(function(m, _, note)
+  m:contact { between = { "left", "middle" }, on_touch = note, on_release = note }
+end)
+checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0,
+  "between two groups alone; the right one flies through")
 local asked = 0
 local none = met(function(m, members) m:contact { pairs = function(a, b)
   asked = asked + 1
   return not (a == members[1] or b == members[1])
 end } end)
-checks.expect(none:count { group = "left", state = "touched" } == 0 and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
+checks.expect(none:count { group = "left", state = "touched" } == 0
+  and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
 checks.expect(asked >= 2 and asked <= 3, "asked once a pair of members: %d", asked)
 local soft = met(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
 local softer = met(function(m) m:contact { stiffness = 1e6 } end)
@@ -260,12 +283,13 @@ local mixed = met(function(m)
   m:contact {}
   m:contact { between = { "left", "middle" }, rule = "gap" }
 end, 1e-6)
-checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial, "gaps on one side, surfaces on the other: remainder %g of %g J", mixed.energy.remainder, mixed.energy.initial)
+checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial,
+  "gaps on one side, surfaces on the other: remainder %g of %g J", mixed.energy.remainder, mixed.energy.initial)
 checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
 local momentum = mixed:momentum().linear
 checks.expect(math.abs(momentum[2]) < 1e-8 * 20 * mixed:momentum().mass, "momentum: %g", momentum[2])
 
--- Loads and supports ------------------------------------------------------------------------------------------------------
+-- Loads and supports --------------------------------------------------------------------------------------------------
 
 -- A spring that a script makes: the period of a mass on it, and its work.
 do
@@ -283,10 +307,11 @@ do
   run:finish()
   checks.near(run:displacement(a), 0, 0.01 * T / (2 * math.pi), "back after a period")
   checks.near(run:velocity(a), 1, 0.01, "as fast as at the start")
-  checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is booked: %g", run.energy.remainder)
+  checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is booked: %g",
+    run.energy.remainder)
 end
 
--- Callbacks -----------------------------------------------------------------------------------------------------------------
+-- Callbacks -----------------------------------------------------------------------------------------------------------
 
 do
   local run, calls = pulled { axial_strain = 0.01 }, 0
@@ -298,13 +323,14 @@ do
   checks.equal(run.verdict, "stopped", "its verdict")
 end
 
--- Steps that are taken back ---------------------------------------------------------------------------------------------------
+-- Steps that are taken back -------------------------------------------------------------------------------------------
 
 -- Each hook fails once, in the middle of things; the run goes on as if it had not.
 local failing = {
   ["an error"] = { function() error "no good" end, "no good" },
   ["a yield"] = { function() coroutine.yield() end, "attempt to yield" },
-  ["a change of the model"] = { function(model) model:node { 9, 9, 9 } end, "the model cannot be changed while a run of it is inside a step" },
+  ["a change of the model"] = { function(model) model:node { 9, 9, 9 } end,
+    "the model cannot be changed while a run of it is inside a step" },
   ["a step of the run"] = { function(_, run) run:step() end, "called from a function of this very run" },
 }
 local function scene(when, fail)
@@ -322,18 +348,27 @@ local function scene(when, fail)
   model:member { a, b, section = bar, material = steel, group = "bars" }
   local c, d = model:node { 0.7, -0.4, 0.3 }, model:node { 0.7, 0.4, 0.3 }
   model:velocity(model:member { c, d, section = bar, material = steel, group = "bullet" }, { 0, 0, -80 })
-  return model, once, function(o)
+  return model, once, function()
     run = model:dynamic { dt = 1e-5, duration = 8e-3, beta = 0.4 }
     return run
   end, b
 end
 local hooks = {
-  fracture = function(model, once) model:fracture { rule = function(s) once() return math.abs(s.curvature_x) > 0.3 end, keep = { "n" } } model:contact {} end,
+  fracture = function(model, once)
+    model:fracture { rule = function(s) once() return math.abs(s.curvature_x) > 0.3 end, keep = { "n" } }
+    model:contact {}
+  end,
   batch = function(model, once) model:fracture { batch = function() once() end } model:contact {} end,
   on_touch = function(model, once) model:contact { on_touch = once } end,
   pairs = function(model, once) model:contact { pairs = function() once() end } end,
-  load = function(model, once, tip) model:contact {} model:load { node = tip, force = function() once() return 0, 0, 10 end } end,
-  history = function(model, once, tip) model:contact {} model:load { node = tip, force = { 0, 0, 10 }, history = function() once() return 1 end } end,
+  load = function(model, once, tip)
+    model:contact {}
+    model:load { node = tip, force = function() once() return 0, 0, 10 end }
+  end,
+  history = function(model, once, tip)
+    model:contact {}
+    model:load { node = tip, force = { 0, 0, 10 }, history = function() once() return 1 end }
+  end,
 }
 for name, declare in pairs(hooks) do
   local steady_model, nothing, steady_run, steady_tip = scene(0)
@@ -345,13 +380,15 @@ for name, declare in pairs(hooks) do
     local run = make()
     local ok, message = pcall(run.finish, run)
     checks.expect(not ok and message:find(case[2], 1, true), "%s in %s: %s", what, name, tostring(message))
-    checks.expect(not ok and message:find "the step was taken back", "%s in %s, said: %s", what, name, tostring(message))
+    checks.expect(not ok and message:find "the step was taken back", "%s in %s, said: %s", what, name,
+      tostring(message))
     checks.equal(run.verdict, "running", what .. " in " .. name .. ": the run can go on")
     run:finish()
     checks.equal(run.verdict, "completed", what .. " in " .. name .. ": it did")
     local energy, expected = run.energy, steady.energy
     for _, part in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "work" } do
-      checks.near(energy[part], expected[part], 1e-6 * expected.initial, ("%s in %s: %s energy at the end"):format(what, name, part))
+      checks.near(energy[part], expected[part], 1e-6 * expected.initial,
+        ("%s in %s: %s energy at the end"):format(what, name, part))
     end
     checks.expect(pcall(model.node, model, { 5, 5, 5 }), "the model is open again")
   end

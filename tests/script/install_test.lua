@@ -1,5 +1,5 @@
--- What cmake --install puts into a prefix is whole: another CMake project (scripts/host) builds against it and runs its own
--- fracture rule, plain Lua finds the module, the program runs, and all of it after the prefix was moved.
+-- What cmake --install puts into a prefix is whole: another CMake project (scripts/host) builds against it and runs its
+-- own fracture rule, plain Lua finds the module, the program runs, and all of it after the prefix was moved.
 --
 -- Run: lua5.4 tests/script/install_test.lua BUILD_FOLDER [CMAKE]
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -9,32 +9,36 @@ local quote, run, expect, equal = support.quote, support.run, checks.expect, che
 
 local folder = support.temporary_folder()
 local prefix, cmake = folder .. "/a prefix", quote(arg[2] or "cmake")
-local status, printed, complaint = run(("%s --install %s --prefix %s/first"):format(cmake, quote(arg[1]), folder))
+local status, _, complaint = run(("%s --install %s --prefix %s/first"):format(cmake, quote(arg[1]), folder))
 equal(status, 0, "cmake --install: " .. complaint)
 assert(os.rename(folder .. "/first", prefix)) -- nothing in it may know where it was installed
 
 -- A project of somebody else's ----------------------------------------------------------------------------------------
 
 local host = quote(folder .. "/host")
-status, printed, complaint = run(("%s -S %s -B %s -D CMAKE_PREFIX_PATH=%s && %s --build %s")
+status, _, complaint = run(("%s -S %s -B %s -D CMAKE_PREFIX_PATH=%s && %s --build %s")
   :format(cmake, quote(support.root .. "scripts/host"), host, quote(prefix), cmake, host))
 equal(status, 0, "the host builds: " .. complaint)
 local cache = support.read(folder .. "/host/CMakeCache.txt") or ""
-expect(cache:find("hinge_DIR:PATH=" .. prefix, 1, true), "the host found another hinge: %s", cache:match "hinge_DIR[^\n]*")
+expect(cache:find("hinge_DIR:PATH=" .. prefix, 1, true), "the host found another hinge: %s",
+  cache:match "hinge_DIR[^\n]*")
 local clean = "env -u LUA_PATH -u LUA_CPATH "
+local printed
 status, printed, complaint = run(("%s %s/host %s"):format(clean, host, quote(prefix)))
 equal(status, 0, "the host runs: " .. complaint)
 local first, second = printed:match "^C%+%+: (1 of 1 members broken [^\n]*)\nLua: ([^\n]*)\n$"
 expect(first and first == second, "C++ and Lua break the same at the same time: %s", printed)
-status, printed, complaint = run(("%s %s/host %s/nowhere"):format(clean, host, folder))
+status, _, complaint = run(("%s %s/host %s/nowhere"):format(clean, host, folder))
 expect(status == 1 and complaint:find "host: .*module 'hinge' not found", "a host without the module: %s", complaint)
 
 -- Types are laid out as in the engine, or the compiler says so.
 support.write(folder .. "/other.cpp", '#include "sim/dynamics.h"\n')
 local eigen = cache:match "Eigen3_DIR:PATH=([^\n]*)/share/eigen3/cmake" or "/usr"
-status, _, complaint = run(("c++ -std=c++20 -fsyntax-only -D HINGE_ALIGNMENT=8 -I %s/include/hinge -I %s/include/eigen3 %s/other.cpp")
-  :format(quote(prefix), eigen, folder))
-expect(status ~= 0 and complaint:find("hinge was built for another processor", 1, true), "another layout: %s", complaint)
+local compile = "c++ -std=c++20 -fsyntax-only -D HINGE_ALIGNMENT=8 -I %s/include/hinge -I %s/include/eigen3 "
+  .. "%s/other.cpp"
+status, _, complaint = run(compile:format(quote(prefix), eigen, folder))
+expect(status ~= 0 and complaint:find("hinge was built for another processor", 1, true),
+  "another layout: %s", complaint)
 
 -- The module and the program ------------------------------------------------------------------------------------------
 
@@ -50,7 +54,8 @@ support.write(folder .. "/asks.lua", asks)
 local wanted = "2\t" .. prefix .. "/share/hinge/lua/hinge/init.lua\n"
 for what, command in pairs {
   module = ("env LUA_CPATH=%s lua5.4 asks.lua"):format(quote(prefix .. "/lib/lua/5.4/?.so")),
-  ["one-liner"] = ([[env LUA_CPATH=%s lua5.4 -e 'require "hinge"' asks.lua]]):format(quote(prefix .. "/lib/lua/5.4/?.so")),
+  ["one-liner"] = ([[env LUA_CPATH=%s lua5.4 -e 'require "hinge"' asks.lua]])
+    :format(quote(prefix .. "/lib/lua/5.4/?.so")),
   program = ("%s/bin/hinge run asks.lua --out program | grep -v '^written'"):format(quote(prefix)),
 } do
   status, printed, complaint = run(("cd %s && %s"):format(folder, command))
@@ -66,23 +71,30 @@ return hinge.scenario { run = function(_, job)
   local model = hinge.model()
   local foot = model:node { 0, 0, 0 }
   model:fix(foot)
-  model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 }, material = hinge.material { E = 1e9 } }
+  model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
+    material = hinge.material { E = 1e9 } }
   job:frame(model:static { steps = 1 }:finish())
 end }]])
-  equal(run(("cd %s && %s/bin/hinge run frame.lua --out frame"):format(folder, quote(prefix))), 0, "a script with a frame")
-  expect(support.is_there(folder .. "/frame/frames/frame_00001.vtp"), "no frame: the installed program does not find its pictures")
+  equal(run(("cd %s && %s/bin/hinge run frame.lua --out frame"):format(folder, quote(prefix))), 0,
+    "a script with a frame")
+  expect(support.is_there(folder .. "/frame/frames/frame_00001.vtp"),
+    "no frame: the installed program does not find its pictures")
 end
 
 -- A library that Lua finds by itself, as LuaRocks lays it out, takes the engine alone out of the module.
-run(("mkdir -p %s/rock/lib/lua/5.4 %s/rock/share/lua && cp %s/lib/lua/5.4/hinge.so %s/rock/lib/lua/5.4 && cp -r %s/share/hinge/lua %s/rock/share/lua/5.4")
+run(("mkdir -p %s/rock/lib/lua/5.4 %s/rock/share/lua && cp %s/lib/lua/5.4/hinge.so %s/rock/lib/lua/5.4 && "
+  .. "cp -r %s/share/hinge/lua %s/rock/share/lua/5.4")
   :format(folder, folder, quote(prefix), folder, quote(prefix), folder))
-status, printed, complaint = run(("cd %s && env LUA_PATH=%s/rock/share/lua/5.4/?.lua';'%s/rock/share/lua/5.4/?/init.lua LUA_CPATH=%s/rock/lib/lua/5.4/?.so lua5.4 asks.lua")
+status, printed, complaint = run(("cd %s && "
+  .. "env LUA_PATH=%s/rock/share/lua/5.4/?.lua';'%s/rock/share/lua/5.4/?/init.lua "
+  .. "LUA_CPATH=%s/rock/lib/lua/5.4/?.so lua5.4 asks.lua")
   :format(folder, folder, folder, folder))
 equal(status, 0, "as a rock: " .. complaint)
 equal(printed, "2\t" .. folder .. "/rock/share/lua/5.4/hinge/init.lua\n", "library of the rock")
 local spec = setmetatable({}, { __index = _G })
 assert(loadfile(support.root .. "lua/hinge-0.1.0-1.rockspec", "t", spec))()
 local version = (support.read(support.root .. "CMakeLists.txt") or ""):match "project%(hinge VERSION ([%d.]+)"
-expect(spec.package == "hinge" and spec.version == version .. "-1", "the rockspec is of %s, the project of %s", spec.version, version)
+expect(spec.package == "hinge" and spec.version == version .. "-1",
+  "the rockspec is of %s, the project of %s", spec.version, version)
 
 checks.done()

@@ -14,7 +14,8 @@ local frequency = math.sqrt(3 * E / density) / length
 local function spring(phase_a_step, steps, options)
   local model = hinge.model { displacement = "small", formulation = "conventional", elements_per_member = 1 }
   local a, b = model:node { 0, 0, 0 }, model:node { length, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = E, density = density } }
+  model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
+    material = hinge.material { E = E, density = density } }
   model:fix(a)
   model:fix(b, "yz")
   model:velocity(b, { 1, 0, 0 })
@@ -34,7 +35,8 @@ for _, rho in ipairs { 1, 0.9, 0.5, 0.2, 0 } do
     local off = v.value[i + 2] + 2 * rho * v.value[i + 1] + rho ^ 2 * v.value[i]
     worst = largest_of(worst, math.abs(off) / largest_of(math.abs(v.value[i]), 1e-4))
   end
-  print(("rho_infinity %g: the recurrence holds to %.1e, %.4f of the energy taken out"):format(rho, worst, run.energy.numerical / run.energy.initial))
+  print(("rho_infinity %g: the recurrence holds to %.1e, %.4f of the energy taken out")
+    :format(rho, worst, run.energy.numerical / run.energy.initial))
   expect(worst < 1e-5, "rho_infinity %g: off the recurrence by %g", rho, worst)
 end
 
@@ -48,12 +50,21 @@ for _, rho in ipairs { 1, 0.8, 0.5 } do
     run:finish()
     off[i] = math.sqrt((v.last - 1) ^ 2 + (u.last * frequency) ^ 2) -- two whole periods: as at the start
     taken[i] = (run.energy.numerical - first_period) / run.energy.initial
-    expect(math.abs(run.energy.remainder) < 1e-7 * run.energy.initial, "rho_infinity %g: remainder %g", rho, run.energy.remainder / run.energy.initial)
-    expect(rho == 1 and taken[i] == 0 or rho < 1 and taken[i] > 0, "rho_infinity %g: %g of the energy taken out", rho, taken[i])
+    expect(math.abs(run.energy.remainder) < 1e-7 * run.energy.initial, "rho_infinity %g: remainder %g", rho,
+      run.energy.remainder / run.energy.initial)
+    expect(rho == 1 and taken[i] == 0 or rho < 1 and taken[i] > 0,
+      "rho_infinity %g: %g of the energy taken out", rho, taken[i])
   end
-  print(("rho_infinity %g: off by %.2e %.2e %.2e, of the energy taken out by the second period %.1e %.1e %.1e"):format(rho, off[1], off[2], off[3], taken[1], taken[2], taken[3]))
-  for i = 2, 3 do expect(math.abs(off[i - 1] / off[i] - 4) < 0.3, "rho_infinity %g: half the step has %.3f times the error", rho, off[i - 1] / off[i]) end
-  if rho < 1 then expect(taken[1] / taken[2] > 6 and taken[2] / taken[3] > 6, "what is taken out vanishes with the third power of the step: %g, %g", taken[1] / taken[2], taken[2] / taken[3]) end
+  print(("rho_infinity %g: off by %.2e %.2e %.2e, of the energy taken out by the second period %.1e %.1e %.1e")
+    :format(rho, off[1], off[2], off[3], taken[1], taken[2], taken[3]))
+  for i = 2, 3 do
+    expect(math.abs(off[i - 1] / off[i] - 4) < 0.3,
+      "rho_infinity %g: half the step has %.3f times the error", rho, off[i - 1] / off[i])
+  end
+  if rho < 1 then
+    expect(taken[1] / taken[2] > 6 and taken[2] / taken[3] > 6,
+      "what is taken out vanishes with the third power of the step: %g, %g", taken[1] / taken[2], taken[2] / taken[3])
+  end
 end
 
 -- A body in flight that turns keeps its momenta and its energy, whatever rho_infinity.
@@ -73,7 +84,8 @@ do
     size = size + (now.angular[axis] - before.angular[axis]) ^ 2
   end
   local whole = math.sqrt(before.angular[1] ^ 2 + before.angular[2] ^ 2 + before.angular[3] ^ 2)
-  print(("a body that turns: angular momentum %.1e, remainder %.1e, taken out %.1e"):format(math.sqrt(size) / whole, run.energy.remainder / run.energy.initial,
+  print(("a body that turns: angular momentum %.1e, remainder %.1e, taken out %.1e")
+    :format(math.sqrt(size) / whole, run.energy.remainder / run.energy.initial,
     run.energy.numerical / run.energy.initial))
   expect(math.sqrt(size) < 1e-3 * whole and math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "turning")
 end

@@ -1,4 +1,5 @@
--- The module keeps to itself: no globals, models that do not touch each other, and no memory kept of models that are gone.
+-- The module keeps to itself: no globals, models that do not touch each other, and no
+-- memory kept of models that are gone.
 --
 -- Run: lua5.4 tests/script/isolation_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -19,7 +20,9 @@ end
 
 local globals, library, loaded = keys(_G), keys(string) .. keys(table) .. keys(math), strings(package.loaded)
 local hinge = require "hinge"
-for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "job", "runner", "render" } do require("hinge." .. name) end
+for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "job", "runner", "render" } do
+  require("hinge." .. name)
+end
 checks.equal(keys(_G), globals, "globals after require")
 checks.equal(keys(string) .. keys(table) .. keys(math), library, "Lua's own libraries after require")
 for name in pairs(package.loaded) do
@@ -49,7 +52,8 @@ while beside[1]:step() do
   collectgarbage "step"
 end
 for i = 1, 2 do
-  checks.expect(alone[i]:count { state = "yielded" } + alone[i]:count { state = "broken" } > 0, "something happens in run %d", i)
+  checks.expect(alone[i]:count { state = "yielded" } + alone[i]:count { state = "broken" } > 0,
+    "something happens in run %d", i)
   checks.equal(beside[i]:finish().hash, alone[i].hash, "run " .. i .. " beside another")
 end
 local model = chain(2, 1)
@@ -62,7 +66,8 @@ local steps = run:steps()
 for name, object in pairs { run = run, model = model, section = hinge.section.solid { width = 1, depth = 1 } } do
   local collect = debug.getmetatable(object).__gc
   for _ = 1, 3 do collect(object) end
-  checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata", "a collected " .. name)
+  checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata",
+    "a collected " .. name)
 end
 checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run was collected", "its steps")
 
@@ -74,23 +79,23 @@ end
 
 --- A model whose rule and load refer to the model itself, to a run of it and to what it holds.
 local function entangled(members, elements, force)
-  local m, nodes, run = hinge.model { elements_per_member = elements }, {}, nil
+  local m, nodes, made = hinge.model { elements_per_member = elements }, {}, nil
   for i = 0, members do nodes[i] = m:node { i, 0, 0 } end
   m:fix(nodes[0])
   local last
   for i = 1, members do last = m:member { nodes[i - 1], nodes[i], section = bar, material = steel, group = "chain" } end
   local called = 0
-  m:load { node = nodes[members], force = { 0, 0, force }, history = function(t)
+  m:load { node = nodes[members], force = { 0, 0, force }, history = function()
     called = called + 1
-    return run and nodes[members].index == members + 1 and run.index >= 0 and 1 or 0
+    return made and nodes[members].index == members + 1 and made.index >= 0 and 1 or 0
   end }
   m:fracture(function()
     called = called + 1
     return m:counts().members ~= last.index
   end)
-  run = m:dynamic { dt = 1e-5, duration = 1e-3 }
-  run:step()
-  return m, run, nodes[1], last, m:group "chain", function() return called end
+  made = m:dynamic { dt = 1e-5, duration = 1e-3 }
+  made:step()
+  return m, made, nodes[1], last, m:group "chain", function() return called end
 end
 
 local function collect()
@@ -102,22 +107,23 @@ do
   local names = { "model", "run", "node", "member", "group" }
   local weak = setmetatable({ entangled(2, 2, -6e4) }, { __mode = "v" })
   collect()
-  for i, name in ipairs(names) do checks.expect(weak[i] == nil, "a %s that only its own model's functions refer to is collected", name) end
+  for i, name in ipairs(names) do
+    checks.expect(weak[i] == nil, "a %s that only its own model's functions refer to is collected", name)
+  end
 
   -- whatever is held keeps the functions that it may call
+  local function one_of(all, i) return all[i], all[6] end
   for i, name in ipairs(names) do
-    local all = { entangled(2, 2, -6e4) }
-    local kept, called = all[i], all[6]
-    all = nil
+    local kept, called = one_of({ entangled(2, 2, -6e4) }, i)
     collect()
-    local before = called()
-    checks.expect(before > 0, "the functions of a model are called")
+    local calls = called()
+    checks.expect(calls > 0, "the functions of a model are called")
     if name == "run" then
       kept:finish()
-      checks.expect(called() > before, "a run alone keeps its model's functions")
+      checks.expect(called() > calls, "a run alone keeps its model's functions")
     elseif name == "model" then
       kept:dynamic { dt = 1e-5, duration = 1e-4 }:finish()
-      checks.expect(called() > before, "a model alone keeps its functions")
+      checks.expect(called() > calls, "a model alone keeps its functions")
     end
     checks.expect(tostring(kept):find(name, 1, true), "a %s outlives the others: %s", name, tostring(kept))
   end
@@ -139,9 +145,10 @@ do
   checks.equal(count_kept(), 0, "functions kept of loads that were refused")
 end
 
--- A thousand models, each run for a step and dropped. Lua may keep 10 kB in all once everything is collected, the process
--- 16 MB, as much as may lie about uncollected meanwhile (a thousand are 80 to 160 MB).
--- And while nobody asks Lua to collect, models of 10 MB each, of which Lua sees a kilobyte, may take 150 MB at a time, not 1 GB.
+-- A thousand models, each run for a step and dropped. Lua may keep 10 kB in all once everything is collected, the
+-- process 16 MB, as much as may lie about uncollected meanwhile (a thousand are 80 to 160 MB).
+-- And while nobody asks Lua to collect, models of 10 MB each, of which Lua sees a kilobyte, may
+-- take 150 MB at a time, not 1 GB.
 local function make(n, what)
   for _ = 1, n do what() end
   collect()

@@ -1,6 +1,8 @@
--- The Lua library: sections against formulas found another way, checks and their messages, scenarios, and the models' counts.
+-- The Lua library: sections against formulas found another way, checks and their messages,
+-- scenarios, and the models' counts.
 --
--- Run: lua5.4 tests/script/library_test.lua. Uses the real module where `require "hinge"` finds it, else the small core below.
+-- Run: lua5.4 tests/script/library_test.lua. Uses the real module where `require "hinge"` finds
+-- it, else the small core below.
 if not pcall(require, "hinge") then
   local here = debug.getinfo(1, "S").source:match("^@(.-)[^/]*$")
   package.path = ("%s../../lua/?.lua;%s../../lua/?/init.lua;"):format(here, here) .. package.path
@@ -9,8 +11,8 @@ if not pcall(require, "hinge") then
     Model.__index = Model
     local function count(name) return function(self) self[name] = self[name] + 1 return self[name] end end
     Model.node, Model.fix, Model.member = count "nodes", count "fixed", count "members"
-    function Model:group(name) return name end
-    function Model:velocity() end
+    function Model.group(_, name) return name end
+    function Model.velocity() end
     function Model:counts()
       local elements = self.members * self.per_member
       local nodes = self.nodes + elements - self.members
@@ -41,7 +43,8 @@ local function expect(ok, what)
   if not ok then failures[#failures + 1] = what end
 end
 local function near(value, wanted, tolerance, what)
-  expect(math.abs(value - wanted) <= tolerance * math.abs(wanted), ("%s: %.9g, wanted %.9g"):format(what, value, wanted))
+  expect(math.abs(value - wanted) <= tolerance * math.abs(wanted),
+    ("%s: %.9g, wanted %.9g"):format(what, value, wanted))
 end
 local function complains(f, ...)
   local ok, message = pcall(f)
@@ -133,14 +136,17 @@ complains(function() hinge.section.box { width = -0.4, depth = 0.4, thickness = 
 complains(function() hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.2 } end,
   "'thickness'", "0.2 m", "half the width")
 complains(function() hinge.section.box { width = 0.4, depth = 0.4, web = 0.02 } end, "'flange' is missing")
-complains(function() hinge.section.solid { widht = 0.4, depth = 0.4 } end, "unknown field 'widht'", "did you mean 'width'?")
+complains(function()
+  hinge.section.solid { widht = 0.4, depth = 0.4 }
+end, "unknown field 'widht'", "did you mean 'width'?")
 complains(function() hinge.section.pipe { diameter = 0.1 } end, "'thickness' is missing", "above 0 m")
 complains(function() hinge.section.pipe { diameter = 0 / 0, thickness = 0.01 } end, "'diameter'", "above 0 m")
 complains(function() hinge.section.h { 0.4 } end, "stands without a name")
 complains(function() return hinge.section.bx end, "did you mean 'box'?")
 complains(function() return hinge.modell end, "did you mean 'model'?")
 complains(function() building.add() end, "the model is missing")
-expect(check.nearest("elements per member", { "elements_per_member", "dt" }) == "elements_per_member", "names without blanks")
+expect(check.nearest("elements per member", { "elements_per_member", "dt" }) == "elements_per_member",
+  "names without blanks")
 expect(check.nearest("zzz", { "speed", "size" }) == nil, "nothing is near zzz")
 expect(check.distance("sizte", "size") == 1 and check.distance("szie", "size") == 1, "edit distance")
 
@@ -153,7 +159,8 @@ for _, text in ipairs { "", "1+", "os.exit()", "1/0", "0x", "1 2", "(1", "pin", 
   expect(values.number(text) == nil, "'" .. text .. "' is not a number")
 end
 expect(math.type(values.like("20/2", 10)) == "integer", "whole stays whole")
-expect(values.like("{4, 2*3}", { 1, 1 })[2] == 6 and values.like("true", false) == true and values.like("x", "y") == "x", "types")
+expect(values.like("{4, 2*3}", { 1, 1 })[2] == 6 and values.like("true", false) == true
+  and values.like("x", "y") == "x", "types")
 
 -- Scenarios: parameters <- case <- overrides.
 local function make(change)
@@ -188,7 +195,7 @@ expect(parts.members == 199 and parts.joints == 119, "aircraft: 199 members, 119
 -- What they hand to a model, seen by one that only listens.
 local function listen(add, options)
   local heard = { points = {}, members = {}, fixed = 0, group = function(_, name) return name end }
-  function heard:node(p) self.points[#self.points + 1] = p return #self.points end
+  function heard:node(point) self.points[#self.points + 1] = point return #self.points end
   function heard:fix() self.fixed = self.fixed + 1 end
   function heard:member(m) self.members[#self.members + 1] = m end
   function heard:velocity(_, v) self.speed = v end
@@ -213,7 +220,8 @@ end
 local heard, pieces, total, facts = listen(aircraft.add, { heading = { 0, -2, 0 }, speed = 50, position = { 1, 2, 3 } })
 expect(pieces == 1, "the aircraft is in one piece")
 near(total, 229.5, 1e-3, "length of the aircraft's members")
-near(facts.length * facts.density * shapes.box { width = 0.12, depth = 0.12, thickness = 0.006 }.area, 15000, 1e-12, "its mass")
+near(facts.length * facts.density * shapes.box { width = 0.12, depth = 0.12, thickness = 0.006 }.area, 15000, 1e-12,
+  "its mass")
 expect(heard.speed[1] == 0 and heard.speed[2] == -50, "it flies where it heads")
 expect(heard.points[1][1] == 1 and heard.points[1][2] == 2, "its nose is where it was put")
 expect(select(2, listen(aircraft.add, { heading = { 1, 1, 0.5 } })) == 1, "any heading will do")
@@ -221,5 +229,7 @@ near(select(3, listen(aircraft.add, { size = 12 })), 229.5 * 12 / 15, 1e-3, "a s
 heard, pieces = listen(building.add, { bays = { 1, 2 }, storeys = 3 })
 expect(pieces == 1 and heard.fixed == 6 and #heard.points == 24 and #heard.members == 18 + 21, "a smaller building")
 
-if #failures > 0 then error(("%d of %d checks failed:\n  %s"):format(#failures, checks, table.concat(failures, "\n  ")), 0) end
+if #failures > 0 then
+  error(("%d of %d checks failed:\n  %s"):format(#failures, checks, table.concat(failures, "\n  ")), 0)
+end
 print(("library: %d checks passed (version %s)"):format(checks, hinge.version))

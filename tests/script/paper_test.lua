@@ -9,7 +9,8 @@ local quote, expect, equal = support.quote, checks.expect, checks.equal
 local folder = support.temporary_folder()
 
 local function near(value, wanted, by, what)
-  expect(type(value) == "number" and math.abs(value - wanted) <= by, "%s: is %s, wanted %s within %s", what, value, wanted, by)
+  expect(type(value) == "number" and math.abs(value - wanted) <= by, "%s: is %s, wanted %s within %s", what, value,
+    wanted, by)
 end
 local function below(value, limit, what)
   expect(type(value) == "number" and value <= limit, "%s: is %s, wanted at most %s", what, value, limit)
@@ -60,7 +61,8 @@ function look.space_frame_static(r)
   end
   near(pick(r.runs, { method = "asi-gauss", elements = 2 }).ux_mm, 2.143364, 1e-6, "two of asi-gauss")
   for _, method in ipairs { "asi", "asi-gauss" } do
-    near(pick(r.runs, { method = method, elements = 2 }).limit_kN, 12.6882, 0.005 * 12.6882, "limit load, two of " .. method)
+    near(pick(r.runs, { method = method, elements = 2 }).limit_kN, 12.6882, 0.005 * 12.6882,
+      "limit load, two of " .. method)
   end
   local last = math.huge
   for _, n in ipairs { 2, 4, 8, 16 } do
@@ -143,7 +145,8 @@ function look.ten_storey_cases(r)
   for _, case in ipairs { "I", "II", "III", "IV" } do
     local c = r.cases[case]
     below(math.abs(c.remainder), 0.02 * c.own_kinetic, "remainder of Case " .. case)
-    expect(c.work > 0 and c.broken_aircraft > 0, "Case %s: plastic work %s, %s members of the aircraft broken", case, c.work, c.broken_aircraft)
+    expect(c.work > 0 and c.broken_aircraft > 0,
+      "Case %s: plastic work %s, %s members of the aircraft broken", case, c.work, c.broken_aircraft)
   end
   near(r.cases.II.own_kinetic, 59.3e6, 0.1e6, "kinetic energy of Case II")
   findings(r.findings, { -- in the first 20 ms, with a step of 40 us

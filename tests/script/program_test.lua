@@ -15,8 +15,10 @@ local function script(name, text) support.write(path(name), text) return quote(p
 -- Help ----------------------------------------------------------------------------------------------------------------
 
 for arguments, wanted in pairs {
-  ["--help"] = { "Usage: hinge ", "run ", "check ", "render ", "reference ", "'hinge -e CODE'", "'hinge -i'", "--version" },
-  ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "Exit status: 0 done, 1 the run failed, 2 " },
+  ["--help"] = { "Usage: hinge ", "run ", "check ", "render ", "reference ", "'hinge -e CODE'", "'hinge -i'",
+    "--version" },
+  ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value",
+    "Exit status: 0 done, 1 the run failed, 2 " },
   ["plan --help"] = { "script", "--case", "runs nothing" },
   ["check --help"] = { "script", "--case", "natural periods", "Exit status: 0, warnings or not; 2 " },
   ["cost --help"] = { "Usage: hinge cost ", "script", "--case", "--within", "--quantity", "--budget", "--out" },
@@ -28,10 +30,12 @@ for arguments, wanted in pairs {
 } do
   local status, printed = run(hinge .. " " .. arguments)
   equal(status, 0, arguments)
-  for _, part in ipairs(wanted) do expect(printed:find(part, 1, true), "%s does not say '%s':\n%s", arguments, part, printed) end
+  for _, part in ipairs(wanted) do
+    expect(printed:find(part, 1, true), "%s does not say '%s':\n%s", arguments, part, printed)
+  end
 end
 
--- Wrong input: status 2, a message on stderr, nothing written --------------------------------------------------------------
+-- Wrong input: status 2, a message on stderr, nothing written ---------------------------------------------------------
 
 local plain = script("plain.lua", "return { given = (...).answer }")
 local out = " --out " .. quote(path "never")
@@ -47,9 +51,12 @@ for arguments, message in pairs {
   ["run " .. plain .. " --csae II"] = "...--csae...",
   ["run " .. plain .. " --case II"] = "hinge: --case II: ... has no cases; it does not return a hinge.scenario",
   ["run " .. ten_storey .. " --case V"] = "hinge: --case: unknown case 'V'...; there are I, II, III, IV",
-  ["run " .. ten_storey .. " sped=100"] = "hinge: sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ...",
-  ["run " .. ten_storey .. " speed=fast"] = "hinge: speed=fast: speed is 'fast'; must be a number or a sum such as 440/3.6",
-  ["run " .. ten_storey .. " size=-15"] = "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
+  ["run " .. ten_storey .. " sped=100"] =
+    "hinge: sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ...",
+  ["run " .. ten_storey .. " speed=fast"] =
+    "hinge: speed=fast: speed is 'fast'; must be a number or a sum such as 440/3.6",
+  ["run " .. ten_storey .. " size=-15"] =
+    "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
   ["run " .. script("syntax.lua", "local x =\n= 2\n")] = "hinge: ...syntax.lua:2: unexpected symbol near '='",
   ["run " .. script("stumbles.lua", "local hinge = require 'hinge'\nlocal t = nil\nreturn t.x\n")] =
     "hinge: ...stumbles.lua:3: attempt to index a nil value (local 't')\n  at ...stumbles.lua:3",
@@ -59,11 +66,13 @@ for arguments, message in pairs {
 } do
   local status, _, complaint = run(hinge .. " " .. arguments .. (arguments:find "^run" and out or ""))
   equal(status, 2, "status of: hinge " .. arguments)
-  expect(support.says(complaint:gsub("\n$", ""), message), "hinge %s\n    says   %s\n    wanted %s", arguments, complaint, message)
+  expect(support.says(complaint:gsub("\n$", ""), message), "hinge %s\n    says   %s\n    wanted %s", arguments,
+    complaint, message)
   expect(not support.is_there(path "never"), "something was written by: hinge %s", arguments)
 end
 local status, _, complaint = run(hinge .. " render " .. quote(path "nowhere"))
-expect(status == 2 and complaint:find "no frames to draw" and complaint:find "job:frame", "render without frames: %s %s", status, complaint)
+expect(status == 2 and complaint:find "no frames to draw" and complaint:find "job:frame",
+  "render without frames: %s %s", status, complaint)
 
 -- A folder that cannot be written is the world's fault, not the script's: status 1.
 local beam = [[
@@ -79,23 +88,26 @@ local function cantilever(force)
   return model, tip
 end
 ]]
-local two_nodes = script("two_nodes.lua", beam .. "local model, tip = cantilever(-1000)\nlocal _, _, uz = model:static { steps = 1 }:finish():displacement(tip)\nreturn { uz = uz }\n")
+local two_nodes = script("two_nodes.lua", beam .. "local model, tip = cantilever(-1000)\n"
+  .. "local _, _, uz = model:static { steps = 1 }:finish():displacement(tip)\nreturn { uz = uz }\n")
 status, _, complaint = run(hinge .. " run " .. two_nodes .. " --out " .. quote(path "plain.lua"))
 equal(status, 1, "status with a file where the folder should be")
 expect(complaint:find("cannot make folder " .. path "plain.lua", 1, true), "unwritable folder: %s", complaint)
 
--- A plan: which effects, why, and the line that asks; nothing is run or written ----------------------------------------------
+-- A plan: which effects, why, and the line that asks; nothing is run or written ---------------------------------------
 
-local status, printed = run(hinge .. " plan " .. ten_storey)
+local printed
+status, printed = run(hinge .. " plan " .. ten_storey)
 equal(status, 0, "status of a plan")
-for effect, line in pairs { gravity = "model:gravity { 0, 0,", fracture = "model:fracture {", contact = "model:contact {", plasticity = "building.add(" } do
+for effect, line in pairs { gravity = "model:gravity { 0, 0,", fracture = "model:fracture {",
+  contact = "model:contact {", plasticity = "building.add(" } do
   local number, at = 0, nil
   for text in io.lines(support.root .. "scripts/ten_storey_impact.lua") do
     number = number + 1
     if text:find(line, 1, true) then at = at or number end
   end
-  expect(printed:match("dynamic run.*\n  " .. effect .. " +on  [^\n]*ten_storey_impact.lua:(%d+)\n") == tostring(at), "plan: %s at line %s:\n%s",
-    effect, at, printed)
+  expect(printed:match("dynamic run.*\n  " .. effect .. " +on  [^\n]*ten_storey_impact.lua:(%d+)\n") == tostring(at),
+    "plan: %s at line %s:\n%s", effect, at, printed)
 end
 for _, effect in ipairs { "friction", "damping", "ground", "hooks" } do
   expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
@@ -115,7 +127,8 @@ expect(not support.is_there(path "out") and not support.is_there "out/ten_storey
 
 local function summary(name)
   local text = support.read(path(name) .. "/summary.json")
-  return expect(text, "no summary.json in %s", name) and support.json(text) or { results = {}, effects = {}, energy = {}, model = {} }
+  return expect(text, "no summary.json in %s", name) and support.json(text)
+    or { results = {}, effects = {}, energy = {}, model = {} }
 end
 local function lines(name)
   local list = {}
@@ -128,21 +141,26 @@ equal(summary "plain".results.given, 42, "key=value of a script of plain stateme
 local elsewhere = "cd " .. quote(folder) .. " && " .. hinge .. " run "
 equal(run(elsewhere .. two_nodes), 0, "status of a finished run")
 equal(summary "out/two_nodes".verdict, "completed", "verdict, in out/SCRIPT")
-equal(run(elsewhere .. script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }") .. " --case II"), 0, "a case")
+local cases = script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }")
+equal(run(elsewhere .. cases .. " --case II"), 0, "a case")
 equal(summary "out/cases-II".case, "II", "case, in out/SCRIPT-CASE")
 
-status, _, complaint = run(hinge .. " run " .. script("overloaded.lua", beam .. "cantilever(-1e6):static {}:finish()") .. " --out " .. quote(path "failed"))
+local overloaded = script("overloaded.lua", beam .. "cantilever(-1e6):static {}:finish()")
+status, _, complaint = run(hinge .. " run " .. overloaded .. " --out " .. quote(path "failed"))
 equal(status, 1, "status of a failed run")
 local failed = summary "failed"
-expect(failed.verdict == "failed" and failed.reason:find "no equilibrium found beyond load factor 0%.%d" and complaint:find(failed.reason, 1, true), "reason: %s", failed.reason)
+expect(failed.verdict == "failed" and failed.reason:find "no equilibrium found beyond load factor 0%.%d"
+  and complaint:find(failed.reason, 1, true), "reason: %s", failed.reason)
 
-local stopping = beam .. "local run = cantilever(-1):dynamic { dt = 1e-5, duration = 1e-3 }\nfor step in run:steps() do if step.index == 7 then run:stop() end end\n"
-equal(run(hinge .. " run " .. script("stopping.lua", stopping) .. " --out " .. quote(path "stopped")), 0, "status of a stopped run")
+local stopping = beam .. "local run = cantilever(-1):dynamic { dt = 1e-5, duration = 1e-3 }\n"
+  .. "for step in run:steps() do if step.index == 7 then run:stop() end end\n"
+equal(run(hinge .. " run " .. script("stopping.lua", stopping) .. " --out " .. quote(path "stopped")), 0,
+  "status of a stopped run")
 equal(summary "stopped".verdict, "stopped", "verdict")
 equal(summary "stopped".steps, 7, "steps of a stopped run")
 
--- An error in a script's own fracture rule: file and line, status 2, whole rows in history.csv, no summary; and none left of a
--- run that used the folder before.
+-- An error in a script's own fracture rule: file and line, status 2, whole rows in history.csv, no summary; and none
+-- left of a run that used the folder before.
 local failing = beam .. [[
 local model = cantilever(-1e5)
 local calls = 0
@@ -154,10 +172,12 @@ model:dynamic { dt = 1e-5, duration = 5e-2, record = 1 }:finish()
 ]]
 status, _, complaint = run(hinge .. " run " .. script("failing.lua", failing) .. " --out " .. quote(path "stopped"))
 equal(status, 2, "status of an error in a fracture rule")
-expect(complaint:find "failing%.lua:16: this rule is wrong %(fracture rule of .-failing%.lua:14, element %d of member 1, .-the step was taken back\n", "a fracture rule's error: %s", complaint)
+expect(complaint:find("failing%.lua:16: this rule is wrong %(fracture rule of .-failing%.lua:14, "
+  .. "element %d of member 1, .-the step was taken back\n"), "a fracture rule's error: %s", complaint)
 expect(not support.is_there(path "stopped/summary.json"), "a summary was left by a script that stumbled")
 local rows = lines "stopped/history.csv"
-expect(#rows > 10 and (support.read(path "stopped/history.csv") or ""):sub(-1) == "\n", "history.csv up to the error: %d rows", #rows)
+expect(#rows > 10 and (support.read(path "stopped/history.csv") or ""):sub(-1) == "\n",
+  "history.csv up to the error: %d rows", #rows)
 for i, row in ipairs(rows) do equal(select(2, row:gsub(",", "")), 10, "commas in row " .. i) end
 equal(support.output("find " .. quote(folder) .. " -name '*.part'"), "", "files half written")
 
@@ -215,31 +235,43 @@ expect(#first == 12 and #second == 12, "two histories of 11 rows: %d, %d", #firs
 expect((first[1] or ""):find "uz1$" and (second[1] or ""):find "uz2$", "their probes: %s, %s", first[1], second[1])
 
 -- The ten-storey impact, 400 steps with frames and pictures.
-status, _, complaint = run(hinge .. " run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out " .. quote(path "impact"))
+status, _, complaint = run(hinge .. " run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out "
+  .. quote(path "impact"))
 equal(status, 0, "status of the ten-storey impact: " .. complaint)
 local s = summary "impact"
-for name, wanted in pairs { verdict = "completed", case = "II", kind = "dynamic", steps = 400 } do equal(s[name], wanted, name) end
-for name, wanted in pairs { members = 849, elements = 1698, nodes = 1243, free_dofs = 7308 } do equal(s.model[name], wanted, name) end
+for name, wanted in pairs { verdict = "completed", case = "II", kind = "dynamic", steps = 400 } do
+  equal(s[name], wanted, name)
+end
+for name, wanted in pairs { members = 849, elements = 1698, nodes = 1243, free_dofs = 7308 } do
+  equal(s.model[name], wanted, name)
+end
 expect(math.abs((s.time or 0) - 0.004) < 1e-12, "time %s", s.time)
 expect((s.wall_seconds or 0) > 0, "wall_seconds %s", s.wall_seconds)
 expect(type(s.results.damage) == "table" and math.type(s.results.broken_columns) == "integer", "results")
-expect(s.parameters and s.parameters.speed and math.abs(s.parameters.speed - 320 / 3.6) < 1e-12 and s.parameters.duration == 0.004, "parameters")
+expect(s.parameters and s.parameters.speed and math.abs(s.parameters.speed - 320 / 3.6) < 1e-12
+  and s.parameters.duration == 0.004, "parameters")
 expect(#(s.state_hash or "") == 16, "state_hash %s", s.state_hash)
 local active = {}
 for _, effect in ipairs(s.effects) do
   active[effect.name] = effect.active
-  expect(type(effect.active) == "boolean" and #effect.because > 0 and type(effect.seconds) == "number", "effect %s", effect.name)
+  expect(type(effect.active) == "boolean" and #effect.because > 0 and type(effect.seconds) == "number", "effect %s",
+    effect.name)
 end
-for _, name in ipairs { "inertia", "gravity", "large displacement", "plasticity", "fracture", "contact" } do equal(active[name], true, name) end
+for _, name in ipairs { "inertia", "gravity", "large displacement", "plasticity", "fracture", "contact" } do
+  equal(active[name], true, name)
+end
 local e, sum = s.energy, 0
 for _, name in ipairs { "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "remainder" } do
   if expect(type(e[name]) == "number", "energy.%s", name) then sum = sum + e[name] end
 end
-expect(e.initial and math.abs(e.initial + e.work - sum) < 1e-9 * e.initial, "the energies add up: %s + %s, %s", e.initial, e.work, sum)
-expect(e.initial and e.initial > 59e6 and math.abs(e.remainder) < 1e-4 * e.initial, "remainder %s of %s", e.remainder, e.initial)
+expect(e.initial and math.abs(e.initial + e.work - sum) < 1e-9 * e.initial, "the energies add up: %s + %s, %s",
+  e.initial, e.work, sum)
+expect(e.initial and e.initial > 59e6 and math.abs(e.remainder) < 1e-4 * e.initial, "remainder %s of %s",
+  e.remainder, e.initial)
 
 rows = lines "impact/history.csv"
-equal(rows[1], "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder", "columns of history.csv")
+equal(rows[1], "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder",
+  "columns of history.csv")
 equal(#rows, 402, "rows of history.csv: a heading, the start and 400 steps")
 local last = -1
 for i = 2, #rows do

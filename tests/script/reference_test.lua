@@ -1,5 +1,5 @@
--- hinge.d.lua and library.d.lua say what there is, no more and no less: functions, methods, fields and options, both ways; and
--- lua/hinge/reference.md is made from them as they are.
+-- hinge.d.lua and library.d.lua say what there is, no more and no less: functions, methods, fields and options, both
+-- ways; and lua/hinge/reference.md is made from them as they are.
 --
 -- Run: lua5.4 tests/script/reference_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -58,8 +58,10 @@ local function agrees_with_table(class, value, name)
   for called in pairs(own[class] or {}) do declared[called] = true end
   local there = {}
   for key in pairs(value) do there[key] = true end
-  same(declared, there, ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s`, or `function %s.<name>(...) end`, in %s")
-    :format(name, class, name:match "[%w_]*$", file_of(class)), ("%s declares %s.%%s, which there is not: take it out, or export it"):format(file_of(class), name))
+  local missing = ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s`, "
+    .. "or `function %s.<name>(...) end`, in %s"):format(name, class, name:match "[%w_]*$", file_of(class))
+  local extra = ("%s declares %s.%%s, which there is not: take it out, or export it"):format(file_of(class), name)
+  same(declared, there, missing, extra)
 end
 agrees_with_table("hinge", hinge, "hinge")
 agrees_with_table("hinge.sections", hinge.section, "hinge.section")
@@ -88,10 +90,12 @@ local function scene()
 end
 local s = scene()
 s.run:finish()
-local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model, ["hinge.node"] = s.wall, ["hinge.member"] = s.member,
-  ["hinge.group"] = s.group, ["hinge.run"] = s.run, ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot }
+local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model,
+  ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
+  ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot }
 
--- A value has the fields that its declared type names; { ... }[] and lists of a class are looked at by their first item.
+-- A value has the fields that its declared type names; { ... }[] and lists of a class are
+-- looked at by their first item.
 local function agrees(value, kind, what)
   if kind:find "%[%]$" then value, kind = type(value) == "table" and value[1], kind:sub(1, -3) end
   local declared = reference.fields(kind)
@@ -100,7 +104,8 @@ local function agrees(value, kind, what)
   local names, there = {}, {}
   for _, field in ipairs(declared) do names[field.name] = true end
   for key in pairs(value) do there[key] = true end
-  same(names, there, what .. " has '%s', which its type does not name", what .. " is declared with '%s', which it has not")
+  same(names, there, what .. " has '%s', which its type does not name",
+    what .. " is declared with '%s', which it has not")
 end
 
 for name, meta in pairs(debug.getregistry()) do
@@ -111,11 +116,15 @@ for name, meta in pairs(debug.getregistry()) do
       local short = name:match "%w+$"
       local there = {}
       for method in pairs(meta.methods) do there[method] = true end
-      same(own[name] or {}, there, ("%s:%%s is not declared: add `function %s:...(...) end` with its `---@param` lines under `---@class %s` in %s")
-        :format(short, short, name, file_of(name)), ("%s declares %s:%%s, which there is not"):format(file_of(name), short))
+      local missing = ("%s:%%s is not declared: add `function %s:...(...) end` with its `---@param` lines under "
+        .. "`---@class %s` in %s"):format(short, short, name, file_of(name))
+      same(own[name] or {}, there, missing, ("%s declares %s:%%s, which there is not"):format(file_of(name), short))
       local declared = fields_of(name)
-      same(declared, set(meta.fields or {}), ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s"):format(short, name, file_of(name)),
-        ("%s declares %s.%%s, which name_fields in src/script/bind_*.cpp does not name"):format(file_of(name), short))
+      missing = ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s")
+        :format(short, name, file_of(name))
+      local extra = ("%s declares %s.%%s, which name_fields in src/script/bind_*.cpp does not name")
+        :format(file_of(name), short)
+      same(declared, set(meta.fields or {}), missing, extra)
       for field, about in pairs(declared) do
         local ok, value = pcall(function() return object[field] end)
         if expect(ok, "%s.%s: %s", short, field, tostring(value)) and ok then
@@ -141,13 +150,16 @@ local methods = {}
 for method in pairs(getmetatable(job)) do
   if not method:find "^__" then methods[method] = true end
 end
-same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua", "library.d.lua declares job:%s, which there is not")
-same(fields_of "hinge.job", set { "out", "case", "notes" }, "job.%s is not declared: add `---@field` to `---@class hinge.job`", "library.d.lua declares job.%s, which there is not")
+same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua",
+  "library.d.lua declares job:%s, which there is not")
+same(fields_of "hinge.job", set { "out", "case", "notes" },
+  "job.%s is not declared: add `---@field` to `---@class hinge.job`",
+  "library.d.lua declares job.%s, which there is not")
 
 -- Options -------------------------------------------------------------------------------------------------------------
 
 local building, aircraft = require "hinge.models.ten_storey", require "hinge.models.aircraft"
-local space_frame, impact = require "hinge.models.space_frame", require "hinge.models.ten_storey_impact"
+local space_frame = require "hinge.models.space_frame"
 local function with(options, more)
   for k, v in pairs(more) do options[k] = v end
   return options
@@ -163,8 +175,12 @@ local calls = {
   ["hinge.section.solid"] = function(x) hinge.section.solid(x) end,
   ["hinge.section.round"] = function(x) hinge.section.round(x) end,
   ["hinge.section.general"] = function(x) hinge.section.general(x) end,
-  ["hinge.section.general.plastic"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, plastic = x } end,
-  ["hinge.section.general.size"] = function(x) hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) } end,
+  ["hinge.section.general.plastic"] = function(x)
+    hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, plastic = x }
+  end,
+  ["hinge.section.general.size"] = function(x)
+    hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) }
+  end,
   ["hinge.ground"] = function(x) hinge.ground(with({ dt = 1, acceleration = { 0, 0 } }, x)) end,
   ["hinge.scenario"] = function(x) hinge.scenario(x) end,
   ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
@@ -187,19 +203,22 @@ local calls = {
   ["space_frame.add"] = function(x) space_frame.add(hinge.model(), x) end,
 }
 -- Functions whose tables are data, or may hold any field.
-local free = set { "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate", "impact.side_by_side", "paper.figure" }
+local free = set { "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate",
+  "impact.side_by_side", "paper.figure" }
 
 -- The fields that a complaint about the field "zzz" names.
 local function taken(call)
   local ok, message = pcall(call, { zzz = 1 })
-  local list = not ok and tostring(message):match "unknown field 'zzz'.-; it takes ([^\n]*)" or not ok and tostring(message):match "unknown field 'zzz'.-; there are ([^\n]*)"
+  local list = not ok and tostring(message):match "unknown field 'zzz'.-; it takes ([^\n]*)"
+    or not ok and tostring(message):match "unknown field 'zzz'.-; there are ([^\n]*)"
   if not list then return nil, ok and "it takes any field" or tostring(message) end
   local names = {}
   for name in list:gmatch "[%w_]+" do names[name] = true end
   return names
 end
 local function looks_like_options(kind)
-  return reference.fields(kind) or classes[kind] and #classes[kind].fields > 0 and not objects[kind] and kind ~= "hinge.job" and classes[kind].fields
+  return reference.fields(kind) or classes[kind] and #classes[kind].fields > 0 and not objects[kind]
+    and kind ~= "hinge.job" and classes[kind].fields
 end
 local used = {}
 local function compare(what, fields, line)
@@ -214,7 +233,8 @@ local function compare(what, fields, line)
     local inner = looks_like_options(field.type:match "|({.*})$" or field.type)
     if inner and calls[what .. "." .. field.name] then compare(what .. "." .. field.name, inner, line) end
   end
-  same(declared, there, ("%s takes '%%s', which is not declared: add it in lua/hinge/%s"):format(what, line), ("lua/hinge/%s declares '%%s' of %s, which it does not take"):format(line, what))
+  same(declared, there, ("%s takes '%%s', which is not declared: add it in lua/hinge/%s"):format(what, line),
+    ("lua/hinge/%s declares '%%s' of %s, which it does not take"):format(line, what))
 end
 for _, f in ipairs(functions) do
   local what = reference.signature(f):match "^[^(]*"
@@ -229,12 +249,15 @@ for what in pairs(calls) do expect(used[what], "`calls` of this test has %s, whi
 -- The page ------------------------------------------------------------------------------------------------------------
 
 local page = support.read(support.root .. "lua/hinge/reference.md")
-expect(page == reference.page(), "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
+expect(page == reference.page(),
+  "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
 local program = support.quote(arg[1] .. "/hinge")
 local status, printed = support.run(program .. " reference")
 expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)
 status, printed = support.run(program .. " reference model:node")
-expect(status == 0 and printed == "#### `model:node(position)`\n\nAdds a joint.\n\n- `position`: `vec3` — m\n- returns `hinge.node`\n", "hinge reference model:node: %s", printed)
+expect(status == 0
+  and printed == "#### `model:node(position)`\n\nAdds a joint.\n\n- `position`: `vec3` — m\n- returns `hinge.node`\n",
+  "hinge reference model:node: %s", printed)
 equal(support.run(program .. " reference nonsense"), 2, "status for a name that is not there")
 
 checks.done()

@@ -1,5 +1,5 @@
--- A script that is not trusted: what it can do, each way out that it might try and what it is told, and the limits, which hold
--- inside a native call too.
+-- A script that is not trusted: what it can do, each way out that it might try and what it is told, and the limits,
+-- which hold inside a native call too.
 --
 -- Run: lua5.4 tests/script/sandbox_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -27,7 +27,7 @@ local function ends(script, status, message, options)
   return printed
 end
 
--- What is left is enough to work with -------------------------------------------------------------------------------------
+-- What is left is enough to work with ---------------------------------------------------------------------------------
 
 local frame = [[
 local hinge = require "hinge"
@@ -43,6 +43,7 @@ local function cantilever(rule)
   return model
 end
 ]]
+local _ -- a result that is not looked at
 local status, printed, complaint = try(frame .. [[
 local check = require "hinge.check"
 return hinge.scenario {
@@ -51,7 +52,8 @@ return hinge.scenario {
     local run = cantilever(function(s) return s.curvature_y > 1 end):dynamic { dt = p.dt, duration = 1e-3 }
     for step in run:steps() do if step.index == 10 then job:frame(run) end end
     local co = coroutine.wrap(function() coroutine.yield(math.sin(1)) end)
-    print(("%.3f"):format(co()), #table.pack(1, 2), os.time() > 0, utf8.char(72), select(2, pcall(error, "x")), load "return 1 + 1" ())
+    print(("%.3f"):format(co()), #table.pack(1, 2), os.time() > 0, utf8.char(72), select(2, pcall(error, "x")),
+      load "return 1 + 1" ())
     job:note "seen"
     return { steps = run.index }
   end,
@@ -61,11 +63,13 @@ expect(printed:find "0%.841\t2\ttrue\tH\tx\t2\n", "what it prints: %s", printed)
 local summary = support.json(support.read(path "out1/summary.json") or "{}")
 equal(summary.results and summary.results.steps, 50, "its results")
 expect(support.is_there(path "out1/history.csv") and support.is_there(path "out1/frames/frame_00001.vtp"), "its files")
-status, printed = run(("cd %s && %s --sandbox s.lua --out short && %s plan --sandbox s.lua"):format(folder, hinge, hinge))
+status, printed = run(("cd %s && %s --sandbox s.lua --out short && %s plan --sandbox s.lua")
+  :format(folder, hinge, hinge))
 expect(status == 0 and printed:find "dynamic run", "hinge --sandbox SCRIPT, and plan: %s", printed)
-equal(run(("%s run --sandbox %s duration=1e-4 --out %s"):format(hinge, quote(support.root .. "scripts/ten_storey_impact.lua"), path "impact")), 0, "the main job")
+equal(run(("%s run --sandbox %s duration=1e-4 --out %s")
+  :format(hinge, quote(support.root .. "scripts/ten_storey_impact.lua"), path "impact")), 0, "the main job")
 
--- Ways out ------------------------------------------------------------------------------------------------------------------
+-- Ways out ------------------------------------------------------------------------------------------------------------
 
 support.write(path "secret.lua", "return 'secret'")
 support.run(("ln -s %s %s"):format(quote(path "elsewhere"), path "link"))
@@ -104,15 +108,19 @@ local absent = { -- expression that leads out -> what is not there
 for expression, name in pairs(absent) do
   local place = expression:find "^load ?['(]" and "...:1" or "s.lua:1"
   if expression:find "wrap" then place = place .. ": " .. place end -- Lua adds it on the way out of a coroutine
-  ends("local x = " .. expression .. "\nprint 'OUT'", 2, ("hinge: %s: %s is not there for a script in the sandbox\n"):format(place, name))
+  ends("local x = " .. expression .. "\nprint 'OUT'", 2,
+    ("hinge: %s: %s is not there for a script in the sandbox\n"):format(place, name))
 end
 
 local ways = { -- script -> status, message
-  { "require 'hinge.core'", 2, "s.lua:1: require: module 'hinge.core' is not there for a script in the sandbox; there are hinge, ..." },
-  { "require 'hinge.runner'", 2, "s.lua:1: require: module 'hinge.runner' is not there for a script in the sandbox; ..." },
+  { "require 'hinge.core'", 2,
+    "s.lua:1: require: module 'hinge.core' is not there for a script in the sandbox; there are hinge, ..." },
+  { "require 'hinge.runner'", 2,
+    "s.lua:1: require: module 'hinge.runner' is not there for a script in the sandbox; ..." },
   { "require 'secret'", 2, "s.lua:1: require: module 'secret' is not there for a script in the sandbox; ..." },
   { "require 'hinge.../../secret'", 2, "s.lua:1: require: module 'hinge.../../secret' is not there..." },
-  { "collectgarbage 'stop'", 2, "s.lua:1: collectgarbage: option 'stop' is not there for a script in the sandbox; 'collect', ..." },
+  { "collectgarbage 'stop'", 2,
+    "s.lua:1: collectgarbage: option 'stop' is not there for a script in the sandbox; 'collect', ..." },
   { "assert(load('\\27Lua'))", 2, "attempt to load a binary chunk (mode is 't')" },
   { "assert(load('\\27Lua', 'x', 'b'))", 2, "attempt to load a binary chunk (mode is 't')" },
   { "getmetatable('').__index.format = nil", 2, "s.lua:1: attempt to index a boolean value" },
@@ -122,18 +130,26 @@ local ways = { -- script -> status, message
   { frame .. "getmetatable(cantilever():static()).__gc()", 2, "s.lua:13: attempt to index a boolean value" },
   -- a script that bends what it was given harms itself alone
   { "string.format, table.concat, print, error = nil, nil, nil, nil; string = nil", 0, "" },
-  { "require 'hinge.check'.fail = function() print 'OUT' end; require 'hinge'.material { E = -1 }", 2, "s.lua:1: hinge.material: field 'E' is -1 Pa; must be above 0 Pa" },
+  { "require 'hinge.check'.fail = function() print 'OUT' end; require 'hinge'.material { E = -1 }", 2,
+    "s.lua:1: hinge.material: field 'E' is -1 Pa; must be above 0 Pa" },
   -- files: only a plain name, only in the output folder
-  { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '../x.png') end }", 2, "s.lua:1: job:plot: filename is '../x.png'; must be a plain name ending in .png" },
-  { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '/tmp/x.png') end }", 2, "filename is '/tmp/x.png'; must be a plain name" },
-  { "return require 'hinge'.scenario { run = function(_, job) job.out = '..'; job:plot({ series = {} }, 'x.png') end }", 2,
-    "s.lua:1: '../x.png' is outside the output folder out...; a script in the sandbox writes nowhere else" },
-  { "return require 'hinge'.scenario { run = function(_, job) job.out = '/tmp/hinge-out'; job:plot({ series = {} }, 'x.png') end }", 2, "s.lua:1: '/tmp/hinge-out/x.png' is outside the output folder" },
-  { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '-2'; job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
-  { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '/../../link'; job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
+  { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '../x.png') end }", 2,
+    "s.lua:1: job:plot: filename is '../x.png'; must be a plain name ending in .png" },
+  { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '/tmp/x.png') end }", 2,
+    "filename is '/tmp/x.png'; must be a plain name" },
+  { "return require 'hinge'.scenario { run = function(_, job) job.out = '..'; job:plot({ series = {} }, 'x.png') end }",
+    2, "s.lua:1: '../x.png' is outside the output folder out...; a script in the sandbox writes nowhere else" },
+  { "return require 'hinge'.scenario { run = function(_, job) job.out = '/tmp/hinge-out'; "
+    .. "job:plot({ series = {} }, 'x.png') end }", 2, "s.lua:1: '/tmp/hinge-out/x.png' is outside the output folder" },
+  { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '-2'; "
+    .. "job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
+  { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '/../../link'; "
+    .. "job:plot({ series = {} }, 'x.png') end }", 2, "is outside the output folder" },
   -- what the engine could stumble over
-  { frame .. "local run run = cantilever(function() run:step() end):dynamic { dt = 1e-5, duration = 0.1 } run:finish()", 2, "s.lua:13: run:step: called from a function of this very run" },
-  { frame .. "cantilever():dynamic { dt = 1e-5, duration = 0.1, threads = 256 }", 1, "cannot start 256 threads: ...; ask for fewer", "--memory 64M" },
+  { frame .. "local run run = cantilever(function() run:step() end):dynamic { dt = 1e-5, duration = 0.1 } run:finish()",
+    2, "s.lua:13: run:step: called from a function of this very run" },
+  { frame .. "cantilever():dynamic { dt = 1e-5, duration = 0.1, threads = 256 }", 1,
+    "cannot start 256 threads: ...; ask for fewer", "--memory 64M" },
   -- errors made to stumble over themselves
   { "error(setmetatable({}, { __tostring = function() error 'again' end }))", 2, "" },
   { "error(setmetatable({}, { __metatable = 7 }))", 2, "" },
@@ -146,21 +162,27 @@ end
 
 -- A link in the output folder, laid there before, leads nowhere.
 support.run(("mkdir -p %s/linked %s/elsewhere && ln -s ../elsewhere %s/linked/frames"):format(folder, folder, folder))
-support.write(path "s.lua", frame .. "return hinge.scenario { run = function(_, job) job:frame(cantilever():static { steps = 1 }:finish()) end }")
+support.write(path "s.lua",
+  frame .. "return hinge.scenario { run = function(_, job) job:frame(cantilever():static { steps = 1 }:finish()) end }")
 status, _, complaint = run(("cd %s && %s --sandbox s.lua --out linked"):format(folder, hinge))
-expect(status == 2 and complaint:find("is outside the output folder linked", 1, true), "through a link: %d %s", status, complaint)
+expect(status == 2 and complaint:find("is outside the output folder linked", 1, true), "through a link: %d %s",
+  status, complaint)
 equal(support.output("ls " .. path "elsewhere"), "", "what went through the link")
-for _, name in ipairs { "x.png", "../x.png", "out1-2/x.png" } do expect(not support.is_there(path(name)), "%s was written", name) end
+for _, name in ipairs { "x.png", "../x.png", "out1-2/x.png" } do
+  expect(not support.is_there(path(name)), "%s was written", name)
+end
 
--- Limits --------------------------------------------------------------------------------------------------------------------
+-- Limits --------------------------------------------------------------------------------------------------------------
 
-local instructions = "hinge: s.lua:...: the script took more than 1e+06 instructions, the sandbox's limit; --instructions gives it more\n"
+local instructions =
+  "hinge: s.lua:...: the script took more than 1e+06 instructions, the sandbox's limit; --instructions gives it more\n"
 for _, script in ipairs {
   "print 'said before'\nwhile true do end",
   "while true do pcall(error) end",
   "while true do pcall(function() while true do end end) end",
   "coroutine.wrap(function() coroutine.wrap(function() while true do end end)() end)()",
-  "local function f() for i = 1, 1e5 do end return coroutine.wrap(f)() end\nlocal t = {} for i = 1, 1e9 do t = coroutine.wrap(function() for i = 1, 1e5 do end end) t() end",
+  "local function f() for i = 1, 1e5 do end return coroutine.wrap(f)() end\n"
+    .. "local t = {} for i = 1, 1e9 do t = coroutine.wrap(function() for i = 1, 1e5 do end end) t() end",
   "table.sort({ 1, 2, 3 }, function() while true do end end)",
   "('x'):gsub('x', function() while true do end end)",
   "load(function() while true do end end)",
@@ -198,14 +220,16 @@ for _, script in ipairs {
   "table.concat(setmetatable({}, { __index = function() return ('x'):rep(1e6) end }), '', 1, 1 << 30)",
   "string.format('%s%s', ('x'):rep(2e7), ('x'):rep(2e7))",
   "local t = {} for i = 1, 1e7 do t[i] = coroutine.create(print) end",
-  frame .. "local m = hinge.model() m:member { m:node { 0, 0, 0 }, m:node { 1, 0, 0 }, section = bar, material = steel, elements = 1e9 } m:counts()",
+  frame .. "local m = hinge.model() m:member { m:node { 0, 0, 0 }, m:node { 1, 0, 0 }, section = bar, "
+    .. "material = steel, elements = 1e9 } m:counts()",
   frame .. "local m = hinge.model() while true do m:node { 0, 0, 0 } end",
   frame .. "local m, runs = cantilever(), {} while true do runs[#runs + 1] = m:dynamic { dt = 1e-5, duration = 1 } end",
   "local t = {} for i = 1, 30 do t = { t, t, t, t } end return t",
 } do
   ends(script, 1, memory, "--memory 64M --seconds 30 --instructions 1e10")
 end
--- A script may catch it and go on with less; so the limit holds, and without the sandbox too nothing is lost but the run.
+-- A script may catch it and go on with less; so the limit holds, and without the sandbox
+-- too nothing is lost but the run.
 printed = ends("print(pcall(string.rep, 'x', 1e9)) return { x = 1 }", 0, "", "--memory 64M")
 expect(printed:find "false\tnot enough memory\n", "a script that goes on: %s", printed)
 support.write(path "s.lua", "return ('x'):rep(1e9)")

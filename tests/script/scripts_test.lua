@@ -1,7 +1,8 @@
--- Every script that a newcomer learns from gives the numbers that its head states, under the program and under plain Lua.
+-- Every script that a newcomer learns from gives the numbers that its head states, under
+-- the program and under plain Lua.
 --
--- A head says `name = number within number`, with % behind it for a part of the number, or `name = number exactly`, of each number
--- that the script returns and of no other.
+-- A head says `name = number within number`, with % behind it for a part of the number, or `name = number exactly`, of
+-- each number that the script returns and of no other.
 --
 -- Run: lua5.4 tests/script/scripts_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -25,7 +26,9 @@ end
 local function as_stated(results, head)
   for name, wanted in pairs(stated(head)) do
     local value = results[name]
-    if type(value) ~= "number" then return false, ("%s is stated, the script returns %s"):format(name, tostring(value)) end
+    if type(value) ~= "number" then
+      return false, ("%s is stated, the script returns %s"):format(name, tostring(value))
+    end
     if not (math.abs(value - wanted[1]) <= wanted[2]) then
       return false, ("%s is %.8g, the head says %.8g within %.3g"):format(name, value, wanted[1], wanted[2])
     end
@@ -38,7 +41,8 @@ end
 
 local listed = assert(support.read(support.root .. "scripts/README.md"))
 local out = support.temporary_folder()
-for path in support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(support.root))):gmatch "[^\n]+" do
+local paths = support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(support.root)))
+for path in paths:gmatch "[^\n]+" do
   local head = support.read(support.root .. path):match "^(.-)\nlocal "
   local here = "cd " .. quote(support.root) .. " && "
   local status, printed, complaint = support.run(("%s%s run %s --out %s"):format(here, program, path, out))

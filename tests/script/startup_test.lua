@@ -19,15 +19,16 @@ local function cantilever()
   local model = hinge.model()
   local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:fix(wall)
-  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 206e9 } }
+  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9 } }
   model:load { node = tip, force = { 0, 0, -1000 } }
   return model:static { steps = 1 }:finish()
 end
 ]]
 
--- The whole process, from the shell to its end, with its files on the disk (fsync). What other processes cost it only adds, so that
--- the least counts; three times twenty tries more, seconds apart, while the machine looks busy. Seen: 4 ms, and 8 to 14 beside
--- three compilers on two cores.
+-- The whole process, from the shell to its end, with its files on the disk (fsync). What other processes cost it only
+-- adds, so that the least counts; three times twenty tries more, seconds apart, while the machine looks busy. Seen:
+-- 4 ms, and 8 to 14 beside three compilers on two cores.
 local limit = 20 -- ms
 for what, command in pairs {
   ["hinge --help"] = hinge .. " --help",
@@ -76,7 +77,8 @@ return hinge.scenario {
   end,
 }
 ]])
-  expect(drawn:find("libvtk", 1, true) and drawn:find("libhinge_output", 1, true), "a script that writes a frame has not loaded VTK: %s", drawn)
+  expect(drawn:find("libvtk", 1, true) and drawn:find("libhinge_output", 1, true),
+    "a script that writes a frame has not loaded VTK: %s", drawn)
 else
   print "the picture module was not built: what it loads is not looked at"
 end

@@ -1,4 +1,5 @@
--- Step control: a step that would lose too much is taken back and halved before anything is told of it, and steps grow again.
+-- Step control: a step that would lose too much is taken back and halved before anything is
+-- told of it, and steps grow again.
 --
 -- Run: lua5.4 tests/script/step_control_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -26,7 +27,8 @@ local dt = 1e-4
 local run, last, told = turning { step_control = 0.01 }, 0, 0
 run:on_step(function(r)
   local parts = dt / (r.time - last)
-  expect(math.abs(parts - math.floor(parts + 0.5)) < 1e-6 and parts <= 1024, "a step of dt / %.9g at %g s", parts, r.time)
+  expect(math.abs(parts - math.floor(parts + 0.5)) < 1e-6 and parts <= 1024, "a step of dt / %.9g at %g s",
+    parts, r.time)
   last, told = r.time, told + 1
 end)
 run:finish()
@@ -46,7 +48,8 @@ equal(watched.hash, free.hash, "the bits of three steps")
 local never = turning { step_control = 1e-15 }
 never:finish()
 equal(never.verdict, "failed", "step_control = 1e-15")
-expect(support.says(never.reason, "step ..., t = ... s: the step would lose ... % of the energy turned over, its share of step_control is ... %; "
+expect(support.says(never.reason,
+  "step ..., t = ... s: the step would lose ... % of the energy turned over, its share of step_control is ... %; "
   .. "dt was halved down to 9.77e-08 s, and no shorter step is tried"), "reason: %s", never.reason)
 expect(share(never) < 1e-3 and not never:step(), "the state before it, remainder %g", share(never))
 
@@ -55,20 +58,23 @@ local function crash(options)
   local model, touched, released, asked = hinge.model {}, 0, 0, {}
   local function row(group, from, to)
     local nodes = {}
-    for i = 0, 2 do nodes[i + 1] = model:node { from[1] + (to[1] - from[1]) * i / 2, from[2] + (to[2] - from[2]) * i / 2, from[3] } end
+    for i = 0, 2 do
+      nodes[i + 1] = model:node { from[1] + (to[1] - from[1]) * i / 2, from[2] + (to[2] - from[2]) * i / 2, from[3] }
+    end
     for i = 1, 2 do model:member { nodes[i], nodes[i + 1], section = bar, material = steel, group = group } end
     return nodes
   end
   row("struck", { 0, 0, 0 }, { 1, 0, 0 })
   local striker = row("striker", { 0, 0, 0.06 }, { 1, 0, 0.06 })
   model:velocity("striker", { 0, 0, -20 })
-  model:contact { rule = "surface", on_touch = function() touched = touched + 1 end, on_release = function() released = released + 1 end }
+  model:contact { rule = "surface", on_touch = function() touched = touched + 1 end,
+    on_release = function() released = released + 1 end }
   model:load { node = striker[2], force = { 1, 0, 0 }, history = function(t) asked[#asked + 1] = t return 1 end }
   options.duration, options.record = 4e-3, false
-  local run = model:dynamic(options)
-  local before = run:momentum().linear[3]
-  run:finish()
-  return run, touched, released, asked, math.abs(run:momentum().linear[3] / before - 1)
+  local crashed = model:dynamic(options)
+  local before = crashed:momentum().linear[3]
+  crashed:finish()
+  return crashed, touched, released, asked, math.abs(crashed:momentum().linear[3] / before - 1)
 end
 local long = crash { dt = 4e-5, energy_tolerance = 0 }
 expect(share(long) > 0.02, "without control the ledger is off by %g", share(long))
@@ -80,7 +86,8 @@ equal(held.contacts.bound, touched, "touches told")
 equal(held.contacts.released, released, "releases told")
 local back = 0
 for i = 2, #asked do back = back + (asked[i] < asked[i - 1] and 1 or 0) end
-expect(back >= held.counts.rejected_steps, "loads are asked again where a step is tried again: %d times for %d", back, held.counts.rejected_steps)
+expect(back >= held.counts.rejected_steps,
+  "loads are asked again where a step is tried again: %d times for %d", back, held.counts.rejected_steps)
 
 -- A function of the script that fails in a step is undone as ever.
 do
@@ -90,16 +97,16 @@ do
   model:fix(a)
   local fails = false
   model:load { node = b, force = { 0, 0, 1e3 }, history = function() return fails and error "not now" or 1 end }
-  local run = model:dynamic { dt = 1e-5, duration = 1e-3, step_control = 0.01, record = false }
-  for _ = 1, 10 do run:step() end
-  local before = run.hash
+  local undone = model:dynamic { dt = 1e-5, duration = 1e-3, step_control = 0.01, record = false }
+  for _ = 1, 10 do undone:step() end
+  local before = undone.hash
   fails = true
-  local ok, why = pcall(run.step, run)
+  local ok, why = pcall(undone.step, undone)
   expect(not ok and tostring(why):find "not now", "the function's error: %s", why)
-  equal(run.hash, before, "the state before it")
+  equal(undone.hash, before, "the state before it")
   fails = false
-  run:finish()
-  equal(run.verdict, "completed", "and goes on")
+  undone:finish()
+  equal(undone.verdict, "completed", "and goes on")
 end
 
 -- Hinges that chatter so that Newton's method finds no end: steps that cannot be solved are halved too.
@@ -124,8 +131,8 @@ do
     return model:dynamic(options):finish()
   end
   local alone, controlled = mechanism {}, mechanism { step_control = 0.01 }
-  print(("hinges everywhere: %s; with step control %s, %d taken back, %d steps, dt down to %g s"):format(alone.verdict, controlled.verdict,
-    controlled.counts.rejected_steps, controlled.index, controlled.dt))
+  print(("hinges everywhere: %s; with step control %s, %d taken back, %d steps, dt down to %g s")
+    :format(alone.verdict, controlled.verdict, controlled.counts.rejected_steps, controlled.index, controlled.dt))
   equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
 end
 
@@ -133,9 +140,11 @@ end
 do
   local text = "halved where one would lose more than its share of "
   local function said(options) return bar_in_flight():dynamic(options).effects[1].because end
-  expect(said { dt = "auto", duration = 1e-3 }:find(text .. "1 %", 1, true), "auto: %s", said { dt = "auto", duration = 1e-3 })
+  expect(said { dt = "auto", duration = 1e-3 }:find(text .. "1 %", 1, true), "auto: %s",
+    said { dt = "auto", duration = 1e-3 })
   expect(said { dt = 1e-5, duration = 1e-3, step_control = 0.02 }:find(text .. "2 %", 1, true), "as told")
-  for _, none in ipairs { { dt = "auto", duration = 1e-3, step_control = 0 }, { dt = 1e-5, duration = 1e-3 }, { dt = "auto", duration = 1e-3, integrator = "explicit" } } do
+  for _, none in ipairs { { dt = "auto", duration = 1e-3, step_control = 0 }, { dt = 1e-5, duration = 1e-3 },
+    { dt = "auto", duration = 1e-3, integrator = "explicit" } } do
     expect(not said(none):find(text, 1, true), "not there: %s", said(none))
   end
 end

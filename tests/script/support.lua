@@ -40,11 +40,13 @@ function support.checks(title)
     return checks.expect(value == wanted, "%s: is %s, wanted %s", what, tostring(value), tostring(wanted))
   end
   function checks.near(value, wanted, within, what)
-    return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g", what, value, wanted, within)
+    return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g",
+      what, value, wanted, within)
   end
   function checks.done()
     if #failures > 0 then
-      io.stderr:write(("%s: %d of %d checks failed:\n  %s\n"):format(title, #failures, count, table.concat(failures, "\n  ")))
+      io.stderr:write(("%s: %d of %d checks failed:\n  %s\n")
+        :format(title, #failures, count, table.concat(failures, "\n  ")))
       os.exit(1)
     end
     print(("%s: %d checks passed"):format(title, count))
@@ -82,7 +84,9 @@ function support.output(command)
   return text
 end
 
-function support.is_there(path) return support.read(path) ~= nil or os.execute("test -e " .. support.quote(path)) == true end
+function support.is_there(path)
+  return support.read(path) ~= nil or os.execute("test -e " .. support.quote(path)) == true
+end
 
 --- A new empty folder, gone when the test ends.
 function support.temporary_folder()
@@ -106,8 +110,8 @@ end
 
 --- The least of `n` times that a command takes, in milliseconds.
 function support.milliseconds(command, n)
-  local script = ('for i in $(seq %d); do a=${EPOCHREALTIME/[.,]/}; %s >/dev/null 2>&1; b=${EPOCHREALTIME/[.,]/}; echo $((b - a)); done')
-    :format(n, command)
+  local script = ("for i in $(seq %d); do a=${EPOCHREALTIME/[.,]/}; %s >/dev/null 2>&1; "
+    .. "b=${EPOCHREALTIME/[.,]/}; echo $((b - a)); done"):format(n, command)
   local least = math.huge
   for microseconds in support.output("bash -c " .. support.quote(script)):gmatch "%d+" do
     least = support.smallest_of(least, microseconds / 1000)

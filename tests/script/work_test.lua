@@ -1,5 +1,5 @@
--- How much a run computes: elements swept and built, pairs looked at, iterations. Counts do not depend on how busy the machine
--- is; seconds do.
+-- How much a run computes: elements swept and built, pairs looked at, iterations. Counts do not depend on how busy the
+-- machine is; seconds do.
 --
 -- Run: lua5.4 tests/script/work_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -10,7 +10,8 @@ local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "work"
 local expect, equal = checks.expect, checks.equal
 
--- A count may grow by a tenth of what was measured: other compilers round otherwise, and an iteration more here and there follows.
+-- A count may grow by a tenth of what was measured: other compilers round otherwise, and an
+-- iteration more here and there follows.
 local margin = 0.1
 local function exactly(n) return { n } end
 
@@ -25,7 +26,8 @@ local function hold(what, run, measured)
     if type(usual) == "table" then
       expect(now == usual[1], "%s: %s is %s and must be %d", what, name, now, usual[1])
     else
-      expect(now and now <= (1 + margin) * usual, "%s: %s grew from %d to %s; if that is meant, change the number in work_test.lua", what, name, usual, now)
+      expect(now and now <= (1 + margin) * usual,
+        "%s: %s grew from %d to %s; if that is meant, change the number in work_test.lua", what, name, usual, now)
     end
   end
 end
@@ -39,10 +41,12 @@ local steps = 500
 local run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, beta = 0.4, record = false }
 run:finish()
 equal(run.index, steps, "Case I: steps")
-expect(run.contacts.bound > 0 and run:count { state = "yielded" } > 0, "Case I: no contact or no hinge within these steps")
+expect(run.contacts.bound > 0 and run:count { state = "yielded" } > 0,
+  "Case I: no contact or no hinge within these steps")
 hold("Case I", run, {
   element_updates = 602536, -- 398 of the aircraft until it reaches the frame, then all 1698
-  element_builds = 2684, pair_tests = 2088, rejected_steps = exactly(0), pair_lists = 8, cg_iterations = 2013, solves = exactly(steps), factorisations = exactly(0),
+  element_builds = 2684, pair_tests = 2088, rejected_steps = exactly(0), pair_lists = 8, cg_iterations = 2013,
+  solves = exactly(steps), factorisations = exactly(0),
 })
 
 -- An elastic frame of some 1000 elements that moves: one sweep a step and one for the acceleration at the start.
@@ -56,7 +60,8 @@ steps = 50
 run = model:dynamic { dt = 1e-5, duration = steps * 1e-5, record = false }
 run:finish()
 hold("elastic frame", run, {
-  element_updates = exactly(elements * (steps + 1)), element_builds = exactly(elements), pair_tests = exactly(0), rejected_steps = exactly(0), pair_lists = exactly(0),
+  element_updates = exactly(elements * (steps + 1)), element_builds = exactly(elements), pair_tests = exactly(0),
+  rejected_steps = exactly(0), pair_lists = exactly(0),
   cg_iterations = 150, solves = exactly(steps), factorisations = exactly(0),
 })
 
@@ -69,16 +74,16 @@ run = model:static { steps = 10, record = false }
 run:finish()
 hold("linear statics", run, {
   element_updates = exactly(elements * 21), -- two a load step and one where it begins
-  element_builds = exactly(elements), pair_tests = exactly(0), rejected_steps = exactly(0), pair_lists = exactly(0), cg_iterations = exactly(0), solves = exactly(20),
-  factorisations = exactly(1),
+  element_builds = exactly(elements), pair_tests = exactly(0), rejected_steps = exactly(0), pair_lists = exactly(0),
+  cg_iterations = exactly(0), solves = exactly(20), factorisations = exactly(1),
 })
 
 -- A frame at rest is swept once, to see that it is in balance; then only the bar that flies by.
 model = hinge.model {}
 building.add(model, { bays = { 1, 1 }, storeys = 2, material = elastic })
 model:gravity { 0, 0, -9.80665 }
-model:member { model:node { -5, 0, 20 }, model:node { -5, 2, 20 }, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = elastic,
-  group = "bar" }
+model:member { model:node { -5, 0, 20 }, model:node { -5, 2, 20 },
+  section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = elastic, group = "bar" }
 model:velocity("bar", { 0, 10, 0 })
 model:contact {}
 loaded = model:static { hold = "bar", record = false }
@@ -90,8 +95,10 @@ for _, integrator in ipairs { "newmark", "explicit" } do
   run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator, record = false }
   run:finish()
   equal(run.index, steps, integrator .. ": steps")
-  equal(run.counts.element_updates, elements + flying * steps, ("%s: updates of %d elements, %d of which fly"):format(integrator, elements, flying))
-  run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator, rest = false, record = false }
+  equal(run.counts.element_updates, elements + flying * steps,
+    ("%s: updates of %d elements, %d of which fly"):format(integrator, elements, flying))
+  run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator, rest = false,
+    record = false }
   run:finish()
   equal(run.counts.element_updates, elements * (steps + 1), integrator .. ": updates with rest = false")
 end
