@@ -8,17 +8,9 @@ namespace hinge {
 
 const std::vector<EffectKind>& all_effects() {
     static const std::vector<EffectKind> list = {
-        inertia_kind(),
-        loads_kind(),
-        gravity_kind(),
-        large_displacement_kind(),
-        plasticity_kind(),
-        fracture_kind(),
-        broken_members_kind(),
-        contact_kind(),
-        moving_supports_kind(),
-        rest_kind(),
-        script_functions_kind(),
+        inertia_kind(),         loads_kind(),    gravity_kind(),          large_displacement_kind(),
+        plasticity_kind(),      fracture_kind(), broken_members_kind(),   contact_kind(),
+        moving_supports_kind(), rest_kind(),     script_functions_kind(),
     };
     return list;
 }
@@ -34,12 +26,13 @@ EffectList effects_of(Workspace& w, Host& host) {
 AccountList accounts_of(const EffectList& effects) {
     AccountList list;
     for (const EffectKind& kind : all_effects()) {
-        const bool called_for =
-            std::any_of(effects.begin(), effects.end(), [&](const auto& e) { return e->name() == std::string(kind.name); });
+        const bool called_for = std::any_of(effects.begin(), effects.end(),
+                                            [&](const auto& e) { return e->name() == std::string(kind.name); });
         for (const AccountInfo& account : kind.accounts)
             if (account.always || called_for) list.push_back(account);
     }
-    std::stable_sort(list.begin(), list.end(), [](const AccountInfo& a, const AccountInfo& b) { return a.place < b.place; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const AccountInfo& a, const AccountInfo& b) { return a.place < b.place; });
     return list;
 }
 

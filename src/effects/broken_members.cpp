@@ -68,9 +68,8 @@ public:
             for (int e : w_.structure.elements_at(int(i)))
                 if (!w_.state.broken[e])
                     mass += 0.5 * w_.structure.elements()[e].rigidity.rhoA * w_.structure.elements()[e].length;
-            const Vec3 missed = (w_.trial.velocity[i].tail<3>().cross(next_S) -
-                                 w_.state.velocity[i].tail<3>().cross(S) - met) /
-                                mass;
+            const Vec3 missed =
+                (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - met) / mass;
             for (int c = 0; c < 3; ++c)
                 if (!(w_.state.held[i] >> c & 1)) w_.trial.velocity[i][c] -= missed[c];
         }
@@ -129,7 +128,8 @@ private:
     }
 
     std::vector<Quat> built_;  ///< orientation that an offset mass has in the effective stiffness
-    /// Rate of change of w x S that a step's forces met: of the last step, of this one, and where stresses were recovered.
+    /// Rate of change of w x S that a step's forces met: of the last step, of this one, and where stresses were
+    /// recovered.
     std::vector<Vec3> rate_, next_rate_, tried_rate_;
     int carrier_ = -1;
 };

@@ -176,8 +176,8 @@ public:
     bool restored(std::span<const State* const> states) override {
         list_bars();
         for (const State* s : states)
-            if (!s->data.find<Contact>(contact_effect)->makes_sense(int(s->displacement.size()), int(s->broken.size()),
-                                                              int(bars_.size())))
+            if (!s->data.find<Contact>(contact_effect)
+                     ->makes_sense(int(s->displacement.size()), int(s->broken.size()), int(bars_.size())))
                 return false;
         return true;
     }

@@ -52,18 +52,18 @@ struct Workspace {
     Sweep& sweep;
     RunKind kind;
     Scheme scheme;
-    Pose trial;                            ///< where the step is tried to end
-    std::vector<Vec3> turned;              ///< rotation vector of each node over the step, rad
-    std::vector<Vec6> external;            ///< F of eq 15
-    std::vector<Vec6> resisting;           ///< R of eq 15, with inertia where the trial accelerates
-    std::vector<Vec6> force;               ///< p of each element at the trial pose
-    std::vector<Yielding> yielding;        ///< elements that flow on the way to the trial pose, rising
-    std::vector<int> supported;            ///< nodes with a degree of freedom that is held
-    std::unordered_map<int, Vec6>& reaction;  ///< of nodes with a degree of freedom that is held
-    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: accelerations that the last step's forces met,
-                                                ///< and this one's
-    std::vector<int> resting;  ///< of each node: the body at rest that it belongs to, -1; empty when there is none
-    bool points_moved = false; ///< integration points have moved: the sweep takes them up when the step is kept
+    Pose trial;                                 ///< where the step is tried to end
+    std::vector<Vec3> turned;                   ///< rotation vector of each node over the step, rad
+    std::vector<Vec6> external;                 ///< F of eq 15
+    std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
+    std::vector<Vec6> force;                    ///< p of each element at the trial pose
+    std::vector<Yielding> yielding;             ///< elements that flow on the way to the trial pose, rising
+    std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
+    std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
+    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: accelerations that the last step's forces
+                                                ///< met, and this one's
+    std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    bool points_moved = false;  ///< integration points have moved: the sweep takes them up when the step is kept
 };
 
 /// An element that breaks at the end of a step, at end 1 or 2.
@@ -73,11 +73,11 @@ struct Break {
 
 /// A step of dynamics on its way.
 struct Step {
-    double begin = 0, dt = 0;    ///< s
-    bool longer = false;         ///< than the script's own dt: not for impacts
-    int iteration = 0;           ///< Newton iterations done; 0: stresses are recovered for the first time
-    std::vector<Break> breaks;   ///< what breaks at its end, rising
-    std::string failure;         ///< why it cannot go on, "" while it can
+    double begin = 0, dt = 0;   ///< s
+    bool longer = false;        ///< than the script's own dt: not for impacts
+    int iteration = 0;          ///< Newton iterations done; 0: stresses are recovered for the first time
+    std::vector<Break> breaks;  ///< what breaks at its end, rising
+    std::string failure;        ///< why it cannot go on, "" while it can
     double end() const { return begin + dt; }
 };
 
@@ -190,7 +190,7 @@ public:
     virtual bool makes_forces_vanish() const { return false; }
 
     // ---- the acceleration anew: at the start, and when a force has vanished at once ---------------------------------
-    virtual void loads_at(double time) { (void)time; }   ///< F at a time, without asking the script again
+    virtual void loads_at(double time) { (void)time; }  ///< F at a time, without asking the script again
     virtual void restart_begins() {}
     virtual void prescribe(std::vector<Vec6>& acceleration) const { (void)acceleration; }
     virtual void restart_ends() {}
@@ -213,7 +213,9 @@ public:
     /// Whether steps may be longer than the shortest: nothing happens that needs those.
     virtual bool calm() const { return true; }
     /// Whether what it prescribes changes at one of these times after now, s.
-    virtual bool changes_within(double now, std::span<const double> after) const { return (void)now, (void)after, false; }
+    virtual bool changes_within(double now, std::span<const double> after) const {
+        return (void)now, (void)after, false;
+    }
     /// For effects that sleep: whether it had something to do in the step, and what.
     virtual bool sleeps() const { return false; }
     virtual bool busy() const { return false; }
@@ -230,7 +232,9 @@ public:
 protected:
     /// save and restore of a class that tells its fields once.
     template <class Self>
-    static void save_fields(const Self& self, Writer& to) { Self::fields(self, to); }
+    static void save_fields(const Self& self, Writer& to) {
+        Self::fields(self, to);
+    }
 
     const char* name_;
     Workspace& w_;

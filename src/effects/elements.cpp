@@ -34,8 +34,8 @@ std::vector<PlanLine> inertia_plan(const Structure&, const RunKind& run) {
 std::vector<PlanLine> large_displacement_plan(const Structure& s, const RunKind& run) {
     const bool large = s.large(), stiffens = run.geometric && large;
     PlanLine geometric{"geometric stiffness", stiffens && !run.explicit_steps, "", ""};
-    geometric.because = !large          ? "displacement is small"
-                        : !stiffens     ? "geometric = false"
+    geometric.because = !large             ? "displacement is small"
+                        : !stiffens        ? "geometric = false"
                         : geometric.active ? "part of large displacement"
                                            : "explicit steps form no stiffness; the forces have it";
     return {{"large displacement", large,

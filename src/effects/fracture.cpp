@@ -102,12 +102,12 @@ private:
     void ask_sections();
     void ask_batch(int rule);
 
-    Step* step_ = nullptr;          ///< the one that is decided on
-    std::vector<int> candidates_;   ///< elements that could break without flowing in the step, rising
+    Step* step_ = nullptr;         ///< the one that is decided on
+    std::vector<int> candidates_;  ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
-    std::vector<SectionView> asked_;  ///< in this step, of one rule
-    std::vector<Watched> watched_;    ///< rising
-    std::vector<int> news_;           ///< of those, strained in this step as never before
+    std::vector<SectionView> asked_;               ///< in this step, of one rule
+    std::vector<Watched> watched_;                 ///< rising
+    std::vector<int> news_;                        ///< of those, strained in this step as never before
     std::vector<std::vector<int>> rule_elements_;  ///< of each rule; filled when a batch asks
     std::size_t kept_a_section_ = 0;               ///< numbers that rules keep of a section
     // for a step that is taken back
@@ -159,8 +159,7 @@ void Fracture::heed(int index) {
     if (within_reach(rule, e, beam::fracture_strains(w_.state.plastic[index], e.length)) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
-        candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index),
-                                    index);
+        candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
     } else if (rule.hook && rule.where == Where::plastic && w_.state.yielded[index]) {
         const auto at = std::lower_bound(watched_.begin(), watched_.end(), index,
                                          [](const Watched& w, int e) { return w.element < e; });
@@ -210,9 +209,8 @@ void Fracture::decide(Step& step) {
     auto flowing = w_.yielding.begin();
     constexpr int none = std::numeric_limits<int>::max();
     while (true) {
-        const int c = candidate != candidates_.end() ? *candidate : none,
-                  n = news != news_.end() ? *news : none, f = flowing != w_.yielding.end() ? flowing->element : none,
-                  e = std::min({c, n, f});
+        const int c = candidate != candidates_.end() ? *candidate : none, n = news != news_.end() ? *news : none,
+                  f = flowing != w_.yielding.end() ? flowing->element : none, e = std::min({c, n, f});
         if (e == none) break;
         if (!w_.state.broken[e] && w_.structure.elements()[e].fracture >= 0)
             judge(e, f == e ? &flowing->flow : nullptr, n == e);
@@ -221,7 +219,8 @@ void Fracture::decide(Step& step) {
     ask_sections();
     for (std::size_t rule = 0; rule < w_.structure.model().fracture().size(); ++rule)
         if (w_.structure.model().fracture()[rule].batch) ask_batch(int(rule));
-    std::sort(step_->breaks.begin(), step_->breaks.end(), [](const Break& a, const Break& b) { return a.element < b.element; });
+    std::sort(step_->breaks.begin(), step_->breaks.end(),
+              [](const Break& a, const Break& b) { return a.element < b.element; });
 }
 
 /// The section that flows, else the one nearer to it.
@@ -264,7 +263,8 @@ void Fracture::judge(int index, const beam::Flow* flow, bool news) {
 void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
     const Element& e = w_.structure.elements()[index];
     const Vec6 &p = w_.force[index],
-               before = stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
+               before =
+                   stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
     const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
                                 stays = beam::fracture_strains(plastic, e.length),
                                 rate = beam::fracture_strains((elastic + plastic - before) / step_->dt, e.length);
@@ -417,7 +417,8 @@ void Fracture::ask_batch(int rule) {
 std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
     const auto& elements = s.elements();
     const bool rules = !s.model().fracture().empty(),
-               breakable = std::any_of(elements.begin(), elements.end(), [](const Element& e) { return e.fracture >= 0; });
+               breakable =
+                   std::any_of(elements.begin(), elements.end(), [](const Element&e) { return e.fracture >= 0; });
     return {{"fracture", run.dynamic && breakable,
              !rules       ? "not declared"
              : !breakable ? "no member is in the rule's group"

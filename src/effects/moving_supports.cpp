@@ -61,9 +61,7 @@ public:
                     if (w_.state.broken[e]) continue;
                     Vec12 of_element;
                     of_element << change[element.node[0]], change[element.node[1]];
-                    force += matrices_.at(e)
-                                 .row((element.node[0] == m.node ? 0 : 6) + m.component)
-                                 .dot(of_element);
+                    force += matrices_.at(e).row((element.node[0] == m.node ? 0 : 6) + m.component).dot(of_element);
                 }
             else force += momentum_at(m, w_.trial.acceleration, false);
             m.next_force = force;
@@ -76,7 +74,8 @@ public:
 
     /// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what
     /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
-    /// velocity, dv_N as Newmark has it and b the mean acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M b).
+    /// velocity, dv_N as Newmark has it and b the mean acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M
+    /// b).
     void add_up(const Step& step, Accounts& sums) const override {
         const double dt = step.dt, beta = w_.scheme.beta, gamma = w_.scheme.gamma;
         const bool damped = w_.scheme.alpha != 0;
@@ -180,7 +179,8 @@ private:
     }
 
     std::vector<Moved> moved_;
-    std::unordered_map<int, Mat12> matrices_;  ///< of the effective stiffness, whole, for the elements at moved supports
+    std::unordered_map<int, Mat12>
+        matrices_;  ///< of the effective stiffness, whole, for the elements at moved supports
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {

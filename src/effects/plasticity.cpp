@@ -30,7 +30,8 @@ public:
     bool sleeps() const override { return w_.structure.can_yield(); }
     bool busy() const override { return !w_.yielding.empty(); }
     std::string why_awake() const override {
-        return std::to_string(w_.yielding.size()) + (w_.yielding.size() == 1 ? " element flows: " : " elements flow: ") +
+        return std::to_string(w_.yielding.size()) +
+               (w_.yielding.size() == 1 ? " element flows: " : " elements flow: ") +
                w_.structure.element_name(w_.yielding[0].element);
     }
 
@@ -47,9 +48,12 @@ private:
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& elements = s.elements();
-    const bool could = std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
+    const bool could =
+        std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
     return {{"plasticity", s.can_yield(),
-             s.can_yield() ? "a material has a yield stress" : could ? "plasticity = false" : "no section can yield",
+             s.can_yield() ? "a material has a yield stress"
+             : could       ? "plasticity = false"
+                           : "no section can yield",
              s.model().asked_at("plasticity")}};
 }
 

@@ -73,9 +73,8 @@ public:
             const int b = resting[elements[r.element].node[0]];
             if (b < 0 || std::find(woken.begin(), woken.end(), b) != woken.end()) continue;
             woken.push_back(b);
-            host_.note_waking(
-                "body", true,
-                std::string("it was at rest; ") + r.how + " at " + w_.structure.element_name(r.element));
+            host_.note_waking("body", true,
+                              std::string("it was at rest; ") + r.how + " at " + w_.structure.element_name(r.element));
         }
         if (woken.empty()) return;
         const auto wakes = [&](int node) {

@@ -28,8 +28,8 @@ void CentralDifferences::accelerate(Step& step) {
     Mass& mass = *mass_.now();
     const std::vector<Vec6>& inverse = mass.lumped_inverse();
     const auto move = [&](int i, const Lanes& a, Fastest& most) {
-        const Lanes v = load_row<6>(w_.state.velocity[i].data()) +
-                        half * (load_row<6>(w_.state.acceleration[i].data()) + a);
+        const Lanes v =
+            load_row<6>(w_.state.velocity[i].data()) + half * (load_row<6>(w_.state.acceleration[i].data()) + a);
         store_row<6>(w_.trial.acceleration[i].data(), a);
         store_row<6>(w_.trial.velocity[i].data(), v);
         if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};

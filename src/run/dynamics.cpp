@@ -10,8 +10,8 @@
 namespace hinge {
 namespace {
 
-constexpr double most_turn = 0.5;      ///< rad: of a node in a step, with step control
-constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
+constexpr double most_turn = 0.5;  ///< rad: of a node in a step, with step control
+constexpr long quiet_steps = 100;  ///< without anything to do after which an effect is said to sleep
 
 RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.geometric, s.rest}; }
 
@@ -73,28 +73,30 @@ void Dynamics::stage(int stage, F f) {
 void Dynamics::take_step() {
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
-    stage(at_.loads, [&] { begin_step(); });                     // F at the end of the step
-    if (meets_) stage(at_.contact, [&] { meet(); });             // [who meets whom: eqs 17 to 19]
-    if (anew_) stage(at_.restart, [&] { restart(); });           // [the acceleration anew: a force has vanished]
-    stage(at_.predict, [&] {                                     // what is known of the motion
+    stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
+    if (meets_) stage(at_.contact, [&] { meet(); });    // [who meets whom: eqs 17 to 19]
+    if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
+    stage(at_.predict, [&] {                            // what is known of the motion
         integrator_->predict(step_);
         for (const auto& e : effects_) e->predicted(step_);
     });
     bool more = true;
-    while (more && step_.failure.empty()) {                      // Newton's loop; the paper goes through it once
-        stage(at_.recover, [&] { recover(step_.end()); });       // R: eqs 3, 10, 13, and the return to eq 14
-        if (step_.failure.empty()) integrator_->solve(step_);    // [yield: eq 10a], effective stiffness, eq 15
+    while (more && step_.failure.empty()) {                    // Newton's loop; the paper goes through it once
+        stage(at_.recover, [&] { recover(step_.end()); });     // R: eqs 3, 10, 13, and the return to eq 14
+        if (step_.failure.empty()) integrator_->solve(step_);  // [yield: eq 10a], effective stiffness, eq 15
         stage(at_.correct, [&] { more = correct(); });
     }
-    stage(at_.recover, [&] { settle(); });                       // stresses where a long step has led
-    if (meets_) stage(at_.ends, [&] {                            // [ties that are due, contacts that began or ended]
-        for (const auto& e : effects_) e->end(step_);
-    });
-    if (control_.on()) stage(at_.control, [&] { weigh(); });     // [whether the step is kept]
-    if (decides_) stage(at_.decide, [&] {                        // [eq 16; the script is told]
-        for (const auto& e : effects_) e->decide(step_);
-    });
-    stage(at_.commit, [&] { commit(); });                        // what was tried becomes the state
+    stage(at_.recover, [&] { settle(); });  // stresses where a long step has led
+    if (meets_)
+        stage(at_.ends, [&] {  // [ties that are due, contacts that began or ended]
+            for (const auto& e : effects_) e->end(step_);
+        });
+    if (control_.on()) stage(at_.control, [&] { weigh(); });  // [whether the step is kept]
+    if (decides_)
+        stage(at_.decide, [&] {  // [eq 16; the script is told]
+            for (const auto& e : effects_) e->decide(step_);
+        });
+    stage(at_.commit, [&] { commit(); });  // what was tried becomes the state
 }
 
 void Dynamics::begin_step() {
@@ -524,8 +526,7 @@ bool Dynamics::makes_sense() const {
     const int nodes = int(structure_->position().size()), elements = int(structure_->elements().size());
     const auto within = [](int n) { return [n](int i) { return i >= 0 && i < n; }; };
     const auto all = [](const auto& list, auto good) { return std::all_of(list.begin(), list.end(), good); };
-    const bool states = hinge::makes_sense(state_, *structure_) &&
-                        (verdict_ == Verdict::failed || is_finite(state_)) &&
+    const bool states = hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
                         (!guard_.good_state() ||
                          (hinge::makes_sense(*guard_.good_state(), *structure_) && is_finite(*guard_.good_state())));
     const bool lengths = int(w_.external.size()) == nodes && int(w_.force.size()) == elements &&

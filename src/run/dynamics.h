@@ -96,10 +96,10 @@ private:
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false;  ///< what effects of this scene do in a step
     const char* decides_ = nullptr;
-    bool may_take_back_ = false;                     ///< a step may fail and be undone
+    bool may_take_back_ = false;  ///< a step may fail and be undone
     Step step_;
-    bool anew_ = false;                              ///< the next step begins with the acceleration found anew
-    bool rejected_ = false;                          ///< the step failed in a way that a shorter one may mend
+    bool anew_ = false;      ///< the next step begins with the acceleration found anew
+    bool rejected_ = false;  ///< the step failed in a way that a shorter one may mend
     struct Sleeper {
         bool awake = false;
         long quiet = 0;
@@ -108,13 +108,13 @@ private:
             a(s.awake, s.quiet);
         }
     };
-    std::vector<Sleeper> sleepers_;                  ///< of each effect that sleeps
+    std::vector<Sleeper> sleepers_;  ///< of each effect that sleeps
     struct {
         Accounts accumulated;
         std::optional<StepSize> size;
         bool anew = false;
         Fastest fastest;
-    } before_;                                       ///< the step, for one that is taken back
+    } before_;  ///< the step, for one that is taken back
 };
 
 }  // namespace hinge

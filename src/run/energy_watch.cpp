@@ -41,15 +41,16 @@ std::optional<std::string> Guard::look(State& state, double share, bool running,
         return {};
     }
     char what[400];
-    std::snprintf(what, sizeof what,
-                  "step %ld, t = %.6g s: the energy balance no longer closes, its error is %.3g %% of the energy turned "
-                  "over (energy_tolerance %.3g %%)",
-                  state.step, state.time, 100 * share, 100 * tolerance_);
+    std::snprintf(
+        what, sizeof what,
+        "step %ld, t = %.6g s: the energy balance no longer closes, its error is %.3g %% of the energy turned "
+        "over (energy_tolerance %.3g %%)",
+        state.step, state.time, 100 * share, 100 * tolerance_);
     std::string why = what + fastest;
     if (good_) {
         state = std::move(good_->state);
-        std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%", state.step,
-                      state.time, 100 * good_->share);
+        std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%",
+                      state.step, state.time, 100 * good_->share);
         why += what;
         good_.reset();
     }

@@ -48,7 +48,10 @@ double through_mass(const beam::Inertia& m, const Mat3& to_element, const Vec6 x
 }  // namespace
 
 Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings)
-    : Integrator(w, mass, stages), settings_(settings), iterations_(settings.iterations), tolerance_(settings.tolerance) {
+    : Integrator(w, mass, stages),
+      settings_(settings),
+      iterations_(settings.iterations),
+      tolerance_(settings.tolerance) {
     displacement_predictor_ =
         settings.predictor == Predictor::displacement ||
         (settings.predictor == Predictor::by_step && axial_courant_number(w.structure, settings.dt) > 1);
@@ -73,9 +76,9 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
 
 void Newmark::begin(const EffectList& effects) {
     effects_ = &effects;
-    const Keeping keeping = settings_.solver.direct                            ? Keeping::direct
+    const Keeping keeping = settings_.solver.direct                        ? Keeping::direct
                             : settings_.narrow && !displacement_predictor_ ? Keeping::narrow
-                                                                             : Keeping::iterative;
+                                                                           : Keeping::iterative;
     effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1 - w_.scheme.alpha,
                                                       w_.scheme.beta * settings_.dt * settings_.dt,
                                                       settings_.geometric && w_.structure.large(), keeping);
@@ -227,7 +230,8 @@ bool Newmark::correct(Step& step) {
             for (Vec6& c : change_) c *= damping_;
     }
     const bool by_spin = displacement_predictor_ && w_.structure.large();
-    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of it
+    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of
+                  // it
         for (std::size_t i = 0; i < change_.size(); ++i) {
             const Vec3 before = w_.turned[i];
             trial.rotation[i] = turned(to_u * change_[i].tail<3>(), trial.rotation[i]);
@@ -256,8 +260,8 @@ bool Newmark::correct(Step& step) {
     ++step.iteration;
     if (step.iteration == 1) first_change_ = size;
     if (iterations_ > 1 && step.iteration == iterations_ && size > 1e-6 * first_change_ && first_change_ > 1e-12)
-        step.failure = "Newton did not converge in " + std::to_string(step.iteration) + " iterations (last correction " +
-                       std::to_string(std::sqrt(size / first_change_)) +
+        step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
+                       " iterations (last correction " + std::to_string(std::sqrt(size / first_change_)) +
                        " of the first); a shorter dt or more iterations may help";
     return step.iteration < iterations_ && size > tolerance_ * tolerance_ * first_change_;
 }

@@ -59,17 +59,17 @@ private:
     double tolerance_;
     int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
     std::unique_ptr<EffectiveStiffness> effective_;
-    std::vector<Vec6> right_;                ///< F - R - M a: the right side of eq 15
-    std::vector<Vec6> change_;               ///< of the acceleration
-    std::vector<double> lumped_;             ///< kg, of each node, to weigh velocities and changes
-    std::vector<int> rebuild_;               ///< elements whose effective stiffness is to be built anew
+    std::vector<Vec6> right_;     ///< F - R - M a: the right side of eq 15
+    std::vector<Vec6> change_;    ///< of the acceleration
+    std::vector<double> lumped_;  ///< kg, of each node, to weigh velocities and changes
+    std::vector<int> rebuild_;    ///< elements whose effective stiffness is to be built anew
     std::vector<char> in_rebuild_;
-    std::vector<Mat6> tangents_;             ///< of the elements that flow
+    std::vector<Mat6> tangents_;  ///< of the elements that flow
     std::vector<int> was_yielding_;
-    std::vector<Yielding> hinges_;           ///< of the last step, with the displacement predictor
-    std::unordered_map<int, Mat6> built_;    ///< D_p in the effective stiffness, of the elements that have it there
+    std::vector<Yielding> hinges_;         ///< of the last step, with the displacement predictor
+    std::unordered_map<int, Mat6> built_;  ///< D_p in the effective stiffness, of the elements that have it there
     double first_change_ = 0, last_change_ = 0, damping_ = 1;
-    double jump_ = 0, motion_ = 0;           ///< of the last step: dt |da| / |v|; sum of m v^2
+    double jump_ = 0, motion_ = 0;  ///< of the last step: dt |da| / |v|; sum of m v^2
 };
 
 }  // namespace hinge

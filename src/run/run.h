@@ -100,8 +100,8 @@ protected:
     Workspace w_;
     EffectList effects_;
     AccountList accounts_;
-    double initial_ = 0;   ///< J, kinetic and elastic energy at the start
-    Accounts at_start_;    ///< what had been added up before this run
+    double initial_ = 0;  ///< J, kinetic and elastic energy at the start
+    Accounts at_start_;   ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
     std::vector<Waking> wakings_;
     std::string reason_;

@@ -33,7 +33,7 @@ struct DynamicSettings {
     double tolerance = 1e-10;  ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;     ///< initial-stress stiffness in the effective stiffness (the forces are exact anyway)
     double turn = 0.01;        ///< rad: an element's effective stiffness is rebuilt when it has turned by this much
-    bool narrow = true;        ///< in steps no longer than the fastest waves need, effective stiffness in single precision
+    bool narrow = true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
     /// The run ends, failed, when the energy balance error is a larger part of the energy turned over. 0: never, the
     /// default of Shift::whole, whose balance cannot close; with Shift::plastic a tenth.
     std::optional<double> energy_tolerance;

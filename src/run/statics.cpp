@@ -37,7 +37,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     for (const Vec3& x : structure_->position()) reach_ = std::max(reach_, x.cwiseAbs().maxCoeff());
     // forces that rounding of the positions alone makes: below them equilibrium cannot be told
     for (const Element& e : structure_->elements())
-        noise_ = std::max(noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
+        noise_ = std::max(
+            noise_, 1e-15 * reach_ * (e.stiffness.axial + (e.stiffness.x22 + e.stiffness.y22) / (e.length * e.length)));
     noise_ *= std::sqrt(double(nodes));
     for (const auto& e : effects_) loads_follow_ = loads_follow_ || e->loads_follow();
     find_loads();
@@ -47,7 +48,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
-    const bool moments = std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    const bool moments =
+        std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     if ((moments || loads_follow_) && structure_->large()) {
         effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
         effective_->set_held(held_);
@@ -255,7 +257,8 @@ void Statics::commit(double before) {
                 (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.turned[i]));
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
-            for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - trial_factor_ * w_.external[i][c] : 0;
+            for (int c = 0; c < 6; ++c)
+                r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - trial_factor_ * w_.external[i][c] : 0;
         }
     }
     for (const auto& e : effects_) e->add_up(step, state_.accumulated);

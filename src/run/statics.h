@@ -51,11 +51,11 @@ private:
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
            noise_ = 0;
     int converged_in_ = 0;
-    std::vector<Vec6> potential_;              ///< the part of F that has a potential energy in an account of its own
-    std::vector<Vec6> right_, change_;         ///< F - R, and the move that it asks for
-    std::vector<Vec6> response_;               ///< the move that F at factor 1 asks for
+    std::vector<Vec6> potential_;       ///< the part of F that has a potential energy in an account of its own
+    std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for
+    std::vector<Vec6> response_;        ///< the move that F at factor 1 asks for
     std::vector<Vec6> last_move_;
-    std::vector<Yielding> hinges_;             ///< of the last equilibrium
+    std::vector<Yielding> hinges_;  ///< of the last equilibrium
     std::vector<int> was_yielding_;
     bool built_ = false, loads_follow_ = false;
     Stages stages_;

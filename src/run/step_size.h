@@ -23,16 +23,16 @@ public:
     StepSize(double dt, double duration, bool automatic, bool controlled, double start);
 
     double dt() const { return unit_ * double(length_); }
-    double own() const { return unit_ * double(own_); }        ///< s: dt of the settings, with "auto" the shortest
+    double own() const { return unit_ * double(own_); }  ///< s: dt of the settings, with "auto" the shortest
     double least_taken() const { return unit_ * double(least_); }
     double end() const { return start_ + double(done_) * unit_; }  ///< s, where the steps so far have ended
     bool over() const { return done_ >= whole_; }
-    bool longer() const { return length_ > own_; }   ///< than the script's own dt
+    bool longer() const { return length_ > own_; }  ///< than the script's own dt
     bool finest() const { return length_ == 1; }
     bool varies() const { return automatic_ || own_ > 1; }
     long left() const { return (whole_ - done_) / length_; }
     long whole() const { return whole_; }
-    double of_run() const { return double(length_) / double(whole_); }   ///< the coming step's part of the duration
+    double of_run() const { return double(length_) / double(whole_); }  ///< the coming step's part of the duration
     double so_far() const { return double(done_) / double(whole_); }
     long rejected() const { return rejected_; }
 
@@ -48,7 +48,8 @@ public:
         if (easy_ >= patience_) patience_ = first_patience;
         if (!automatic_) return length_;
         const long longest = long_step * own_;
-        const double longer = double(longest) / double(length_);  // da grows with dt: what a short step says of a long one
+        const double longer =
+            double(longest) / double(length_);  // da grows with dt: what a short step says of a long one
         calm = calm && jump * longer * longer <= jump_limit;
         calm_ = calm ? calm_ + 1 : 0;
         const bool fits = done_ + longest <= whole_;
@@ -64,15 +65,15 @@ public:
     /// A step of `tried` units was taken back: how long the next is.
     long halved(long tried);
 
-    static constexpr long long_step = 8;        ///< of the shortest
-    static constexpr int calm_steps = 20;       ///< before steps are long: K anew costs as much as ten steps
-    static constexpr int first_patience = 8;    ///< halved steps that must go well before they are doubled; twice as many
-                                                ///< after each that does not
+    static constexpr long long_step = 8;      ///< of the shortest
+    static constexpr int calm_steps = 20;     ///< before steps are long: K anew costs as much as ten steps
+    static constexpr int first_patience = 8;  ///< halved steps that must go well before they are doubled; twice as many
+                                              ///< after each that does not
     static constexpr int most_patience = 512;
-    static constexpr double jump_limit = 1e-3;  ///< dt |da| against |v| in a long step, weighted by mass: its error is a
-                                                ///< twelfth of that
-    static constexpr long finest_part = 1024;   ///< of a step, with step control: a power of two, so that times stay those
-                                                ///< of whole steps to the bit
+    static constexpr double jump_limit = 1e-3;  ///< dt |da| against |v| in a long step, weighted by mass: its error is
+                                                ///< a twelfth of that
+    static constexpr long finest_part = 1024;  ///< of a step, with step control: a power of two, so that times stay
+                                               ///< those of whole steps to the bit
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -81,7 +82,7 @@ public:
     bool makes_sense() const;
 
 private:
-    double unit_;         ///< s: own steps, or with step control the finest; lengths are counted in it
+    double unit_;  ///< s: own steps, or with step control the finest; lengths are counted in it
     long own_, whole_;
     bool automatic_;
     long done_ = 0, length_ = own_, least_ = own_;

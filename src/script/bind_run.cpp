@@ -210,7 +210,8 @@ int fields(lua_State* L) {
                            .c_str());
     else if (key == "contacts") {
         lua_createtable(L, 0, 2);
-        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0), lua_setfield(L, -2, "bound");
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0),
+            lua_setfield(L, -2, "bound");
         lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().released : 0),
             lua_setfield(L, -2, "released");
     } else if (key == "counts") {

@@ -28,10 +28,10 @@ private:
 /// What an effect registers.
 struct AccountInfo {
     std::string_view name;
-    int place;                     ///< where it stands in the list: rising
-    std::string_view meaning;      ///< for people
-    std::string_view part_of = {}; ///< the account that it is a part of; "" for one that stands in the balance itself
-    bool always = false;           ///< in every list, as the contract of summary.json asks, whatever a scene calls for
+    int place;                      ///< where it stands in the list: rising
+    std::string_view meaning;       ///< for people
+    std::string_view part_of = {};  ///< the account that it is a part of; "" for one that stands in the balance itself
+    bool always = false;            ///< in every list, as the contract of summary.json asks, whatever a scene calls for
 };
 
 /// Supplied: what raises the sum. Everything else is held, or was taken out.
@@ -39,9 +39,9 @@ inline constexpr std::string_view supplied_account = "work";
 
 /// The balance of a state: error = initial + work - (all other accounts), which is what the numerics made or lost.
 struct Energy {
-    double initial = 0;          ///< kinetic + elastic at the start of the run
-    Accounts accounts;           ///< those registered, parts included; an account with parts is their sum
-    double remainder = 0;        ///< the energy balance error
+    double initial = 0;    ///< kinetic + elastic at the start of the run
+    Accounts accounts;     ///< those registered, parts included; an account with parts is their sum
+    double remainder = 0;  ///< the energy balance error
     /// An account, or "initial" or "remainder".
     double operator[](std::string_view name) const;
 };

@@ -121,7 +121,7 @@ struct State {
 
     double time = 0;
     long step = 0;
-    double factor = 1;  ///< load factor reached in statics
+    double factor = 1;     ///< load factor reached in statics
     Accounts accumulated;  ///< energy that steps have added up, J
     EffectDataList data;
 

@@ -75,9 +75,9 @@ TEST_CASE("fracture: mass and both momenta stay what they were through a break, 
             worst = largest_of(worst, momentum_change(before, momentum(*star.structure, star.state)));
             const double lost = kinetic - kinetic_energy(*star.structure, star.state);
             most_gained = largest_of(most_gained, -report.kinetic / kinetic);
-            wrong_booking =
-                largest_of(wrong_booking, std::abs(lost - report.kinetic) / kinetic,
-                           std::abs(star.state.accumulated["fracture_kinetic"] - accumulated - report.kinetic) / kinetic);
+            wrong_booking = largest_of(
+                wrong_booking, std::abs(lost - report.kinetic) / kinetic,
+                std::abs(star.state.accumulated["fracture_kinetic"] - accumulated - report.kinetic) / kinetic);
             CHECK(report.elastic >= 0);
             CHECK(star.state.broken[element] == end);
             CHECK(star.state.force[element].isZero(0));

@@ -1,6 +1,6 @@
 // Loads and gravity: the momentum that they give over time, also to bodies that break, and the work that they do.
 #include "helpers.h"
-#include "sim/checkpoint.h"
+#include "run/checkpoint.h"
 
 using namespace hinge;
 using namespace hinge::test;

@@ -1,4 +1,4 @@
--- A run whose energy ledger no longer closes ends by itself, says where, and goes back to its last good state.
+-- A run whose energy balance no longer closes ends by itself, says where, and goes back to its last good state.
 --
 -- Run: lua5.4 tests/script/guard_test.lua BUILD, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -22,7 +22,7 @@ local last = 0
 run:on_step(function(r) last = r.time end)
 run:finish()
 checks.equal(run.verdict, "failed", "verdict")
-checks.expect(support.says(run.reason, "step ..., t = ... s: the energy ledger no longer closes, "
+checks.expect(support.says(run.reason, "step ..., t = ... s: the energy balance no longer closes, "
   .. "its remainder is ... % of the energy turned over (energy_tolerance 10 %); fastest was node ... with ... m/s "
   .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt or step_control or "
   .. "rho_infinity below 1 may hold"), "reason: %s", run.reason)
@@ -31,7 +31,7 @@ checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.en
 checks.expect(not run:step(), "there is no further step")
 
 local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()
-checks.expect(blind.verdict == "completed" or not blind.reason:find "ledger", "energy_tolerance = 0 does not look: %s",
+checks.expect(blind.verdict == "completed" or not blind.reason:find "energy balance", "energy_tolerance = 0 does not look: %s",
   blind.reason)
 checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "and the ledger does not close")
 

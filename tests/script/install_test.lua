@@ -32,7 +32,7 @@ status, _, complaint = run(("%s %s/host %s/nowhere"):format(clean, host, folder)
 expect(status == 1 and complaint:find "host: .*module 'hinge' not found", "a host without the module: %s", complaint)
 
 -- Types are laid out as in the engine, or the compiler says so.
-support.write(folder .. "/other.cpp", '#include "sim/dynamics.h"\n')
+support.write(folder .. "/other.cpp", '#include "run/dynamics.h"\n')
 local eigen = cache:match "Eigen3_DIR:PATH=([^\n]*)/share/eigen3/cmake" or "/usr"
 local compile = "c++ -std=c++20 -fsyntax-only -D HINGE_ALIGNMENT=8 -I %s/include/hinge -I %s/include/eigen3 "
   .. "%s/other.cpp"

@@ -131,7 +131,7 @@ function look.two_beam_impact(r, printed)
   equal(#r.ended, 1, "runs that ended by themselves")
   local e = r.ended[1] or { run = "none", reason = "" }
   equal(e.run, "gap, beta 0.4, dt 40 us", "the run that did")
-  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the energy ledger no longer closes", "its reason: %s", e.reason)
+  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the energy balance no longer closes", "its reason: %s", e.reason)
   expect(e.time > 0 and e.time < 0.03, "its time: %s", e.time)
   local figures = pick(r.over_dt, { rule = "gap", beta = 0.4 })
   near(figures.dt_us[2], 40, 1e-9, "its step")

@@ -109,7 +109,7 @@ for effect, line in pairs { gravity = "model:gravity { 0, 0,", fracture = "model
   expect(printed:match("dynamic run.*\n  " .. effect .. " +on  [^\n]*ten_storey_impact.lua:(%d+)\n") == tostring(at),
     "plan: %s at line %s:\n%s", effect, at, printed)
 end
-for _, effect in ipairs { "friction", "damping", "ground", "hooks" } do
+for _, effect in ipairs { "friction", "moving supports", "hooks" } do
   expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
 end
 for geometric, line in pairs { ["true"] = "on +part of large displacement", ["false"] = "off +geometric = false" } do

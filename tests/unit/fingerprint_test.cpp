@@ -4,7 +4,7 @@
 
 #include "core/errors.h"
 #include "helpers.h"
-#include "sim/checkpoint.h"
+#include "run/checkpoint.h"
 
 using namespace hinge;
 using namespace hinge::test;
