@@ -8,9 +8,9 @@ namespace hinge {
 
 const std::vector<EffectKind>& all_effects() {
     static const std::vector<EffectKind> list = {
-        inertia_kind(),         loads_kind(),    gravity_kind(),          large_displacement_kind(),
-        plasticity_kind(),      fracture_kind(), broken_members_kind(),   contact_kind(),
-        moving_supports_kind(), rest_kind(),     script_functions_kind(),
+#define HINGE_EFFECT(name) name##_kind(),
+#include "effects/list.inc"
+#undef HINGE_EFFECT
     };
     return list;
 }

@@ -1,4 +1,4 @@
-// All effects that the engine knows, in the order in which they act in a step: a new one is a line in all_effects.cpp.
+// All effects that the engine knows, in the order in which they act in a step: a new one is a line in list.inc.
 #pragma once
 
 #include "effects/effect.h"

@@ -249,6 +249,8 @@ struct EffectKind {
     std::vector<PlanLine> (*plan)(const Structure& structure, const RunKind& kind);
     /// The effect, or null where the scene does not call for it.
     std::unique_ptr<Effect> (*make)(Workspace& w, Host& host);
+    /// Declared by Model::declare under its name, so that a run can do without it (core.leave_out).
+    bool declared = false;
 };
 
 }  // namespace hinge

@@ -1,4 +1,4 @@
-// What the files of this folder share: each gives one kind of effect, and all_effects.cpp lists them.
+// What the files of this folder share: each gives one kind of effect, and list.inc lists them.
 #pragma once
 
 #include "effects/effect.h"
@@ -10,16 +10,8 @@ inline std::string only_in_dynamics(const RunKind& run, const std::string& call)
     return run.dynamic ? call : "declared by " + call + ", but acts in dynamics only";
 }
 
-EffectKind inertia_kind();
-EffectKind loads_kind();
-EffectKind gravity_kind();
-EffectKind large_displacement_kind();
-EffectKind plasticity_kind();
-EffectKind fracture_kind();
-EffectKind broken_members_kind();
-EffectKind contact_kind();
-EffectKind moving_supports_kind();
-EffectKind rest_kind();
-EffectKind script_functions_kind();
+#define HINGE_EFFECT(name) EffectKind name##_kind();
+#include "effects/list.inc"
+#undef HINGE_EFFECT
 
 }  // namespace hinge

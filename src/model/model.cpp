@@ -88,7 +88,6 @@ void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
     must_be_finite(linear, "velocity", "m/s");
     must_be_finite(angular, "angular velocity", "rad/s");
     velocities_[node] << linear, angular;
-    has_velocity_ = true;
 }
 
 void Model::add_fracture(FractureRule rule) {
@@ -103,9 +102,9 @@ void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std
 void Model::add_motion(SupportMotion motion) {
     fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion));
 }
-void Model::set_damping(double d) { check_open(), damping_ = d; }
 
 void Model::leave_out(const std::string& effect) {
+    declared_.erase(effect);
     if (effect == "gravity") gravity_.reset();
     if (effect == "large displacement") options_.displacement = Displacement::small;
     if (effect == "plasticity") options_.plasticity = false;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contact/contact.h"
+#include "core/archive.h"
 #include "core/types.h"
 #include "model/fracture_rule.h"
 
@@ -102,9 +103,40 @@ struct ModelOptions {
     int elements_per_member = 2;
 };
 
-/// Effects that a model asks for and could do without, by the names that effects.h has for them.
+/// Effects that a model asks for and could do without, by their names in the plan, beside those that keep declarations.
 inline const std::vector<std::string> optional_effects = {
     "gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
+
+/// What a script declares of an effect that keeps its own declarations (effects/*.cpp), under the effect's name. A
+/// model is copied for each run, and its declarations with it.
+class Declaration {
+public:
+    virtual ~Declaration() = default;
+    virtual std::shared_ptr<Declaration> copy() const = 0;
+    virtual std::size_t count() const = 0;  ///< of things declared, for the fingerprint of a checkpoint
+    /// All numbers that change bits, and of functions whether there is one, for the same.
+    virtual void save(Writer& to) const = 0;
+};
+
+/// A list of T. T lists its fields (core/archive.h) and holds functions only in members that it leaves out there.
+template <class T>
+class DeclaredList : public Declaration {
+public:
+    std::vector<T> list;
+    std::shared_ptr<Declaration> copy() const override { return std::make_shared<DeclaredList>(*this); }
+    std::size_t count() const override { return list.size(); }
+    void save(Writer& to) const override { to(list); }
+};
+
+/// By the effect's name. A copy has its own.
+struct Declarations : std::map<std::string, std::shared_ptr<Declaration>> {
+    Declarations() = default;
+    Declarations(const Declarations& other) {
+        for (const auto& [effect, what] : other) emplace(effect, what->copy());
+    }
+    Declarations(Declarations&&) = default;
+    Declarations& operator=(Declarations&&) = default;
+};
 
 /// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it
 /// was.
@@ -124,9 +156,25 @@ public:
     void add_fracture(FractureRule rule);
     void add_contact(ContactRule rule);
     void add_motion(SupportMotion motion);
+    /// Appends to the list of T that is kept for an effect; T is always the same for one name. `effect` is the name of
+    /// an EffectKind. Raises InputError inside a step, as all functions that declare.
+    template <class T>
+    void declare(const std::string& effect, T what) {
+        check_open();
+        auto& kept = declared_[effect];
+        if (!kept) kept = std::make_shared<DeclaredList<T>>();
+        static_cast<DeclaredList<T>&>(*kept).list.push_back(std::move(what));
+    }
+    /// What was declared of an effect; empty where nothing was.
+    template <class T>
+    const std::vector<T>& declared(const std::string& effect) const {
+        static const std::vector<T> none;
+        const auto at = declared_.find(effect);
+        return at == declared_.end() ? none : static_cast<const DeclaredList<T>&>(*at->second).list;
+    }
+    const Declarations& declarations() const { return declared_; }
     /// While locked (a run of this model is inside a step) whatever would change it raises InputError.
     void lock(bool locked) { locked_ = locked; }
-    void set_damping(double mass_proportional);
     /// Takes back what declared one of `optional_effects`, as if the script had not; other names leave all as it is.
     void leave_out(const std::string& effect);
     int group(const std::string& name);             ///< finds or makes
@@ -147,9 +195,7 @@ public:
     void ask(const std::string& effect, const std::string& line) { asked_.try_emplace(effect, line); }
     bool asked(const std::string& effect) const { return asked_.count(effect) > 0; }
     std::string asked_at(const std::string& effect) const { return asked(effect) ? asked_.at(effect) : ""; }
-    double damping() const { return damping_; }
     const std::vector<Vec6>& velocities() const { return velocities_; }
-    bool has_velocity() const { return has_velocity_; }
     std::vector<int> nodes_of_group(int group) const;
 
 private:
@@ -162,13 +208,12 @@ private:
     std::vector<FractureRule> fracture_;
     std::vector<ContactRule> contact_;
     std::vector<SupportMotion> motions_;
+    Declarations declared_;
     bool locked_ = false;
     void check_open() const;
     std::optional<Vec3> gravity_;
     std::map<std::string, std::string> asked_;
-    double damping_ = 0;
     std::vector<Vec6> velocities_;
-    bool has_velocity_ = false;
 };
 
 }  // namespace hinge

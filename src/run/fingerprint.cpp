@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+
 #include "core/archive.h"
 
 namespace hinge {
@@ -74,19 +76,32 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.turn, s.narrow, s.energy_tolerance,
           s.step_control, s.rho_infinity, s.rest, s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
     }));
+    for (const auto& [effect, what] : model.declarations()) {
+        std::string bytes;
+        Writer write(bytes);
+        what->save(write);
+        parts.push_back(part(effect.c_str(), std::vector{bytes}, [](Sum& a, const std::string& b) { a(b); }));
+        parts.back().count = what->count();
+    }
     return parts;
 }
 
 std::string difference(const std::vector<FingerprintPart>& there, const std::vector<FingerprintPart>& here) {
+    const auto find = [](const std::vector<FingerprintPart>& parts, const std::string& name) {
+        const auto at = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.name == name; });
+        return at == parts.end() ? FingerprintPart{name, 0, 0} : *at;
+    };
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < here.size() && i < there.size(); ++i) {
-        if (there[i].name == here[i].name && there[i].count == here[i].count && there[i].sum == here[i].sum) continue;
-        names.push_back(here[i].name);
-        if (there[i].count != here[i].count)
-            names.back() +=
-                " (" + std::to_string(there[i].count) + " there, " + std::to_string(here[i].count) + " here)";
-    }
-    if (there.size() != here.size()) names.push_back("what it knows of a model");
+    const auto compare = [&](const FingerprintPart& a, const FingerprintPart& b) {
+        if (a.count == b.count && a.sum == b.sum) return;
+        names.push_back(a.name);
+        if (a.count != b.count)
+            names.back() += " (" + std::to_string(a.count) + " there, " + std::to_string(b.count) + " here)";
+    };
+    for (const FingerprintPart& part : here) compare(find(there, part.name), part);
+    for (const FingerprintPart& part : there)
+        if (std::none_of(here.begin(), here.end(), [&](const auto& p) { return p.name == part.name; }))
+            compare(part, find(here, part.name));
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i)
         text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];

@@ -72,8 +72,8 @@ public:
     static constexpr int most_patience = 512;
     static constexpr double jump_limit = 1e-3;  ///< dt |da| against |v| in a long step, weighted by mass: its error is
                                                 ///< a twelfth of that
-    static constexpr long finest_part = 1024;  ///< of a step, with step control: a power of two, so that times stay
-                                               ///< those of whole steps to the bit
+    static constexpr long finest_part = 1024;   ///< of a step, with step control: a power of two, so that times stay
+                                                ///< those of whole steps to the bit
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {

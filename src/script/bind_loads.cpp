@@ -4,8 +4,6 @@
 #include "script/objects.h"
 
 namespace hinge::script {
-namespace {
-
 /// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
 /// point has beside its time. Empty where the field is absent.
 History read_history(Options& o, const char* field, const std::string& each, const Model& model) {
@@ -68,6 +66,8 @@ History read_history(Options& o, const char* field, const std::string& each, con
         return points.back().second;
     };
 }
+
+namespace {
 
 /// The run of this model that is inside a step.
 std::shared_ptr<RunRecord> stepping_run(const ScriptModel& model) {

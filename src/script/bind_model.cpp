@@ -214,13 +214,17 @@ int counts(lua_State* L) {
 }  // namespace
 
 void open_model(lua_State* L, int module) {
-    static const luaL_Reg methods[] = {{"node", guarded<add_node>},        {"fix", guarded<fix>},
-                                       {"member", guarded<add_member>},    {"load", guarded<add_load>},
-                                       {"move", guarded<move_support>},    {"gravity", guarded<gravity>},
-                                       {"velocity", guarded<velocity>},    {"fracture", guarded<fracture_rule>},
-                                       {"contact", guarded<contact_rule>}, {"group", guarded<group>},
-                                       {"counts", guarded<counts>},        {"static", guarded<static_run>},
-                                       {"dynamic", guarded<dynamic_run>},  {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"node", guarded<add_node>},
+                                       {"fix", guarded<fix>},
+                                       {"member", guarded<add_member>},
+                                       {"gravity", guarded<gravity>},
+                                       {"velocity", guarded<velocity>},
+                                       {"group", guarded<group>},
+                                       {"counts", guarded<counts>},
+#define HINGE_MODEL_METHOD(name, function) {#name, guarded<function>},
+#include "script/model_methods.inc"
+#undef HINGE_MODEL_METHOD
+                                       {nullptr, nullptr}};
     add_methods(L, ModelBox::lua_name, methods);
     lua_pushcfunction(L, guarded<model>);
     lua_setfield(L, module, "model");

@@ -216,12 +216,13 @@ void open_reading(lua_State* L);              ///< what runs, nodes and members 
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
 
-int add_load(lua_State* L);       ///< model:load
-int move_support(lua_State* L);   ///< model:move
-int fracture_rule(lua_State* L);  ///< model:fracture
-int contact_rule(lua_State* L);   ///< model:contact
-int static_run(lua_State* L);     ///< model:static
-int dynamic_run(lua_State* L);    ///< model:dynamic
+#define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);
+#include "script/model_methods.inc"
+#undef HINGE_MODEL_METHOD
+
+/// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
+/// point has beside its time. Empty where the field is absent.
+History read_history(Options& o, const char* field, const std::string& each, const Model& model);
 
 /// Makes the run that model:static{} and model:dynamic{} return.
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every);
