@@ -42,16 +42,18 @@ Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, 
         return structure_.large() ? beam::tangent(place, state.force[index], k, geometric)
                                   : beam::linear_tangent(axes.transpose(), e.length, k);
     };
+    const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
+    const double of_M = mass_factor_ + by_damping_ * c.of_mass, of_K = stiffness_factor_ + by_damping_ * c.of_stiffness;
     const Mat12 K = stiffness(geometric_);
     Mat12 A;
-    if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
-    else A = (0.5 * stiffness_factor_) * (K + K.transpose());
-    if (mass_factor_ == 0) return A;
-    const Mat12 M = mass_factor_ * structure_.inertia(index).matrix(axes);
+    if (keeping_ == Keeping::unsymmetric) A = of_K * K;
+    else A = (0.5 * of_K) * (K + K.transpose());
+    if (of_M == 0) return A;
+    const Mat12 M = of_M * structure_.inertia(index).matrix(axes);
     A += M;
     if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
         A.llt().info() != Eigen::Success)
-        A = stiffness_factor_ * stiffness(false) + M;
+        A = of_K * stiffness(false) + M;
     return A;
 }
 

@@ -32,6 +32,12 @@ public:
     void build(const std::vector<int>& elements, const State& state, const Pose& pose,
                const std::vector<const Mat6*>& tangents);
     void remove(int element);
+    /// Of each element, empty for none; `by_damping`: what C counts for in the matrix, gamma dt. Elements must be built
+    /// anew.
+    void set_damping(std::vector<ElementDamping> damping, double by_damping) {
+        damping_ = std::move(damping), by_damping_ = by_damping;
+    }
+    void set_damping_factor(double by_damping) { by_damping_ = by_damping; }
     /// Another k: every element must be built anew, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
     /// Replaces all that effects add beside the elements, already as a stiffness (but offset masses, set one by one).
@@ -79,7 +85,8 @@ private:
 
     const Structure& structure_;
     ThreadPool& pool_;
-    double mass_factor_, stiffness_factor_;
+    double mass_factor_, stiffness_factor_, by_damping_ = 0;
+    std::vector<ElementDamping> damping_;
     bool geometric_;
     Keeping keeping_;
     ElementMatrices matrices_;

@@ -7,6 +7,11 @@
 
 namespace hinge {
 
+/// Damping in proportion to an element's matrices, C = of_mass M + of_stiffness K; 1/s, s.
+struct ElementDamping {
+    double of_mass = 0, of_stiffness = 0;
+};
+
 /// What joins two nodes beside the elements: a stiffness, 12x12.
 struct Coupling {
     int a, b;

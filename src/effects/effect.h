@@ -87,6 +87,11 @@ struct ImpulseResponse {
     std::vector<Vec6> change;  ///< of the velocities
 };
 
+/// The resultants of a section: N, N m; signs as run:forces has them.
+struct SectionForces {
+    double N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0;
+};
+
 /// Something reached an element in this step, or broke it: a body at rest that it belongs to takes part again.
 struct Reached {
     int element;
@@ -147,6 +152,16 @@ public:
     virtual bool has_blocks() const { return false; }
     /// Whether its blocks change with every pose: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
+
+    /// Damping in proportion to an element's own matrices, C = of_mass M + of_stiffness K (1/s, s): it goes into the
+    /// element's effective stiffness. The forces are added like all others.
+    virtual bool damps_elements() const { return false; }
+    virtual ElementDamping element_damping(int element) const { return (void)element, ElementDamping{}; }
+    /// What the section forces at an end (side -1: the first node, 1: the second) have beyond those that follow from
+    /// the element's deformation: loads between its nodes.
+    virtual void add_section_forces(int element, double side, SectionForces& forces) const {
+        (void)element, (void)side, (void)forces;
+    }
 
     // ---- a step of dynamics, in this order ------------------------------------------------------------------------
     /// F at the end of the step, and what is prescribed there. Functions of the script are asked.

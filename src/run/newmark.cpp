@@ -83,6 +83,14 @@ void Newmark::begin(const EffectList& effects) {
                                                       w_.scheme.beta * settings_.dt * settings_.dt,
                                                       settings_.geometric && w_.structure.large(), keeping);
     effective_->set_held(w_.state.held);
+    std::vector<ElementDamping> damping;
+    for (const auto& effect : effects)
+        for (std::size_t e = 0; e < in_rebuild_.size() && effect->damps_elements(); ++e) {
+            damping.resize(in_rebuild_.size());
+            const ElementDamping more = effect->element_damping(int(e));
+            damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
+        }
+    effective_->set_damping(std::move(damping), w_.scheme.gamma * settings_.dt);
     if (w_.structure.large()) w_.sweep.watch_turning(settings_.turn);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
@@ -326,6 +334,7 @@ void Newmark::stiffness_changed(int element) {
 void Newmark::dt_changed(double dt) {
     if (!effective_) return;
     effective_->set_stiffness_factor(w_.scheme.beta * dt * dt);
+    effective_->set_damping_factor(w_.scheme.gamma * dt);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
 }

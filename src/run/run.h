@@ -56,8 +56,10 @@ public:
     long steps_done() const { return state_.step - first_step_; }
     long element_updates() const { return sweep_.updates(); }
 
-    Vec6 displacement(int node) const;      ///< ux uy uz (m), rotation vector rx ry rz (rad)
-    Vec6 reaction(int node) const;          ///< forces (N) and moments (N m) that the supports exert on the node
+    Vec6 displacement(int node) const;  ///< ux uy uz (m), rotation vector rx ry rz (rad)
+    Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
+    /// At an end of an element, side -1 or 1; zero in a broken one. Loads between its nodes are in them.
+    SectionForces section_forces(int element, double side) const;
     double yield_value(int element) const;  ///< f_y of eq 14, the larger of its sections; 0 when broken
 
     struct Counts {

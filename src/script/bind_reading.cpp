@@ -147,16 +147,11 @@ const std::vector<std::string> resultants = {"N", "Mx", "My", "Mz", "Qx", "Qy", 
 
 /// The section resultants at an element's end, in that order, zero in a broken one; side: -1 or 1.
 std::array<double, 7> resultants_at(const Run& run, int element, double side) {
-    const Element& e = run.structure().elements()[element];
     if (run.state().broken[element]) return {};
-    const Vec6& p = run.state().force[element];
-    return {p[4],
-            beam::moment_at(p[0], p[1], side),
-            beam::moment_at(p[2], p[3], side),
-            p[5],
-            -(p[2] + p[3]) / e.length,
-            (p[0] + p[1]) / e.length,
-            beam::yield_function(p, side, e.yield)};
+    const SectionForces f = run.section_forces(element, side);
+    const double yield =
+        beam::yield_function(run.state().force[element], side, run.structure().elements()[element].yield);
+    return {f.N, f.Mx, f.My, f.Mz, f.Qx, f.Qy, yield};
 }
 
 template <class Self>
