@@ -7,8 +7,8 @@ build=$root/build
 options=()  # of cmake, beside the mode
 
 # What each is for stands in README.md.
-packages=(g++ cmake ninja-build libeigen3-dev liblua5.4-dev lua5.4 catch2 libvtk9-dev nlohmann-json3-dev libcli11-dev
-  libedit-dev zlib1g-dev xvfb fonts-dejavu-core clang-format lua-check)
+packages=(g++ cmake ninja-build libeigen3-dev libspectra-dev liblua5.4-dev lua5.4 catch2 libvtk9-dev nlohmann-json3-dev
+  libcli11-dev libedit-dev zlib1g-dev xvfb fonts-dejavu-core clang-format lua-check)
 
 stop() {
   echo "hinge: $*" >&2

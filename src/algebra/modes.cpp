@@ -1,10 +1,11 @@
 #include "algebra/modes.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
+#include <Spectra/SymGEigsShiftSolver.h>
 #include <algorithm>
-#include <random>
+#include <limits>
+#include <stdexcept>
 
 #include "beam/tangent.h"
 
@@ -45,6 +46,71 @@ struct Matrices {
     }
 };
 
+using Factors = Eigen::SimplicialLDLT<Sparse>;
+using Vector = Eigen::VectorXd;
+
+/// x -> M x, as Spectra asks for it.
+struct MassProduct {
+    using Scalar = double;
+    const Sparse& M;
+
+    Eigen::Index rows() const { return M.rows(); }
+    void perform_op(const double* x, double* y) const {
+        Vector::Map(y, rows()) = M.selfadjointView<Eigen::Lower>() * Vector::Map(x, rows());
+    }
+};
+
+/// x -> (K + a M)^-1 x without its components along the modes that are known, as Spectra asks for it.
+struct Inverse {
+    using Scalar = double;
+    const Factors& factors;
+    Eigen::MatrixXd modes, M_modes;  ///< their shapes, of modal mass 1, and M times these
+
+    Eigen::Index rows() const { return factors.rows(); }
+    void set_shift(double) {}  // the factors have it
+    void perform_op(const double* x, double* y) const {
+        auto out = Vector::Map(y, rows());
+        out = factors.solve(Vector::Map(x, rows()));
+        if (modes.cols() > 0) out -= modes * (M_modes.transpose() * out);
+    }
+};
+
+/// The lowest `wanted` w^2 of K x = w^2 M x, rising, where K + a M is positive definite. K and M have traces near 1:
+/// Spectra compares with fixed small numbers.
+std::vector<double> lowest_eigenvalues(const Sparse& K, const Sparse& M, double a, int wanted) {
+    const int size = int(K.rows());
+    std::vector<double> found;
+    if (size < 4 * wanted + 40) {  // Lanczos' method wants room
+        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+            Eigen::MatrixXd(M), Eigen::MatrixXd(K + a * M), Eigen::EigenvaluesOnly);
+        for (int i = 1; i <= wanted; ++i) found.push_back(1 / solver.eigenvalues()[size - i] - a);
+        return found;
+    }
+    const Factors factors(K + a * M);
+    Inverse inverse{factors, {}, {}};
+    MassProduct mass{M};
+    for (double last = std::numeric_limits<double>::infinity();; last = found[wanted - 1]) {
+        Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
+            inverse, mass, wanted, std::max(2 * wanted, 20), -a);
+        solver.init();
+        if (solver.compute(Spectra::SortRule::LargestMagn) < wanted)
+            throw std::runtime_error("the natural frequencies cannot be found: Lanczos' method does not converge");
+        const Vector values = solver.eigenvalues();
+        found.insert(found.end(), values.begin(), values.end());
+        std::sort(found.begin(), found.end());
+        // As many negative pivots as there are eigenvalues below the shift (Sylvester): is one of them missing?
+        const double shift = (1 - 1e-6) * found[wanted - 1];
+        const Factors shifted(K - shift * M);
+        const auto below = std::lower_bound(found.begin(), found.end(), shift) - found.begin();
+        if ((shifted.vectorD().array() < 0).count() <= below || values.minCoeff() >= last) break;
+        inverse.modes.conservativeResize(size, inverse.modes.cols() + wanted);
+        inverse.modes.rightCols(wanted) = solver.eigenvectors();
+        inverse.M_modes = M.selfadjointView<Eigen::Lower>() * inverse.modes;
+    }
+    found.resize(wanted);
+    return found;
+}
+
 }  // namespace
 
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes) {
@@ -72,28 +138,12 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
                                         int count) {
     const Matrices of(structure, nodes);
-    const int wanted = std::min(rigid + count, of.size), width = std::min(of.size, std::max(2 * wanted, wanted + 8));
+    const int wanted = std::min(rigid + count, of.size);
     if (wanted <= rigid) return {};
-    const auto M = of.M.selfadjointView<Eigen::Lower>();
-    const double a = rigid > 0 ? 1e-9 * of.K.diagonal().sum() / of.M.diagonal().sum() : 0;
-    const Eigen::SimplicialLDLT<Sparse> factors(Sparse(of.K + a * of.M));
-    std::mt19937 dice(1);
-    Eigen::MatrixXd X = Eigen::MatrixXd::NullaryExpr(of.size, width, [&] { return double(dice()) / dice.max() - 0.5; });
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(width);
-    for (int iteration = 0; iteration < 100; ++iteration) {
-        const Eigen::MatrixXd inverted = factors.solve(M * X);
-        const Eigen::MatrixXd Q =
-            Eigen::HouseholderQR<Eigen::MatrixXd>(inverted).householderQ() * Eigen::MatrixXd::Identity(of.size, width);
-        const Eigen::MatrixXd MQ = M * Q, KQ = of.K.selfadjointView<Eigen::Lower>() * Q;
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> small(Q.transpose() * KQ, Q.transpose() * MQ);
-        const Eigen::VectorXd change = small.eigenvalues() - values;
-        values = small.eigenvalues();
-        X = Q * small.eigenvectors();
-        const auto elastic = Eigen::seqN(rigid, wanted - rigid);
-        if ((change(elastic).array().abs() <= 2e-10 * values(elastic).array()).all()) break;
-    }
+    const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
+    const auto values = lowest_eigenvalues(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted);
     std::vector<double> frequencies;
-    for (int i = rigid; i < wanted; ++i) frequencies.push_back(std::sqrt(std::max(0.0, values[i])));
+    for (int i = rigid; i < wanted; ++i) frequencies.push_back(std::sqrt(std::max(0.0, values[i] * k / m)));
     return frequencies;
 }
 

@@ -22,9 +22,11 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
 /// The lowest `count` circular frequencies (rad/s, rising) of the body that these nodes make up, after the zero ones of
 /// its `rigid` free motions. Fewer where it has fewer freedoms. Every element must have mass.
 ///
-/// Subspace iteration (K.-J. Bathe, Solution methods for large generalized eigenvalue problems in structural
-/// engineering, UC SESM 71-20, Berkeley 1971) with K + a M in factors: a is 0 for a supported body, else 1e-9 of the
-/// ratio of the sums of their diagonals. Stopped when the frequencies change by less than 1e-10 of themselves.
+/// By Spectra's Lanczos method, implicitly restarted, with K + a M in factors: a is 0 for a supported body, else 1e-9
+/// of the ratio of the sums of their diagonals. Lanczos' method starts from one vector and may miss copies of a
+/// repeated frequency, as symmetric frames have them. So the pivots of K - w^2 M count how many there must be below the
+/// last one (a millionth of its square aside), and while one is missing the method starts again without the modes that
+/// it has found. Throws std::runtime_error if it does not converge.
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
                                         int count);
 

@@ -59,6 +59,35 @@ TEST_CASE("the frequencies are those of a dense solver", "[modes]") {
     CHECK(frequencies(*bar(1, 0.1, 2, clamped, clamped), 10).size() == 6);  // fewer freedoms than asked for
 }
 
+// Equal arms on one held node: each frequency of one arm as often as there are arms, and twice that in bending. The
+// method that starts from one vector finds some of them only when it starts again.
+TEST_CASE("repeated frequencies are all found", "[modes]") {
+    const auto arm = frequencies(*bar(1, 0.05, 8, clamped, free_end), 6);
+    for (const int arms : {3, 12}) {
+        Frame frame(small_displacement());
+        frame.elements = 8;
+        const int hub = frame.foot(0, 0, 0);
+        for (int i = 0; i < arms; ++i) {
+            const double angle = 2 * pi * i / arms;
+            frame.member(hub, frame.node(std::cos(angle), std::sin(angle), 0));
+        }
+        const auto structure = frame.build();
+        for (const int count : {1, 3, 2 * arms, 4 * arms + 1, 6 * arms}) {
+            const auto found = frequencies(*structure, count);
+            REQUIRE(int(found.size()) == count);
+            for (int i = 0; i < count; ++i) CHECK_FIGURE("one of an arm's", off(found[i], arm[i / arms]), 1e-9);
+        }
+    }
+    Frame cube(small_displacement());  // it flies
+    cube.elements = 4;
+    int corner[8];
+    for (int i = 0; i < 8; ++i) corner[i] = cube.node(i & 1, i >> 1 & 1, i >> 2 & 1);
+    for (int i = 0; i < 8; ++i)
+        for (const int side : {1, 2, 4})
+            if (!(i & side)) cube.member(corner[i], corner[i | side]);
+    for (const int count : {1, 4, 20, 40}) CHECK_FIGURE("a cube in flight", off_dense(*cube.build(), count), 1e-8);
+}
+
 // Euler and Bernoulli's beam. The mass moves in straight lines between the nodes, the stiffness is exact for loads at
 // them: errors with the square of an element's length. One member of two elements, the default, is 4 % slow where it is
 // clamped at one end and 66 % fast between two pins.
