@@ -1,5 +1,6 @@
 #include "core/thread_pool.h"
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 
@@ -8,14 +9,20 @@
 namespace hinge {
 namespace {
 
-/// How often a thread looks again before it goes to sleep: about the time that waking it would take.
-constexpr int patience = 20000;
+/// How often a thread looks again before it goes to sleep: some 100 us, about the time that waking it would take. In
+/// between it gives way to whoever else wants the core.
+constexpr int patience = 300;
+
+template <class Number>
+void look_again(const std::atomic<Number>& value, Number seen) {
+    for (int i = 0; i < patience && value == seen; ++i) std::this_thread::yield();
+}
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : parts_(std::max(threads, 1)) {
     try {
-        for (int i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
+        for (int i = 1; i < threads; ++i) others_.emplace_back([this, i] { serve(i); });
     } catch (const std::system_error& e) {
         dismiss();  // those that began would wait for work, and we for them
         throw OutsideError("cannot start " + std::to_string(threads) + " threads: " + e.code().message() +
@@ -32,33 +39,38 @@ void ThreadPool::dismiss() {
 }
 
 void ThreadPool::run(int pieces, const std::function<void(int)>& work) {
+    const auto first = [&](std::size_t part) { return int(std::size_t(pieces) * part / parts_.size()); };
     work_ = &work;
-    pieces_ = pieces;
-    next_ = 0;
-    busy_ = int(others_.size());
+    unfinished_ = pieces;
+    for (std::size_t i = 0; i < parts_.size(); ++i) parts_[i].first = first(i);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        parts_[i].left = first(i + 1) - first(i);  // from here on all may take
     ++round_;
     round_.notify_all();
-    take_part();
-    for (int left; (left = busy_) > 0;) {  // the others are at their last piece
-        for (int i = 0; i < patience && busy_ == left; ++i) {}
-        if (busy_ == left) busy_.wait(left);
+    take_pieces(0);
+    for (int left; (left = unfinished_) > 0;) {  // the others are at their last piece
+        look_again(unfinished_, left);
+        unfinished_.wait(left);
     }
 }
 
-void ThreadPool::take_part() {
-    for (int i; (i = next_.fetch_add(1)) < pieces_;) (*work_)(i);
+/// Whoever finds no piece left must look at nothing else of the loop: it may be over, and the next one in the making.
+void ThreadPool::take_pieces(std::size_t own) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[(own + i) % parts_.size()];
+        for (int left; (left = part.left.fetch_sub(1)) > 0;) {
+            (*work_)(part.first + left - 1);
+            if (unfinished_.fetch_sub(1) == 1) unfinished_.notify_one();
+        }
+    }
 }
 
-void ThreadPool::serve() {
-    unsigned seen = 0;
-    for (;;) {
-        for (int i = 0; i < patience && round_ == seen; ++i) {}
+void ThreadPool::serve(std::size_t own) {
+    for (unsigned seen = 0; !over_;) {
+        take_pieces(own);
+        look_again(round_, seen);
         round_.wait(seen);
-        ++seen;
-        if (over_) return;
-        take_part();
-        --busy_;
-        busy_.notify_one();
+        seen = round_;
     }
 }
 
