@@ -1,6 +1,10 @@
 // A line plot as a picture.
 //
-// Drawn by hand on VTK's flat canvas: its chart classes bring twenty more libraries to load, and looser typography.
+// Drawn on VTK's flat canvas, not by VTK's charts (vtkChartXY of VTK 9.1), which were tried and look worse: words that
+// touch or overlap the labels of their axis, ticks at 520,000, 570,000 and 620,000, no powers of ten, a grid of all
+// digits, dots that are squares, a legend that stays in its corner whatever it hides, logarithmic curves that appear
+// only when the picture is drawn twice. To mend that takes most of this file and `ticks` again, and the charts bring
+// 16 more libraries to load. The same plot both ways: scripts/pictures/plot_own.png and plot_vtk_charts.png.
 #include "output/draw_plot.h"
 
 #include <vtkRenderer.h>

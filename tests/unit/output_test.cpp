@@ -456,6 +456,10 @@ TEST_CASE("a plot has the size asked for and its curves", "[output]") {
     CHECK(image.height == 400);
     CHECK(image.colours() > 50);
     CHECK(image.count([](Rgb c) { return c == Rgb{209, 53, 43}; }) > 10);
+    std::set<std::size_t> columns;  // the curve runs across the picture; in the legend it is short
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (image.pixels[i][2] > image.pixels[i][0] + 70) columns.insert(i % image.width);
+    CHECK(columns.size() > 200);
 }
 
 TEST_CASE("a plot of nothing is refused", "[output]") {
