@@ -163,7 +163,7 @@ for i, job in ipairs(chosen) do
 end
 
 local width = 4
-for _, row in ipairs(rows) do width = math.max(width, #row[1]) end
+for _, row in ipairs(rows) do if #row[1] > width then width = #row[1] end end
 local form = "%-" .. width .. "s  %-7s  %7s  %s"
 print("\n" .. form:format("job", "verdict", "seconds", "reason"))
 for _, row in ipairs(rows) do print((form:format(row[1], row[2], ("%.0f"):format(row[3]), row[4]):gsub("%s+$", ""))) end

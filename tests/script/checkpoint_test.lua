@@ -128,12 +128,8 @@ goes_on("rules of the script's own", {
 local strict = { run = { energy_tolerance = 1e-3 } }
 local failed = impact_run(strict)
 failed:finish()
-<<<<<<< Updated upstream
 expect(failed.verdict == "failed" and failed.reason:find "energy balance",
-  "a run whose ledger does not close: %s %s", failed.verdict, failed.reason)
-=======
-expect(failed.verdict == "failed" and failed.reason:find "energy balance", "a run whose ledger does not close: %s %s", failed.verdict, failed.reason)
->>>>>>> Stashed changes
+  "a run whose energy balance does not close: %s %s", failed.verdict, failed.reason)
 local failing = impact_run(strict)
 while failing.index < failed.index + 5 do failing:step() end
 failing:checkpoint(path "failing.checkpoint")

@@ -23,11 +23,11 @@ run:on_step(function(r) last = r.time end)
 run:finish()
 checks.equal(run.verdict, "failed", "verdict")
 checks.expect(support.says(run.reason, "step ..., t = ... s: the energy balance no longer closes, "
-  .. "its remainder is ... % of the energy turned over (energy_tolerance 10 %); fastest was node ... with ... m/s "
+  .. "its error is ... % of the energy turned over (energy_tolerance 10 %); fastest was node ... with ... m/s "
   .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt or step_control or "
   .. "rho_infinity below 1 may hold"), "reason: %s", run.reason)
 checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial,
-  "it went back, from %g to %g s, where the ledger closes", last, run.time)
+  "it went back, from %g to %g s, where the balance closes", last, run.time)
 checks.expect(not run:step(), "there is no further step")
 
 local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()

@@ -118,13 +118,12 @@ function look.two_beam_impact(r, printed)
     if s.rule == "cut" then near(s.let_go, 0.5, 0.41, what .. ": let go") -- 9 to 89 %
     else below(math.abs(s.let_go), 1e-12, what .. ": let go") end
   end
-  -- twice the step: the remainder falls with its square, but for gap elements with beta 0.4, whose vibration the step
-  -- no longer follows
+  -- the first two steps: the remainder falls with the square of the step at least
   for _, c in ipairs(r.over_dt) do
     local percent = numbers(c.percent)
-    local ratio, what = percent[2] / percent[1], ("remainder of twice the step, %s, beta %g"):format(c.rule, c.beta)
-    if c.rule == "gap" and c.beta == 0.4 then expect(ratio > 10, "%s: %s times", what, ratio)
-    else near(ratio, 4, c.rule == "gap" and 3 or 0.6, what) end
+    local ratio, square = percent[2] / percent[1], (c.dt_us[2] / c.dt_us[1]) ^ 2
+    expect(ratio > 0.8 * square and ratio < 8 * square or c.rule == "gap" and c.beta == 0.4 and ratio > 10,
+      "remainder of steps %g times as long, %s, beta %g: %s times", c.dt_us[2] / c.dt_us[1], c.rule, c.beta, ratio)
   end
   equal(#r.over_dt, 4, "rules and beta over the step")
   -- The guard ends the longest step with gap elements. It is a row that says so, and its figure is there.

@@ -52,7 +52,7 @@ TEST_CASE("guard: a run that gains energy ends by itself, and goes back to where
         while (guarded.advance()) {}
         INFO(guarded.reason());
         CHECK(guarded.verdict() == Verdict::failed);
-        CHECK(guarded.reason().find("the energy ledger no longer closes, its remainder is -") != std::string::npos);
+        CHECK(guarded.reason().find("the energy balance no longer closes, its error is -") != std::string::npos);
         const Energy e = guarded.energy();
         CHECK(guarded.steps_done() > 0);
         CHECK_FIGURE("energy where it went back to, over the initial", (e["kinetic"] + e["elastic"]) / initial, 1.12);

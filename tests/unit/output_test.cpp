@@ -359,7 +359,7 @@ TEST_CASE("bars have the colour of their class: five of f_y, a hinge's, a broken
         for (int i = 0; i < broken; ++i) {
             double off = 0;
             for (int k = 0; k < 3; ++k) off += std::pow(sum[k] / size(sum) - classes[i][k] / size(classes[i]), 2);
-            if (off < least) least = off, best = i;
+            if (!(off >= least)) best = i, least = off;  // what is no number is no colour either
         }
         return best;
     };
