@@ -12,7 +12,8 @@
 namespace hinge {
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
+/// Indices unlike those of direct_factors.h: what Eigen compiles for it is then another template (see there).
+using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::ptrdiff_t>;
 
 /// K and M of the elements at these nodes, their lower halves, on the freedoms that no support holds.
 struct Matrices {

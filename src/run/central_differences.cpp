@@ -26,7 +26,9 @@ void CentralDifferences::predict(const Step& step) {
 void CentralDifferences::accelerate(Step& step) {
     const double half = 0.5 * step.dt;
     Mass& mass = *mass_.now();
-    const std::vector<Vec6>& inverse = mass.lumped_inverse();
+    const std::vector<Vec6>&inverse = mass.lumped_inverse(), &external = w_.external, &resisting = w_.resisting;
+    const State& state = w_.state;
+    Pose& trial = w_.trial;
     const auto move = [&](int i, const Lanes& a, Fastest& most) {
         const Lanes v =
             load_row<6>(w_.state.velocity[i].data()) + half * (load_row<6>(w_.state.acceleration[i].data()) + a);
@@ -34,12 +36,12 @@ void CentralDifferences::accelerate(Step& step) {
         store_row<6>(w_.trial.velocity[i].data(), v);
         if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};
     };
-    const int nodes = int(w_.resisting.size());
+    const int nodes = int(resisting.size());
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
     const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
         Lanes sum{};
         for (int i = first; i < end; ++i) {
-            const Lanes f = load_row<6>(w_.external[i].data()) - load_row<6>(w_.resisting[i].data());
+            const Lanes f = load_row<6>(external[i].data()) - load_row<6>(resisting[i].data());
             sum += f;
             move(i, load_row<6>(inverse[i].data()) * f, fastest_of_[first / some_nodes]);
         }
