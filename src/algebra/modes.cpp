@@ -18,9 +18,10 @@ using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::ptrdiff_t>;
 /// K and M of the elements at these nodes, their lower halves, on the freedoms that no support holds.
 struct Matrices {
     int size = 0;
+    bool adds_stiffness = false;  ///< effects do
     Sparse K, M;
 
-    Matrices(const Structure& structure, const std::vector<int>& nodes) {
+    Matrices(const Structure& structure, const std::vector<int>& nodes, const AddedToModes& added) {
         std::vector<int> place(6 * structure.position().size(), -1);
         for (int n : nodes)
             for (int c = 0; c < 6; ++c)
@@ -41,6 +42,18 @@ struct Matrices {
                         if (m(i, j) != 0) mass.emplace_back(row, column, m(i, j));
                     }
             }
+        const auto add = [&](auto& to, int a, int b, const auto& block) {
+            for (int i = 0; i < block.rows(); ++i)
+                for (int j = 0; j < block.cols(); ++j) {
+                    const int row = place[6 * (i < 6 ? a : b) + i % 6], column = place[6 * (j < 6 ? a : b) + j % 6];
+                    if (row < 0 || column < 0 || row < column || block(i, j) == 0) continue;
+                    to.emplace_back(row, column, block(i, j));
+                    adds_stiffness = adds_stiffness || &to == &stiffness;
+                }
+        };
+        for (const Coupling& c : added.stiffness.pairs) add(stiffness, c.a, c.b, c.K);
+        for (const Blocks::Node& n : added.stiffness.nodes) add(stiffness, n.node, n.node, n.K);
+        for (const Blocks::Node& n : added.mass) add(mass, n.node, n.node, n.K);
         K.resize(size, size), M.resize(size, size);
         K.setFromTriplets(stiffness.begin(), stiffness.end());
         M.setFromTriplets(mass.begin(), mass.end());
@@ -136,15 +149,19 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
     return motions;
 }
 
-std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
-                                        int count) {
-    const Matrices of(structure, nodes);
+std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
+                                        const AddedToModes& added) {
+    const Matrices of(structure, nodes, added);
     const int wanted = std::min(rigid + count, of.size);
-    if (wanted <= rigid) return {};
+    if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
     const auto values = lowest_eigenvalues(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted);
+    int first = rigid;
+    if (of.adds_stiffness)
+        for (first = 0; first < wanted && values[first] < 1e-11; ++first) {}
     std::vector<double> frequencies;
-    for (int i = rigid; i < wanted; ++i) frequencies.push_back(std::sqrt(std::max(0.0, values[i] * k / m)));
+    for (int i = first; i < wanted && i < first + count; ++i)
+        frequencies.push_back(std::sqrt(std::max(0.0, values[i] * k / m)));
     return frequencies;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "algebra/node_blocks.h"
 #include "model/structure.h"
 
 namespace hinge {
@@ -27,7 +28,14 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
 /// repeated frequency, as symmetric frames have them. So the pivots of K - w^2 M count how many there must be below the
 /// last one (a millionth of its square aside), and while one is missing the method starts again without the modes that
 /// it has found. Throws std::runtime_error if it does not converge.
-std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid,
-                                        int count);
+/// `added`: what effects add to K, and rigid offset masses on nodes (6x6 in space, in the place of K); those at other
+/// nodes count for nothing. Where it adds stiffness, `rigid` is the most that there may be: motions whose w^2 is less
+/// than 1e-11 of the ratio of the sums of the diagonals count as rigid.
+struct AddedToModes {
+    Blocks stiffness;
+    std::vector<Blocks::Node> mass;
+};
+std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
+                                        const AddedToModes& added = {});
 
 }  // namespace hinge

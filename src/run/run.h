@@ -38,6 +38,8 @@ public:
     const Structure& structure() const { return *structure_; }
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return energy_of(state_); }
+    /// What effects add to the stiffness of the elements where the state is.
+    Blocks added_stiffness() const { return blocks_at(state_, 0); }
     /// The accounts of the energy balance, in the order in which they are shown.
     const AccountList& accounts() const { return accounts_; }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.

@@ -26,11 +26,40 @@ struct Piece {
     std::vector<int> nodes, supports;
     int members = 0;
     double mass = 0;
-    bool heavy = true;  ///< all its elements have mass
+    bool heavy = true;             ///< all its elements have mass
+    bool held_by_effects = false;  ///< an effect adds stiffness to it
 };
 
-std::vector<Piece> bodies_of(const Structure& structure) {
-    const Bodies found = find_bodies(structure, initial_state(structure));
+/// Bodies that elements hold together, or what effects add between their nodes.
+Bodies joined_bodies(const Structure& structure, const AddedToModes& added) {
+    Bodies found = find_bodies(structure, initial_state(structure));
+    for (const Coupling& c : added.stiffness.pairs) {
+        const int keep = found.of_node[c.a], gone = found.of_node[c.b];
+        if (keep == gone || keep < 0 || gone < 0) continue;
+        for (int& body : found.of_node)
+            if (body == gone) body = keep;
+    }
+    std::vector<int> number(found.count, -1);
+    found.count = 0;
+    for (int& body : found.of_node)
+        if (body >= 0) {
+            if (number[body] < 0) number[body] = found.count++;
+            body = number[body];
+        }
+    return found;
+}
+
+AddedToModes added_by_effects(const Run& run) {
+    AddedToModes added{run.added_stiffness(), {}};
+    const State& s = run.state();
+    for (std::size_t n = 0; n < s.offset_mass.size(); ++n)
+        if (s.offset_mass[n].mass > 0)
+            added.mass.push_back({int(n), offset_mass_in_space(s.offset_mass[n], s.rotation[n])});
+    return added;
+}
+
+std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& added) {
+    const Bodies found = joined_bodies(structure, added);
     std::vector<Piece> bodies(found.count);
     for (int n = 0; n < int(found.of_node.size()); ++n) {
         if (found.of_node[n] < 0) continue;
@@ -44,6 +73,12 @@ std::vector<Piece> bodies_of(const Structure& structure) {
         body.mass += e.rigidity.rhoA * e.length;
         body.heavy &= e.rigidity.rhoA > 0;
     }
+    for (const Blocks::Node& n : added.mass)
+        if (const int b = found.of_node[n.node]; b >= 0) bodies[b].mass += n.K(0, 0);
+    for (const Coupling& c : added.stiffness.pairs)
+        if (const int b = found.of_node[c.a]; b >= 0) bodies[b].held_by_effects = true;
+    for (const Blocks::Node& n : added.stiffness.nodes)
+        if (const int b = found.of_node[n.node]; b >= 0) bodies[b].held_by_effects = true;
     return bodies;
 }
 
@@ -99,12 +134,12 @@ std::string told(const Warning& d) {
     return "  warning: " + d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice + "\n";
 }
 
-std::string periods(const Structure& structure, const Piece& body, int rigid) {
+std::string periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
     if (!body.heavy) return "no periods without a density";
     if (int(body.nodes.size()) > most_nodes)
         return "periods are not looked for beyond " + std::to_string(most_nodes) + " nodes";
     std::string text;
-    for (double w : natural_frequencies(structure, body.nodes, rigid, periods_told))
+    for (double w : natural_frequencies(structure, body.nodes, rigid, periods_told, added))
         text += (text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
     return text.empty() ? "nothing that vibrates" : "natural periods " + text + " s";
 }
@@ -115,6 +150,7 @@ std::string checked_run(const RunRecord& record) {
     const Structure& s = record.run->structure();
     double mass = 0;
     for (const Element& e : s.elements()) mass += e.rigidity.rhoA * e.length;
+    for (const Blocks::Node& n : added_by_effects(*record.run).mass) mass += n.K(0, 0);
     return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
            count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +
            count(s.position().size(), "node") + ", " + count(s.free_dofs(), "free freedom") + ", " + digits(mass, 6) +
@@ -125,13 +161,14 @@ std::string checked_model(const RunRecord& record) {
     const Structure& s = record.run->structure();
     std::vector<Warning> list = warnings(s.model());
     std::string text;
-    std::vector<Piece> bodies = bodies_of(s);
+    const AddedToModes added = added_by_effects(*record.run);
+    std::vector<Piece> bodies = bodies_of(s, added);
     std::stable_sort(bodies.begin(), bodies.end(),
                      [](const Piece& a, const Piece& b) { return a.members > b.members; });
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Piece& body = bodies[i];
         const auto motions = free_motions(s, body.nodes);
-        if (!motions.empty() && !body.supports.empty())
+        if (!motions.empty() && !body.supports.empty() && !body.held_by_effects)
             list.push_back(
                 {"mechanism: the body of " + count(body.members, "member") + " held at " +
                      s.node_name(body.supports[0]) +
@@ -144,7 +181,7 @@ std::string checked_model(const RunRecord& record) {
                     (body.supports.empty()
                          ? "free body of " + count(body.members, "member")
                          : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) +
-                    ", " + digits(body.mass, 6) + " kg: " + periods(s, body, int(motions.size())) + "\n";
+                    ", " + digits(body.mass, 6) + " kg: " + periods(s, body, int(motions.size()), added) + "\n";
     }
     if (bodies.size() > bodies_told)
         text += "  and " + std::to_string(bodies.size() - bodies_told) + " smaller bodies\n";

@@ -71,8 +71,7 @@ public:
     template <class T>
     T* find(std::string_view effect) const {
         for (const auto& [name, data] : list_)
-            if (name == effect)
-                if (auto* own = dynamic_cast<DataOf<T>*>(data.get())) return &own->value;
+            if (name == effect) return &static_cast<DataOf<T>*>(data.get())->value;  // an effect keeps one type
         return nullptr;
     }
     template <class T>
