@@ -57,6 +57,7 @@ for _, s in ipairs { weak, strong } do
     :format(1e3 * s.peak, 1e3 * s.swing, 1e3 * s.set, s.energy.plastic, s.energy.work))
 end
 return {
-  weak_mm = 1e3 * weak.swing, weak_plastic_J = weak.energy.plastic, strong_mm = 1e3 * strong.peak, set_mm = 1e3 * strong.set,
+  weak_mm = 1e3 * weak.swing, weak_plastic_J = weak.energy.plastic,
+  strong_mm = 1e3 * strong.peak, set_mm = 1e3 * strong.set,
   remainder_percent = 100 * (weak.lost + strong.lost),
 }

@@ -103,8 +103,8 @@ function paper.show_ended(job, ended, of)
   for _, e in ipairs(ended) do print(("  %s: %s"):format(e.run, e.reason:match "^[^;]*")) end
 end
 
---- The structure as pictures show it: fractured elements as rigid bars that end in virtual nodes (figure 4), and the mass
--- on every node (figure 5).
+--- The structure as pictures show it: fractured elements as rigid bars that end in virtual nodes (figure 4), and the
+-- mass on every node (figure 5).
 paper.pieces = core.pieces
 
 return paper

@@ -17,9 +17,9 @@ local space_frame = require "hinge.models.space_frame"
 local paper       = require "hinge.paper"
 
 -- The corner's displacement over time under a sudden load. `parts`: into how many the paper's step is cut; where hinges
--- come and go too fast for balance to be found in a step, all are halved, and the table says so. `exact`: the elements get
--- the exact stiffness and keep their linear mass. `mass`: hinge.model's. Where no step is short enough, `ended` says
--- why.
+-- come and go too fast for balance to be found in a step, all are halved, and the table says so. `exact`: the elements
+-- get the exact stiffness and keep their linear mass. `mass`: hinge.model's. Where no step is short enough, `ended`
+-- says why.
 local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic, mass = mass,

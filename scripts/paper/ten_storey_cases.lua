@@ -5,11 +5,11 @@
 --         20 us with the aircraft a millimetre aside, because what the debris does is chaotic: only what
 --         all runs of a case show counts
 -- Expect  no column fractured in any case, while in the paper most inner ones of the upper storeys are: why, says
---         ten_storey_sensitivity.lua. Damage, which is the plastic work in the building, over all runs of each case on five
---         builds: I 9.1 to 13.9, II 3.9 to 5.2, III 6.5 to 9.8, IV 11.9 to 17.1 MJ; so I > II holds, I > III and I < IV on the
---         mean but not for every pair of runs, II > III not at all. Every storey feels it within 16 ms (f_y changed by 0.005;
---         26 ms by 0.05), the elastic wave takes 5; tension after 0.95 ms, in 100 to 126 of the 250 columns, up to 10.3 MN.
---         Energy remainder at most 0.08 %
+--         ten_storey_sensitivity.lua. Damage, which is the plastic work in the building, over all runs of each case on
+--         five builds: I 9.1 to 13.9, II 3.9 to 5.2, III 6.5 to 9.8, IV 11.9 to 17.1 MJ; so I > II holds, I > III and
+--         I < IV on the mean but not for every pair of runs, II > III not at all. Every storey feels it within 16 ms
+--         (f_y changed by 0.005; 26 ms by 0.05), the elastic wave takes 5; tension after 0.95 ms, in 100 to 126 of the
+--         250 columns, up to 10.3 MN. Energy remainder at most 0.08 %
 --         fig17_stills.png, fig17.png, fig18_*.png, fig19.png
 --
 -- The paper's figure 16 is lost: dimensions, sections, yield stress and where the aircraft hits are *reconstructed*.
@@ -189,19 +189,19 @@ local function findings(first, runs)
   local by_speed = power("I", "II", first.I.speed / first.II.speed)
   local by_mass = power("I", "III", first.I.mass / first.III.mass)
   find("Damage in II is larger than in III, although II brings less kinetic energy", "II III", order("II", "III") == 1,
-    ("plastic work: II %s %s III %s MJ. II brings less of both: %.1f MJ and %.2f MN s, III %.1f MJ and %.2f MN s"):format(
-      work "II", signs[order("II", "III")], work "III", first.II.own_kinetic / 1e6, first.II.brought / 1e6,
-      first.III.own_kinetic / 1e6, first.III.brought / 1e6) ..
-    ("\n   damage goes with speed^%.1f and mass^%.1f; here the mass's power would have to be 1.43 of the speed's"):format(
-      by_speed, by_mass))
+    ("plastic work: II %s %s III %s MJ. II brings less of both: %.1f MJ and %.2f MN s, III %.1f MJ and %.2f MN s")
+      :format(work "II", signs[order("II", "III")], work "III", first.II.own_kinetic / 1e6, first.II.brought / 1e6,
+        first.III.own_kinetic / 1e6, first.III.brought / 1e6) ..
+    ("\n   damage goes with speed^%.1f and mass^%.1f; here the mass's power would have to be 1.43 of the speed's")
+      :format(by_speed, by_mass))
   local most = 0
   for _, case in ipairs(impact.order) do most = math.max(most, first[case].broken_columns) end
   find("Columns are cut: in I most of the inner ones, down to the sixth floor", "I",
     first.I.broken_inner > 4 and first.I.lowest <= 7,
     ("fractured columns, inner and outer: I %d and %d; the most in any case is %d"):format(first.I.broken_inner,
       first.I.broken_outer, most) ..
-    ("\n   %.0f %% of the columns' plastic work in I is in one column; why none breaks: ten_storey_sensitivity.lua"):format(
-      100 * first.I.worst_column / first.I.work_columns))
+    ("\n   %.0f %% of the columns' plastic work in I is in one column; why none breaks: ten_storey_sensitivity.lua")
+      :format(100 * first.I.worst_column / first.I.work_columns))
   find("At equal energy a smaller aircraft cuts fewer inner columns: IV fewer than I", "I IV",
     compare(runs.IV, runs.I, "broken_inner") == -1,
     ("fractured inner columns: I %d, IV %d"):format(first.I.broken_inner, first.IV.broken_inner))
@@ -212,8 +212,8 @@ local function findings(first, runs)
   local pulled = first.I.pulled
   find("Tension appears soon after the impact in columns that were compressed", "I",
     #pulled > 0 and pulled[1].first < 10e-3,
-    #pulled > 0 and ("%d columns; the first %s ms after first contact, in storey %d"):format(#pulled, ms(pulled[1].first),
-      pulled[1].storey) or "none")
+    #pulled > 0 and ("%d columns; the first %s ms after first contact, in storey %d")
+      :format(#pulled, ms(pulled[1].first), pulled[1].storey) or "none")
   local function latest(times)
     local last = 0
     for _, t in ipairs(times) do last = t < 0 and math.huge or math.max(last, t) end
@@ -221,7 +221,8 @@ local function findings(first, runs)
   end
   local faint, felt = latest(first.I.faint), latest(first.I.felt)
   find("The whole building feels the impact within milliseconds", "I", faint < 25e-3,
-    ("f_y of some column has changed by 0.005 in every storey after %s ms, by 0.05 after %s ms"):format(ms(faint), ms(felt)))
+    ("f_y of some column has changed by 0.005 in every storey after %s ms, by 0.05 after %s ms")
+      :format(ms(faint), ms(felt)))
   find("Hinges appear in columns down to the lowest storey", "I", first.I.red[1] >= 0,
     ("first in storey 1: %s ms after first contact"):format(ms(first.I.red[1])))
   return list

@@ -1,13 +1,15 @@
 -- Is energy kept when two beams collide? The paper's section 3.3, figures 13 to 15.
 --
 -- Run     hinge run scripts/paper/two_beam_impact.lua                 (any parameter: angle=45 offset=0.1 speed=100)
--- Shows   a free beam falls at 50 m/s on one that is clamped at both ends: two elements each, elastic, 3000 steps of 10 us,
---         beta 0.4. By surfaces (bars press on each other where they are closest), by the paper's gap elements that give back
---         what they hold when the bars part, by gap elements cut after 0.5 ms as printed, and by eqs 17-19 to the letter
--- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, to the
---         letter 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut loses 9 to 89 %.
---         The remainder falls with the square of the step, and is 70 times less by surfaces with beta 1/4. One of 109
---         runs ends by itself, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their period (* in the table)
+-- Shows   a free beam falls at 50 m/s on one that is clamped at both ends: two elements each, elastic, 3000 steps of
+--         10 us, beta 0.4. By surfaces (bars press on each other where they are closest), by the paper's gap elements
+--         that give back what they hold when the bars part, by gap elements cut after 0.5 ms as printed, and by
+--         eqs 17-19 to the letter
+-- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, to
+--         the letter 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut
+--         loses 9 to 89 %. The remainder falls with the square of the step, and is 70 times less by surfaces with beta
+--         1/4. One of 109 runs ends by itself, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their period
+--         (* in the table)
 --         fig14_*.png: energies over time; fig15.png: snapshots; remainder_over_dt.png
 --
 -- The paper's figure 13 is lost: sizes, distance and material are *reconstructed*, and parameters.
@@ -41,7 +43,7 @@ local function collide(p, name, rule, changes, see)
   model:velocity("free", { 0, 0, -q.speed })
   model:gravity { 0, 0, -9.80665 }
   local contact = { friction = rule.rule == "surface" and q.friction or nil }
-  for name, value in pairs(rule) do contact[name] = value end
+  for option, value in pairs(rule) do contact[option] = value end
   model:contact(contact)
 
   local run = model:dynamic { dt = q.dt, duration = q.duration, beta = q.beta, record = false }
@@ -54,9 +56,9 @@ local function collide(p, name, rule, changes, see)
       ledger.time[#ledger.time + 1] = 1e3 * run.time
       local terms = { kinetic = e.kinetic + e.gravity, elastic = e.elastic, stored = e.contact_stored,
         gone = e.contact_released, total = e.kinetic + e.gravity + e.elastic + e.contact_stored }
-      for name, value in pairs(terms) do
-        ledger[name] = ledger[name] or {}
-        table.insert(ledger[name], value / 1e3)
+      for term, value in pairs(terms) do
+        ledger[term] = ledger[term] or {}
+        table.insert(ledger[term], value / 1e3)
       end
     end
     if see then see(run) end
@@ -92,8 +94,8 @@ local function snapshots(p, job)
   end
 end
 
--- Remainder over the time step, both rules, with the paper's beta and with 1/4. The guard ends a run whose remainder is a
--- tenth of the energy turned over: what the table then shows is how large it was until there.
+-- Remainder over the time step, both rules, with the paper's beta and with 1/4. The guard ends a run whose remainder is
+-- a tenth of the energy turned over: what the table then shows is how large it was until there.
 local function over_dt(p, job, count)
   local steps = p.quick and { 1e-5, 4e-5 } or { 1.25e-6, 2.5e-6, 5e-6, 1e-5, 2e-5, 4e-5 }
   local rows, series, result = {}, {}, {}
@@ -167,8 +169,10 @@ return hinge.scenario {
       r.ledger = nil
       result.rules[way.key] = r
     end
-    paper.table(("Fig. 14: %.4f kJ fall at %g m/s, %g degrees; %% of them"):format(result.rules.surface.initial / 1e3, p.speed, p.angle),
-      { "contact", "contacts", "largest remainder", "let go", "kinetic + potential at the end", "strain at the end" }, rows)
+    paper.table(("Fig. 14: %.4f kJ fall at %g m/s, %g degrees; %% of them")
+        :format(result.rules.surface.initial / 1e3, p.speed, p.angle),
+      { "contact", "contacts", "largest remainder", "let go", "kinetic + potential at the end", "strain at the end" },
+      rows)
     local must_hold = #ended
     result.over_dt = over_dt(p, job, count)
     local long_steps = #ended - must_hold

@@ -1,11 +1,12 @@
 -- What a step costs, beside what it gets right: ratios within one run, since machines are noisy.
 --
 -- Run     cmake --build build --target bench
---         or, without the effects compiled out: hinge run tests/bench/bench.lua (quick=true: shorter; largest=1000000: bigger frames)
--- Shows   Case I of the ten-storey impact stage by stage, in microseconds and in products of its own operator (6x6 blocks, one
---         vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes; an effect that is
---         off against an engine without it; rules of the script's own against limits; threads; frames of growing size: time
---         and memory
+--         or, without the effects compiled out: hinge run tests/bench/bench.lua (quick=true: shorter;
+--         largest=1000000: bigger frames)
+-- Shows   Case I of the ten-storey impact stage by stage, in microseconds and in products of its own operator (6x6
+--         blocks, one vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes;
+--         an effect that is off against an engine without it; rules of the script's own against limits; threads; frames
+--         of growing size: time and memory
 -- Expect  exit status 0: Case I ends as it should, and bits are the same where they must be; times are not judged
 -- Writes  a CSV of each table and growth.png in its output folder
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
@@ -158,8 +159,10 @@ local function compiled_out(job, build)
     end
   end
   must(hash[1] == hash[2], "an engine without effects that are not called for has other bits")
-  show(job, "compiled_out", "A step of an elastic frame that calls for no contact, fracture or plasticity", { "engine", "us", "ratio", "bits" },
-    { { "all effects compiled in", text("%.2f", least[1]), text("%.3f", least[1] / least[2]), hash[1] }, { "without them", text("%.2f", least[2]), "1", hash[2] } })
+  show(job, "compiled_out", "A step of an elastic frame that calls for no contact, fracture or plasticity",
+    { "engine", "us", "ratio", "bits" },
+    { { "all effects compiled in", text("%.2f", least[1]), text("%.3f", least[1] / least[2]), hash[1] },
+      { "without them", text("%.2f", least[2]), "1", hash[2] } })
   return least[1] / least[2]
 end
 
@@ -273,7 +276,8 @@ local function rules(job, duration)
     end
   until not more
   for i, run in ipairs(runs) do
-    rows[i] = { choices[i][1], text("%.1f", 1e6 * run.wall_seconds / run.index), text("%.3f", run.wall_seconds / runs[1].wall_seconds),
+    rows[i] = { choices[i][1], text("%.1f", 1e6 * run.wall_seconds / run.index),
+      text("%.3f", run.wall_seconds / runs[1].wall_seconds),
       run:count { state = "broken" },
       must(run.hash == runs[1].hash, "%s: other bits than by limits", choices[i][1]) and "the same" or "OTHER" }
   end

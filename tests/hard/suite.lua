@@ -2,8 +2,8 @@
 -- that it states. In other settings a run may also end by itself, with a verdict that says step, time, place and cause.
 --
 -- Run     cmake --build build --target hard         (or: lua5.4 tests/hard/suite.lua [quick] [words of a scene's name])
--- Shows   each scene in its own step, and in the other settings below, slow ones in longer steps alone and long ones in their own; those
---         whose name is asked for in all; quick: in its own step alone, without the slow ones
+-- Shows   each scene in its own step, and in the other settings below, slow ones in longer steps alone and long ones in
+--         their own; those whose name is asked for in all; quick: in its own step alone, without the slow ones
 -- Expect  a table and "the rule holds"; what a run did that is neither in bounds nor said is listed, and the status is
 --         then 1. So it is where fewer scenes hold in a setting than `stated` below says
 --
@@ -42,7 +42,7 @@ local function finite(x) return x == x and math.abs(x) < math.huge end
 local function momentum_error(run, before)
   local now, change = run:momentum(), {}
   for c = 1, 3 do change[c] = now.linear[c] - before.linear[c] end
-  scale = largest_of(size(before.linear), before.mass * (run.fastest and run.fastest.speed or 0), 1e-300)
+  local scale = largest_of(size(before.linear), before.mass * (run.fastest and run.fastest.speed or 0), 1e-300)
   return size(change) / scale
 end
 
@@ -125,7 +125,8 @@ local function breach(scene, out, own_step)
   if not (out.unbooked <= 1e-12) then return ("the accounts and the remainder are %.2g apart"):format(out.unbooked) end
   if out.verdict == "failed" then
     if own_step then return "ended by itself in its own step: " .. out.reason end
-    return not (out.reason:find "step %d+" and out.reason:find "t = ") and "failed without a step and a time: " .. out.reason or nil
+    local placed = out.reason:find "step %d+" and out.reason:find "t = "
+    return not placed and "failed without a step and a time: " .. out.reason or nil
   end
   if out.verdict ~= "completed" then return "its verdict is " .. out.verdict end
   if own_step and not (out.remainder <= scene.remainder) then

@@ -86,7 +86,8 @@ do
   equal(known.v.state, "chaotic", "an answer whose scatter is not a number")
 end
 
--- Methods at equal error: time n and error 1 / n^2 by one way, time 3 n and error 1 / n by another, so that the time is error^(-1/2) and 3 / error.
+-- Methods at equal error: time n and error 1 / n^2 by one way, time 3 n and error 1 / n by another, so that the time
+-- is error^(-1/2) and 3 / error.
 local raced = {}
 for _, n in ipairs { 2, 4, 8, 16 } do
   raced[#raced + 1] = { values = { n = n, way = "quick" }, seconds = n, error = 1 / n ^ 2 }

@@ -78,7 +78,7 @@ local sound = '{"references": [1, 2], "quantities": {"a": {"state": "sound"}}}'
 status, printed = run(("{ name = 'a', %s }, { name = 'b', %s }, { name = 'c', %s },"):format(
   leaves('{"verdict": "completed"}', "completed"), leaves(sound, "compared"), leaves('{"effects": [{}]}', "compared")))
 equal(status, 0, "summaries as they should be: " .. printed)
-status, printed, rows = run "{ name = 'a', command = 'true', look = 'completed' },"
+rows = select(3, run "{ name = 'a', command = 'true', look = 'completed' },")
 row(rows, "a", "FAILED", "no summary.json, or one that cannot be read", "what an earlier call left")
 
 -- Ctrl-C ends it: what comes after is not run, and said so.
@@ -94,9 +94,8 @@ status, printed = run(three, "only='b x'")
 expect(status == 0 and printed:find "all 1 passed", "only one: %s", printed)
 status, printed = run(three, "only=b")
 expect(status == 0 and printed:find "all 2 passed", "those of one kind: %s", printed)
-local complaint
-status, _, _, complaint = run(three, "only=c")
-equal(status, 2, "a name that there is not")
+local refused, _, _, complaint = run(three, "only=c")
+equal(refused, 2, "a name that there is not")
 equal(complaint, "everything: only=c: there is no such job; there are a, b x, b y\n", "what it says")
 equal(run(three, "quickly"), 2, "a word that it does not know")
 

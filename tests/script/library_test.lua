@@ -127,8 +127,10 @@ for _, b in ipairs {
   near(turned.shear_area_x, s.shear_area_y, 1e-12, what .. "y, turned")
   near(turned.shear_area_y, s.shear_area_x, 1e-12, what .. "x, turned")
 end
-near(shapes.box { width = 1, depth = 1, thickness = 1e-4 }.shear_area_x / 4e-4, 5 / 12, 1e-3, "shear area of a thin square tube")
-near(shapes.pipe { diameter = 1, thickness = 1e-4 }.shear_area_x / (math.pi * 1e-4), 0.5, 1e-3, "shear area of a thin pipe")
+near(shapes.box { width = 1, depth = 1, thickness = 1e-4 }.shear_area_x / 4e-4, 5 / 12, 1e-3,
+  "shear area of a thin square tube")
+near(shapes.pipe { diameter = 1, thickness = 1e-4 }.shear_area_x / (math.pi * 1e-4), 0.5, 1e-3,
+  "shear area of a thin pipe")
 
 -- Wrong input names function, field, value, unit and what is allowed.
 complains(function() hinge.section.box { width = -0.4, depth = 0.4, thickness = 0.02 } end,

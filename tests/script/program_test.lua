@@ -118,10 +118,14 @@ for geometric, line in pairs { ["true"] = "on +part of large displacement", ["fa
   expect(status == 0 and printed:find("\n  geometric stiffness +" .. line .. "\n"), "plan with geometric = %s:\n%s",
     geometric, printed)
 end
-status, printed = run(hinge .. " plan " .. script("plans.lua", beam .. "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
-expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "as far as it goes", "a loop is described once: %s", printed)
-equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2, "status of a plan that fails before a run")
-expect(not support.is_there(path "out") and not support.is_there "out/ten_storey_impact/planned", "a plan writes nothing")
+status, printed = run(hinge .. " plan " .. script("plans.lua", beam ..
+  "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
+expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "as far as it goes",
+  "a loop is described once: %s", printed)
+equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2,
+  "status of a plan that fails before a run")
+expect(not support.is_there(path "out") and not support.is_there "out/ten_storey_impact/planned",
+  "a plan writes nothing")
 
 -- What a run leaves ---------------------------------------------------------------------------------------------------
 

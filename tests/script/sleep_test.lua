@@ -403,8 +403,8 @@ for _, displacement in ipairs { "small", "large" } do
   for i, t in ipairs(tip.time) do
     worst = largest_of(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1]))
   end
-  print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing"):format(displacement, run.index, planned, #run.wakings,
-    worst / -even.min))
+  print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing")
+    :format(displacement, run.index, planned, #run.wakings, worst / -even.min))
   expect(even.min < -0.01, "cantilever: it swings to %g m", even.min)
   expect(worst < -1e-3 * even.min,
     "cantilever, %s displacement: tip off by %g of its swing", displacement, worst / -even.min)

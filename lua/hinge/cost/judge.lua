@@ -84,8 +84,9 @@ function judge.order(h, answers)
   return (low + high) / 2
 end
 
---- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other, by time.
--- Items without an error, or with one that is not a number, are none of it, nor those better by less than a thousandth.
+--- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other,
+-- by time. Items without an error, or with one that is not a number, are none of it, nor those better by less than a
+-- thousandth.
 function judge.front(items)
   local sorted, front, least = {}, {}, math.huge
   for _, item in ipairs(items) do

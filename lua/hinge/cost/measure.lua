@@ -50,8 +50,12 @@ local function harvest(result, histories, run)
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
   local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
   if brought ~= 0 then result.remainder = judge.larger(result.remainder, math.abs(run.worst_remainder) / brought) end
-  for _, probe in ipairs(run.probes) do histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value } end
-  for _, effect in ipairs(run.effects) do result.effects[effect.name] = result.effects[effect.name] or effect.active or nil end
+  for _, probe in ipairs(run.probes) do
+    histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value }
+  end
+  for _, effect in ipairs(run.effects) do
+    result.effects[effect.name] = result.effects[effect.name] or effect.active or nil
+  end
   result.hashes[#result.hashes + 1] = run.hash
   if run.verdict == "failed" then result.failed = run.reason end
 end

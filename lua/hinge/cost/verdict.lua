@@ -17,7 +17,8 @@ function verdict.answers(refs, scatter, moving, compared, within)
     local chaotic = spread and not (spread <= math.max(within / 2, least_scatter))
     local state = moving[name] and "moving" or chaotic and "chaotic"
       or not refs and "unknown" or not (agreement <= within / 2) and "unsettled" or "sound"
-    quantities[name] = { state = state, agreement = agreement, scatter = spread, value = type(answer) == "number" and answer or nil,
+    quantities[name] = { state = state, agreement = agreement, scatter = spread,
+      value = type(answer) == "number" and answer or nil,
       kind = type(answer) == "number" and "number" or "history" }
   end
   return quantities
@@ -33,7 +34,8 @@ function verdict.errors(compared, refs, quantities, chosen)
         local error = judge.error(s.record.answers[name], refs[2].record.answers[name])
         s.errors[name] = error
         local bounded = judge.larger(error, q.agreement)
-        if (not chosen or chosen == name) and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
+        if (not chosen or chosen == name)
+          and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
           s.error, s.worst, s.below = bounded, name, error < q.agreement
         end
       end
