@@ -208,6 +208,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         double size = 0, turn = 0;
         for (std::size_t i = 0; i < step.size(); ++i) {
             step[i] = change_[i] + d_factor * response_[i];
+            if (!step[i].allFinite()) return Outcome::diverged;
             size = std::max(size, step[i].head<3>().cwiseAbs().maxCoeff());
             turn = std::max(turn, step[i].tail<3>().cwiseAbs().maxCoeff());
         }

@@ -246,7 +246,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             linear_deformation(place, u2 - u1, gather(pose.turn, b.node[0]), gather(pose.turn, b.node[1]), d);
         }
 
-        // elastic forces: p = k (d - d_p)
+        // elastic forces, eqs 3, 7c and 12c: p = k (d - d_p)
         Lanes plastic[lane_count];
         beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element),
                            plastic);
@@ -258,7 +258,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                       kind.k[6] * d[4],
                       kind.k[7] * d[5]};
 
-        // yield: return to the surface of eq 14
+        // yield, eqs 4 and 14: where the function is above 1, return to the surface (eqs 10b and 10c)
         if (built::plasticity && kind.can_yield) {
             Lanes f[2];
             const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
