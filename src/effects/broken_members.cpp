@@ -1,5 +1,6 @@
 // What becomes of an element that breaks (figs 4 and 5): its forces are released and it hangs on its other node as a
 // rigid offset mass, which resists, turns and weighs with that node. state/breaking.h has the mechanics of the break.
+#include <algorithm>
 #include <cmath>
 
 #include "effects/kinds.h"
@@ -24,7 +25,7 @@ public:
         tried_rate_.assign(w_.state.offset_mass.size(), Vec3::Zero());
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
-            if (h.mass == 0) continue;
+            if (h.mass == 0 || (!w_.resting.empty() && w_.resting[i] >= 0)) continue;
             const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
             const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
                        alpha = w_.trial.acceleration[i].tail<3>(), w = w_.trial.velocity[i].tail<3>();
@@ -47,7 +48,11 @@ public:
             external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
         }
     }
-    bool loads_follow() const override { return !w_.state.offset_mass.empty() && w_.structure.model().gravity(); }
+    bool loads_follow() const override {
+        const auto& masses = w_.state.offset_mass;
+        return w_.structure.model().gravity() &&
+               std::any_of(masses.begin(), masses.end(), [](const OffsetMass& h) { return !h.moment.isZero(0); });
+    }
     bool has_potential() const override { return true; }
 
     /// An offset mass's part of the momentum, w x S, turns with it: over a step it changes by a little else than the
@@ -100,11 +105,6 @@ public:
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) renew(int(i));
     }
 
-    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (std::size_t n = 0; n < w_.state.offset_mass.size(); ++n)
-            if (w_.state.offset_mass[n].mass > 0 && bodies.of_node[n] >= 0) rests[bodies.of_node[n]] = 0;
-    }
-
     void add_energy(const State& state, Accounts& sums) const override {
         sums["kinetic"] += kinetic_energy_of_offset_masses(state);
     }
@@ -138,8 +138,8 @@ private:
 
 EffectKind broken_members_kind() {
     return {"broken members", {}, nullptr, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                const bool may_break = w.kind.dynamic && !w.structure.model().fracture().empty();
-                if (!built::fracture || (!may_break && w.state.offset_mass.empty())) return nullptr;
+                const bool may_break = built::fracture && w.kind.dynamic && !w.structure.model().fracture().empty();
+                if (!may_break && w.state.offset_mass.empty()) return nullptr;
                 return std::make_unique<BrokenMembers>(w, host);
             }};
 }
