@@ -6,6 +6,7 @@
 // effect holds only what it does. README.md in src/ shows how to add one.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -90,6 +91,12 @@ struct ImpulseResponse {
 /// The resultants of a section: N, N m; signs as run:forces has them.
 struct SectionForces {
     double N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0;
+};
+
+/// The longest explicit step that stays stable with an effect's own forces, s, and what asks for it.
+struct LongestStep {
+    double dt = std::numeric_limits<double>::infinity();
+    std::string why;
 };
 
 /// Something reached an element in this step, or broke it: a body at rest that it belongs to takes part again.
@@ -200,6 +207,9 @@ public:
     virtual void take_back() {}
     virtual void forget() {}
     virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
+
+    /// Asked once, where a run with explicit steps is made.
+    virtual LongestStep longest_step() const { return {}; }
 
     /// Whether forces may vanish at once, so that M by itself is needed.
     virtual bool makes_forces_vanish() const { return false; }

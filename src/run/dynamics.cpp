@@ -28,6 +28,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       control_(settings.step_control) {
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
+    if (explicit_steps()) refuse_unstable();
     w_.scheme = {settings.beta, settings.gamma(), settings.alpha()};
     w_.turned.assign(structure_->position().size(), Vec3::Zero());
     meets_ = any_effect(&Effect::meets);
@@ -59,6 +60,18 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const auto& e : effects_)
         if (e->sleeps()) sleepers_.emplace_back();
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
+}
+
+/// Elements' own limit was looked at where the settings were read.
+void Dynamics::refuse_unstable() const {
+    for (const auto& e : effects_) {
+        const LongestStep longest = e->longest_step();
+        if (settings_.dt <= longest.dt) continue;
+        char text[120];
+        std::snprintf(text, sizeof text, "model:dynamic: dt = %.6g s; explicit steps stay stable up to %.6g s (",
+                      settings_.dt, longest.dt);
+        throw InputError(text + longest.why + "); give a shorter one, or integrator = 'newmark'");
+    }
 }
 
 // ---- a step -------------------------------------------------------------------------------------------------------

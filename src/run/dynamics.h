@@ -77,6 +77,7 @@ private:
     double work_on_momentum(const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
     bool any_effect(bool (Effect::*asks)() const) const;
+    void refuse_unstable() const;
 
     template <class Self, class A>
     static void fields(Self& s, A& a);
