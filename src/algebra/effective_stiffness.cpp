@@ -38,22 +38,25 @@ Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, 
     const beam::Placement<double> place = place_element(structure_, index, pose);
     const Mat3 axes = axes_of(place);
     const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
-    const auto stiffness = [&](bool geometric) {
+    const auto stiffness_of = [&](const Mat6& k, bool geometric) {
         return structure_.large() ? beam::tangent(place, state.force[index], k, geometric)
                                   : beam::linear_tangent(axes.transpose(), e.length, k);
     };
+    const auto stiffness = [&](bool geometric) { return stiffness_of(k, geometric); };
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
-    const double of_M = mass_factor_ + by_damping_ * c.of_mass, of_K = stiffness_factor_ + by_damping_ * c.of_stiffness;
+    const double of_M = mass_factor_ + by_damping_ * c.of_mass;
     const Mat12 K = stiffness(geometric_);
     Mat12 A;
-    if (keeping_ == Keeping::unsymmetric) A = of_K * K;
-    else A = (0.5 * of_K) * (K + K.transpose());
+    if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
+    else A = (0.5 * stiffness_factor_) * (K + K.transpose());
     if (of_M == 0) return A;
-    const Mat12 M = of_M * structure_.inertia(index).matrix(axes);
+    Mat12 M = of_M * structure_.inertia(index).matrix(axes);
+    if (c.of_stiffness != 0)  // in proportion to the elastic stiffness alone, also where an element yields
+        M += (by_damping_ * c.of_stiffness) * stiffness_of(stiffness_now(structure_, state, index).matrix(), false);
     A += M;
     if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
         A.llt().info() != Eigen::Success)
-        A = of_K * stiffness(false) + M;
+        A = stiffness_factor_ * stiffness(false) + M;
     return A;
 }
 

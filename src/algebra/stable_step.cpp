@@ -23,7 +23,7 @@ double highest(const Element& e) {
 
 }  // namespace
 
-StableStep stable_step(const Structure& structure) {
+StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping) {
     StableStep least{std::numeric_limits<double>::infinity(), -1};
     std::map<std::tuple<const Section*, const Material*, double>, double> known;  // most elements are like another
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
@@ -31,8 +31,10 @@ StableStep stable_step(const Structure& structure) {
         const MemberData& member = structure.model().members()[e.member];
         const auto [at, fresh] =
             known.try_emplace({member.section.get(), member.material.get(), std::round(1e9 * e.length)}, 0);
-        if (fresh) at->second = 2 / std::sqrt(highest(e));
-        if (at->second < least.dt) least = {at->second, int(i)};
+        if (fresh) at->second = highest(e);
+        const ElementDamping d = damping.empty() ? ElementDamping{} : damping[i];
+        const double c = d.of_mass + d.of_stiffness * at->second, dt = 2 / (c + std::sqrt(c * c + at->second));
+        if (dt < least.dt) least = {dt, int(i)};
     }
     return least;
 }

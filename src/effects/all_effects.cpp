@@ -36,6 +36,18 @@ AccountList accounts_of(const EffectList& effects) {
     return list;
 }
 
+std::vector<ElementDamping> damping_of(const Structure& structure) {
+    std::vector<ElementDamping> sum;
+    for (const EffectKind& kind : all_effects()) {
+        if (!kind.damping) continue;
+        const std::vector<ElementDamping> more = kind.damping(structure);
+        sum.resize(std::max(sum.size(), more.size()));
+        for (std::size_t e = 0; e < more.size(); ++e)
+            sum[e].of_mass += more[e].of_mass, sum[e].of_stiffness += more[e].of_stiffness;
+    }
+    return sum;
+}
+
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {
     std::vector<PlanLine> lines;
     for (const EffectKind& effect : all_effects())

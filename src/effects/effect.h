@@ -276,6 +276,8 @@ struct EffectKind {
     std::unique_ptr<Effect> (*make)(Workspace& w, Host& host);
     /// Declared by Model::declare under its name, so that a run can do without it (core.leave_out).
     bool declared = false;
+    /// Of each element, empty for none: what Effect::element_damping will say. It shortens explicit steps.
+    std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
 };
 
 }  // namespace hinge

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "script/checkpoint.h"
+#include "effects/all_effects.h"
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
 #include "run/statics.h"
@@ -138,14 +139,15 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
         o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!in_explicit_steps)
         return automatic ? shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
-    const StableStep limit = stable_step(structure);
+    const std::vector<ElementDamping> damping = damping_of(structure);
+    const StableStep limit = stable_step(structure, damping);
     if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model()));
     const double dt = o.number("dt", "s", Range::positive);
     if (dt > limit.dt)
         o.complain("dt", show(dt) + " s",
                    "explicit steps stay stable up to " + show(limit.dt) + " s here (" +
-                       structure.element_name(limit.element) +
-                       " has the highest frequency); give a shorter one, or dt = 'auto'");
+                       structure.element_name(limit.element) + " has the highest frequency" +
+                       (damping.empty() ? "" : ", and damping shortens it") + "); give a shorter one, or dt = 'auto'");
     return dt;
 }
 
