@@ -126,7 +126,19 @@ std::function<Vec3(double)> read_acting(Options& o, const char* field, const cha
 int add_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
-    o.expect({"node", "force", "moment", "history"});
+#define HINGE_LOAD_ON(target, function, ...) \
+    if (o.has(#target)) return function(L);
+#include "script/load_targets.inc"
+#undef HINGE_LOAD_ON
+    std::vector<std::string> fields = {"node", "force", "moment", "history"}, others;
+#define HINGE_LOAD_ON(target, function, ...) \
+    for (const char* field : {#target __VA_OPT__(, ) __VA_ARGS__}) others.push_back(field);
+#include "script/load_targets.inc"
+#undef HINGE_LOAD_ON
+    fields.insert(fields.end(), others.begin(), others.end());
+    o.expect(fields);
+    for (const std::string& field : others)
+        if (o.has(field.c_str())) o.complain(field, "given", "belongs to a load that is not on a node");
     NodalLoad load;
     o.push_field("node");
     load.node = node_argument(L, -1, "model:load: field 'node'", m.get()).index;

@@ -219,6 +219,9 @@ void open_measure(lua_State* L, int module);  ///< clock, memory, word of every 
 #define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);
 #include "script/model_methods.inc"
 #undef HINGE_MODEL_METHOD
+#define HINGE_LOAD_ON(target, function, ...) int function(lua_State* L);
+#include "script/load_targets.inc"
+#undef HINGE_LOAD_ON
 
 /// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
 /// point has beside its time. Empty where the field is absent.
