@@ -131,7 +131,7 @@ public:
 /// By the effect's name. A copy has its own.
 struct Declarations : std::map<std::string, std::shared_ptr<Declaration>> {
     Declarations() = default;
-    Declarations(const Declarations& other) {
+    Declarations(const Declarations& other) : std::map<std::string, std::shared_ptr<Declaration>>() {
         for (const auto& [effect, what] : other) emplace(effect, what->copy());
     }
     Declarations(Declarations&&) = default;
