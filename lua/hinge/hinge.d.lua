@@ -296,6 +296,22 @@ function model:load(options) end
 ---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
 ---@field history? fun(time: number): number|number[][]
 
+---Hangs a point mass on a node: it has inertia, weighs where the model has gravity, and turns with the node. Several on
+---one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum, energy and
+---weight are in the same accounts as those of members. A node that loses its last member by fracture flies on with its
+---mass; where it has no rotary inertia then, it stops spinning. Declared after a run, it is there in runs that go on from
+---that one. An error where a run begins if the node has no member. Not in what `hinge check` says of masses and periods.
+---@param options hinge.mass_options
+function model:mass(options) end
+
+---@class hinge.mass_options
+---@field node hinge.node it may be fixed: then the support carries it
+---@field mass number kg, above 0
+---kg m^2, 0 or above, about axes through the mass: about every axis, or { Jx, Jy, Jz } about the x, y and z of space as
+---they are before anything has moved; default 0
+---@field inertia? number|vec3
+---@field offset? vec3 m, from the node to the mass, before anything has moved; default { 0, 0, 0 }
+
 ---Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run
 ---begins. Velocity and acceleration follow by differences over the last steps; before the run a support moved as the
 ---state says that it begins from, or stood still. A path may set off and stop at once, which is a blow. The work that
@@ -310,7 +326,7 @@ function model:move(options) end
 ---@field y? fun(time: number): number|number[][] likewise
 ---@field z? fun(time: number): number|number[][] likewise
 
----Gravity on every member's mass.
+---Gravity on every member's mass and on point masses.
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
 function model:gravity(acceleration) end
 

@@ -222,6 +222,10 @@ wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), a
   function(s) s.model:fracture {} end)
 wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m",
   function(s) s.model:fracture { curvature_x = -0.4 } end)
+wrong("model:mass: field 'mass' is 0 kg; must be above 0 kg",
+  function(s) s.model:mass { node = s.tip, mass = 0 } end)
+wrong("model:mass: field 'inertia': component y is -2 kg m^2; must be 0 kg m^2 or above",
+  function(s) s.model:mass { node = s.tip, mass = 1, inertia = { 1, -2, 3 } } end)
 wrong("model:fracture: unknown field 'curvature' (did you mean 'curvature_x'?); it takes ...",
   function(s) s.model:fracture { curvature = 0.4 } end)
 wrong("model:fracture: field 'group': no group 'legs'; the model has 'arms'",

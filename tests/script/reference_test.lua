@@ -186,6 +186,7 @@ local calls = {
   ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["model:member"] = function(x) s.model:member(x) end,
   ["model:load"] = function(x) s.model:load(x) end,
+  ["model:mass"] = function(x) s.model:mass(with({ node = s.tip, mass = 1 }, x)) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
