@@ -76,6 +76,9 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
 
 void Newmark::begin(const EffectList& effects) {
     effects_ = &effects;
+    const bool bends = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e->blocks_follow(); });
+    if (settings_.iterations == 0 && displacement_predictor_ && bends)
+        iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
     const Keeping keeping = settings_.solver.direct                        ? Keeping::direct
                             : settings_.narrow && !displacement_predictor_ ? Keeping::narrow
                                                                            : Keeping::iterative;
