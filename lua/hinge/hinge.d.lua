@@ -445,6 +445,60 @@ function model:contact(rule) end
 ---@field element_a integer
 ---@field element_b integer
 
+---Springs, dashpots, curves and laws between two nodes, { a, b, ... }, or between a node and the ground where the node
+---is declared, { node, ground = true, ... }: along and about three axes. What is given for a direction adds up. A
+---direction without anything is free. Node a carries the connector on a rigid arm that reaches to b: the deformation is
+---how far b is from where a would have it, along the axes (m), and the rotation vector of b against a (rad); both are
+---zero as the model is declared. In large displacement the axes turn with a; those of the ground stay. A force pulls b
+---back and a along with it, with its moment on a: momentum is kept. In statics dashpots have no force. Explicit steps
+---must be shorter than 2 / (d + sqrt(d^2 + w^2)), w^2 and d the largest k/m and c/m with the lumped masses of the two
+---nodes; dt = "auto" knows of members only. Laws are not in this limit. Energy: run.energy.connector_stored and
+---connector_dissipated. Raises where nothing is given that acts, and where a run is made with a node that belongs to no
+---member, or with too long an explicit step.
+---@param options hinge.connector_options
+---@return hinge.connector
+function model:connector(options) end
+
+---@class hinge.connector_options
+---@field [1] hinge.node a
+---@field [2]? hinge.node b; left out with ground = true
+---@field ground? boolean the other end is the ground, default false
+---@field axes? { x: vec3, y: vec3 } default global; y is taken square to x, z square to both
+---N/m along x y z, N m/rad about them: not negative
+---@field stiffness? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
+---N s/m along x y z, N m s/rad about them: not negative
+---@field damping? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
+---of a direction, points { { deformation, force }, ... } (m, N; rad, N m), elastic and linear between them, going on as
+---straight as it ends: from { 0, 0 } on for both signs, or from below 0 to above
+---@field curve? { x?: number[][], y?: number[][], z?: number[][], rx?: number[][], ry?: number[][], rz?: number[][] }
+---of a direction, a function of deformation (m, rad), its rate (1/s of it), state and dt (s, 0 where nothing passes)
+---that returns the force (N, N m), and the new state if it keeps one: a table of numbers by name, empty at first, the
+---same where none is returned. The state belongs to the run's: it is undone with a step and kept in checkpoints. The
+---function is called several times a step, each time with the state that the last step left. All of its work counts as
+---dissipated. An error takes the step back and is raised where the run was stepped
+---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
+---N, N m: where a step ends with this force or more in one direction, either sign, the whole connector is gone, and what
+---it stored with it; default: it never breaks. run.wakings tells of it
+---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
+
+---A connector that model:connector declared. What it reads is of the run that is given, or the latest of its model.
+---@class hinge.connector
+
+---How far b is from where a would have it, m and rad, where it broke if it is broken.
+---@param run? hinge.run
+---@return number x, number y, number z, number rx, number ry, number rz
+function connector:deformation(run) end
+
+---The force that pulls b back, N and N m, along the axes; 0 once it is broken.
+---@param run? hinge.run
+---@return number x, number y, number z, number rx, number ry, number rz
+function connector:force(run) end
+
+---The time at which it broke, s, or false.
+---@param run? hinge.run
+---@return number|false
+function connector:broken(run) end
+
 ---A group that members were put into by name.
 ---@param name string
 ---@return hinge.group

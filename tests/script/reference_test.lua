@@ -83,6 +83,7 @@ local function scene()
   s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm" }
   s.group = s.model:group "arm"
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
+  s.connector = s.model:connector { s.tip, ground = true, stiffness = { x = 1 } }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.snapshot = s.run:snapshot()
@@ -92,7 +93,8 @@ local s = scene()
 s.run:finish()
 local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
-  ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot }
+  ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot,
+  ["hinge.connector"] = s.connector }
 
 -- A value has the fields that its declared type names; { ... }[] and lists of a class are
 -- looked at by their first item.
@@ -190,6 +192,13 @@ local calls = {
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
+  ["model:connector"] = function(x) s.model:connector(with({ s.tip, ground = true }, x)) end,
+  ["model:connector.axes"] = function(x) s.model:connector { s.tip, ground = true, axes = x } end,
+  ["model:connector.stiffness"] = function(x) s.model:connector { s.tip, ground = true, stiffness = x } end,
+  ["model:connector.damping"] = function(x) s.model:connector { s.tip, ground = true, damping = x } end,
+  ["model:connector.curve"] = function(x) s.model:connector { s.tip, ground = true, curve = x } end,
+  ["model:connector.law"] = function(x) s.model:connector { s.tip, ground = true, law = x } end,
+  ["model:connector.capacity"] = function(x) s.model:connector { s.tip, ground = true, capacity = x } end,
   ["model:static"] = function(x) s.model:static(x) end,
   ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x) } end,
   ["model:dynamic"] = function(x) s.model:dynamic(x) end,

@@ -1,0 +1,499 @@
+// Connectors: springs, dashpots and laws of the script between two nodes, or between a node and the ground.
+//
+// Node a carries the connector on a rigid arm that reaches to node b. With r from a to b, A the axes (they turn with
+// a) and w the relative rotation vector, the deformation is d = [A^T r - A0^T r0, A^T w], d' = B v, and the forces of
+// the nodes are B^T f: they are in balance, moments too, wherever the nodes have gone.
+#include "effects/connectors.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/errors.h"
+#include "core/rotation.h"
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+using Mat6x12 = Eigen::Matrix<double, 6, 12>;
+using Curve = std::vector<std::pair<double, double>>;
+
+/// Part of a deformation, or of its rate, by which a law's slope is told from a difference; and the least of both.
+constexpr double slope_part = 1e-6, slope_least = 1e-3;
+
+Mat3 cross(const Vec3& v) {
+    Mat3 m;
+    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    return m;
+}
+
+/// A curve from 0 on holds for both signs. Beyond its ends it goes on as straight as it ends.
+bool is_odd(const Curve& curve) { return curve.front().first >= 0; }
+
+struct OnCurve {
+    double force = 0, slope = 0, energy = 0;
+};
+
+OnCurve on_piece(const Curve& c, std::size_t i, double from, double to) {
+    const double slope = (c[i].second - c[i - 1].second) / (c[i].first - c[i - 1].first);
+    const auto at = [&](double d) { return c[i - 1].second + slope * (d - c[i - 1].first); };
+    return {at(to), slope, 0.5 * (at(from) + at(to)) * (to - from)};
+}
+
+/// Force, slope, and the energy from no deformation on.
+OnCurve on_curve(const Curve& curve, double d) {
+    if (curve.empty()) return {};
+    if (is_odd(curve) && d < 0) {
+        const OnCurve mirrored = on_curve(curve, -d);
+        return {-mirrored.force, mirrored.slope, mirrored.energy};
+    }
+    const std::size_t last = curve.size() - 1;
+    const auto piece_of = [&](double x) {
+        std::size_t i = 1;
+        while (i < last && x > curve[i].first) ++i;
+        return i;
+    };
+    OnCurve at;
+    double energy = 0, from = 0;
+    std::size_t i = piece_of(0);
+    for (const std::size_t end = piece_of(d);; i < end ? ++i : --i) {
+        const double to = i == end ? d : i < end ? curve[i].first : curve[i - 1].first;
+        at = on_piece(curve, i, from, to);
+        energy += at.energy;
+        from = to;
+        if (i == end) break;
+    }
+    at.energy = energy;
+    return at;
+}
+
+double steepest(const Curve& curve) {
+    double most = 0;
+    for (std::size_t i = 1; i < curve.size(); ++i)
+        most = std::max(most, std::abs(on_piece(curve, i, curve[i - 1].first, curve[i].first).slope));
+    return most;
+}
+
+/// d(rotation vector)/d(turn on top of it).
+Mat3 of_turn(const Vec3& vector) {
+    const double angle = vector.norm();
+    const double c =
+        angle < 1e-3 ? 1.0 / 12 + angle * angle / 720 : (1 - 0.5 * angle / std::tan(0.5 * angle)) / (angle * angle);
+    const Mat3 w = cross(vector);
+    return Mat3::Identity() - 0.5 * w + c * w * w;
+}
+
+/// Where a connector is.
+struct Placed {
+    Mat3 axes, of_turn;
+    Vec3 arm;          ///< from a to b
+    Vec6 deformation;  ///< m, rad
+    Mat6x12 B;
+};
+
+class Connectors : public Effect {
+public:
+    Connectors(Workspace& w, Host& host) : Effect(connectors_effect, w, host), now_(declared().size()) {
+        for (const Connector& c : declared())
+            for (const int node : {c.a, c.b})
+                if (node >= 0 && w.structure.elements_at(node).empty())
+                    throw InputError("model:connector: " + w.structure.node_name(node) +
+                                     " belongs to no member, so that nothing moves it; join the members' own nodes, or "
+                                     "use ground = true");
+        if (!w.state.data.find<ConnectorsNow>(connectors_effect)) w.state.data.set(connectors_effect, ConnectorsNow{});
+        list().resize(declared().size());
+        if (!w.kind.dynamic)
+            for (ConnectorNow& c : list()) c.of_dashpots.setZero();
+        at_start_ = stored(w.state);
+    }
+
+    // ---- what acts ------------------------------------------------------------------------------------------------
+    void add_forces(double time, std::vector<Vec6>& resisting) override {
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            if (list()[i].broken) continue;
+            const Connector& c = declared()[i];
+            const Placed p = place(i, w_.trial, list()[i]);
+            evaluate(i, p, w_.kind.dynamic ? time - w_.state.time : 0);
+            const Vec12 force = p.B.transpose() * now_[i].force();
+            if (c.a >= 0) resisting[c.a] += force.head<6>();
+            resisting[c.b] += force.tail<6>();
+        }
+    }
+
+    bool has_blocks() const override {
+        return std::any_of(list().begin(), list().end(), [](const ConnectorNow& c) { return !c.broken; });
+    }
+    bool blocks_follow() const override {
+        if (w_.structure.large()) return has_blocks();
+        for (std::size_t i = 0; i < now_.size(); ++i)
+            if (!list()[i].broken && !is_linear(declared()[i])) return true;
+        return false;
+    }
+    void add_blocks(const Places& at, Blocks& blocks) const override {
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            if (list()[i].broken) continue;
+            const Connector& c = declared()[i];
+            const Evaluated& now = now_[i];
+            const Placed p = place(i, at, list()[i]);
+            Vec6 slope = c.stiffness + now.law_slope;
+            for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], p.deformation[k]).slope;
+            Mat12 K = p.B.transpose() * slope.asDiagonal() * p.B;
+            if (w_.structure.large() && w_.kind.geometric) add_turning(p, now.force(), c.a < 0, K);
+            const Vec6 rate = c.damping + now.law_rate_slope;
+            const Mat12 C = p.B.transpose() * rate.asDiagonal() * p.B;
+            if (c.a < 0) {
+                blocks.stiffness(c.b, K.bottomRightCorner<6, 6>());
+                if (!rate.isZero(0)) blocks.damping(c.b, Mat6(C.bottomRightCorner<6, 6>()));
+            } else {
+                blocks.stiffness(c.a, c.b, K);
+                if (!rate.isZero(0)) blocks.damping(c.a, c.b, C);
+            }
+        }
+    }
+
+    // ---- a step ---------------------------------------------------------------------------------------------------
+    /// By the trapezium rule, of what dashpots and laws met.
+    void add_up(const Step&, Accounts& sums) const override {
+        double work = 0;
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            const ConnectorNow& before = list()[i];
+            if (before.broken) continue;
+            const ConnectorNow end = at_end(i);
+            work += 0.5 * (before.of_dashpots + before.of_laws + end.of_dashpots + end.of_laws)
+                              .dot(end.deformation - before.deformation);
+        }
+        sums["connector_dissipated"] += work;
+    }
+
+    void keep(const Step& step) override {
+        bool any = false;
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            if (list()[i].broken) continue;
+            list()[i] = at_end(i);
+            for (int k = 0; k < 6; ++k)
+                if (std::abs(list()[i].force[k]) >= declared()[i].capacity[k]) {
+                    release(i, step.end(), k);
+                    any = true;
+                    break;
+                }
+        }
+        if (any) changed(w_.trial);
+    }
+
+    /// A node that has lost its last element holds nothing any more.
+    void all_broke() override {
+        bool any = false;
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            const Connector& c = declared()[i];
+            if (list()[i].broken || !(w_.state.gone[c.b] || (c.a >= 0 && w_.state.gone[c.a]))) continue;
+            release(i, w_.state.time, -1);
+            any = true;
+        }
+        if (any) changed(w_.state);
+    }
+
+    bool makes_forces_vanish() const override {
+        return std::any_of(declared().begin(), declared().end(),
+                           [](const Connector& c) { return (c.capacity.array() < infinite).any(); });
+    }
+    void restart_ends() override {
+        for (std::size_t i = 0; i < now_.size(); ++i)
+            if (!list()[i].broken) list()[i].of_dashpots = now_[i].dashpot, list()[i].of_laws = now_[i].law;
+    }
+
+    bool calls_script() const override {
+        for (const Connector& c : declared())
+            for (const ConnectorLaw& law : c.law)
+                if (law) return true;
+        return false;
+    }
+    bool calm() const override {
+        for (std::size_t i = 0; i < now_.size(); ++i)
+            if (!list()[i].broken && (!is_linear(declared()[i]) || (declared()[i].capacity.array() < infinite).any()))
+                return false;
+        return true;
+    }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (std::size_t i = 0; i < now_.size(); ++i)
+            for (const int node : {declared()[i].a, declared()[i].b})
+                if (node >= 0 && !list()[i].broken && bodies.of_node[node] >= 0) rests[bodies.of_node[node]] = 0;
+    }
+
+    /// Of central differences whose dashpots meet the velocity that is foreseen: (w dt / 2)^2 + (c/m) dt = 1.
+    LongestStep longest_step() const override {
+        LongestStep longest;
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            if (list()[i].broken) continue;
+            const Connector& c = declared()[i];
+            const Placed p = place(i, w_.state, list()[i]);
+            Vec12 inverse = Vec12::Zero();
+            if (c.a >= 0) inverse.head<6>() = inverse_mass(c.a);
+            inverse.tail<6>() = inverse_mass(c.b);
+            const Mat6 flexible = p.B * inverse.asDiagonal() * p.B.transpose();
+            Vec6 k = c.stiffness;
+            for (int n = 0; n < 6; ++n) k[n] += steepest(c.curve[n]);
+            const auto fastest = [&](const Vec6& of) {
+                const Vec6 root = of.cwiseSqrt();
+                const Mat6 m = root.asDiagonal() * flexible * root.asDiagonal();
+                return std::max(0.0, Eigen::SelfAdjointEigenSolver<Mat6>(m).eigenvalues()[5]);
+            };
+            const double square = fastest(k), decay = fastest(c.damping);
+            const double dt = 2 / (decay + std::sqrt(decay * decay + square));
+            if (dt < longest.dt) longest = {dt, name_of(i) + ", with the lumped masses of its nodes"};
+        }
+        return longest;
+    }
+
+    // ---- energy and checkpoint ------------------------------------------------------------------------------------
+    void add_energy(const State& state, Accounts& sums) const override {
+        sums["connector_stored"] += stored(state) - at_start_;
+    }
+    void save(Writer& to) const override { fields(*this, to); }
+    void restore(Reader& from) override { fields(*this, from); }
+    bool restored(std::span<const State* const> states) override {
+        for (const State* s : states) {
+            const auto* there = s->data.find<ConnectorsNow>(connectors_effect);
+            if (!there || there->list.size() != declared().size()) return false;
+        }
+        return now_.size() == declared().size();
+    }
+
+private:
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+
+    /// What it resisted with where forces were found last, in its axes.
+    struct Evaluated {
+        Vec6 deformation = Vec6::Zero(), rate = Vec6::Zero();
+        Vec6 spring = Vec6::Zero(), dashpot = Vec6::Zero(), law = Vec6::Zero();
+        Vec6 law_slope = Vec6::Zero(), law_rate_slope = Vec6::Zero();
+        LawState state[6];
+        Vec6 force() const { return spring + dashpot + law; }
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.deformation, s.rate, s.spring, s.dashpot, s.law, s.law_slope, s.law_rate_slope, s.state);
+        }
+    };
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.at_start_, s.now_);
+    }
+
+    const std::vector<Connector>& declared() const {
+        return w_.structure.model().declared<Connector>(connectors_effect);
+    }
+    std::vector<ConnectorNow>& list() const { return w_.state.data.find<ConnectorsNow>(connectors_effect)->list; }
+
+    static bool is_linear(const Connector& c) {
+        return std::none_of(std::begin(c.curve), std::end(c.curve), [](const Curve& k) { return !k.empty(); }) &&
+               std::none_of(std::begin(c.law), std::end(c.law), [](const ConnectorLaw& l) { return bool(l); });
+    }
+
+    std::string name_of(std::size_t i) const {
+        const Connector& c = declared()[i];
+        return "connector " + std::to_string(i + 1) +
+               (c.a < 0 ? " between the ground and " + w_.structure.node_name(c.b)
+                        : " between " + w_.structure.node_name(c.a) + " and " + w_.structure.node_name(c.b));
+    }
+
+    Vec6 inverse_mass(int node) const {
+        double mass = 0, rotary = 0;
+        for (const int e : w_.structure.elements_at(node)) {
+            if (w_.state.broken[e]) continue;
+            const beam::Inertia m = w_.structure.inertia(e);
+            mass += m.own[0], rotary += m.rotary[0].x();
+        }
+        Vec6 inverse = Vec6::Zero();
+        for (int c = 0; c < 6; ++c)
+            if (!(w_.state.held[node] >> c & 1)) inverse[c] = 1 / (c < 3 ? mass : rotary);
+        return inverse;
+    }
+
+    /// Of rotations that differ by whole turns the one next to where it was counts.
+    Placed place(std::size_t i, const Places& at, const ConnectorNow& before) const {
+        const Connector& c = declared()[i];
+        const auto& X = w_.structure.position();
+        const Vec3 arm = c.a < 0 ? Vec3(Vec3::Zero()) : Vec3(X[c.b] - X[c.a]);
+        const Vec3 moved = c.a < 0 ? at.displacement[c.b] : Vec3(at.displacement[c.b] - at.displacement[c.a]);
+        Placed p;
+        if (w_.structure.large()) {
+            const Quat of_a = c.a < 0 ? Quat::Identity() : at.rotation[c.a];
+            p.axes = of_a.toRotationMatrix() * c.axes;
+            p.arm = arm + moved;
+            p.deformation.head<3>() = p.axes.transpose() * p.arm - c.axes.transpose() * arm;
+            Vec3 turn = c.axes.transpose() * rotation_vector(of_a.conjugate() * at.rotation[c.b]);
+            if (const double angle = turn.norm(); angle > 0) {
+                const double whole = 2 * std::numbers::pi;
+                turn +=
+                    std::round((before.deformation.tail<3>().dot(turn) / angle - angle) / whole) * whole / angle * turn;
+            }
+            p.deformation.tail<3>() = turn;
+            p.of_turn = of_turn(turn);
+        } else {
+            const Vec3 turn = c.a < 0 ? Vec3(Vec3::Zero()) : at.turn[c.a];
+            p.axes = c.axes;
+            p.arm = arm;
+            p.deformation.head<3>() = c.axes.transpose() * (moved - turn.cross(arm));
+            p.deformation.tail<3>() = c.axes.transpose() * (at.turn[c.b] - turn);
+            p.of_turn.setIdentity();
+        }
+        p.B.setZero();
+        p.B.block<3, 3>(0, 6) = p.axes.transpose();
+        p.B.block<3, 3>(3, 9) = p.of_turn * p.axes.transpose();
+        if (c.a >= 0) {
+            p.B.block<3, 3>(0, 0) = -p.axes.transpose();
+            p.B.block<3, 3>(0, 3) = p.axes.transpose() * cross(p.arm);
+            p.B.block<3, 3>(3, 3) = -p.B.block<3, 3>(3, 9);
+        }
+        return p;
+    }
+
+    Vec6 rate_of(std::size_t i, const Placed& p) const {
+        if (!w_.kind.dynamic) return Vec6::Zero();
+        const Connector& c = declared()[i];
+        Vec12 v;
+        v << (c.a < 0 ? Vec6(Vec6::Zero()) : w_.trial.velocity[c.a]), w_.trial.velocity[c.b];
+        return p.B * v;
+    }
+
+    static Vec6 spring_of(const Connector& c, const Vec6& deformation) {
+        Vec6 force = c.stiffness.cwiseProduct(deformation);
+        for (int k = 0; k < 6; ++k) force[k] += on_curve(c.curve[k], deformation[k]).force;
+        return force;
+    }
+
+    void evaluate(std::size_t i, const Placed& p, double dt) {
+        const Connector& c = declared()[i];
+        Evaluated& now = now_[i];
+        now.deformation = p.deformation;
+        now.rate = rate_of(i, p);
+        now.spring = spring_of(c, p.deformation);
+        now.dashpot = c.damping.cwiseProduct(now.rate);
+        for (int k = 0; k < 6; ++k) {
+            if (!c.law[k]) continue;
+            const double d = now.deformation[k], v = now.rate[k];
+            const auto ask = [&](double deformation, double rate, LawState& state) {
+                state = list()[i].law[k];
+                return c.law[k](deformation, rate, dt, state);
+            };
+            now.law[k] = ask(d, v, now.state[k]);
+            if (w_.kind.explicit_steps) continue;
+            LawState unused;
+            const double by = std::copysign(slope_part * std::max(std::abs(d), slope_least), d);
+            now.law_slope[k] = (ask(d + by, v, unused) - now.law[k]) / by;
+            if (!w_.kind.dynamic) continue;
+            const double faster = std::copysign(slope_part * std::max(std::abs(v), slope_least), v);
+            now.law_rate_slope[k] = (ask(d, v + faster, unused) - now.law[k]) / faster;
+        }
+    }
+
+    /// Where the trial has ended. Steps that solve once took the forces to follow their slopes from where they were
+    /// found.
+    ConnectorNow at_end(std::size_t i) const {
+        const Evaluated& now = now_[i];
+        ConnectorNow end = list()[i];
+        const Placed p = place(i, w_.trial, end);
+        end.deformation = p.deformation;
+        end.of_dashpots = now.dashpot;
+        end.of_laws = now.law;
+        if (w_.kind.dynamic && !w_.kind.explicit_steps) {
+            const Vec6 rate = rate_of(i, p);
+            end.of_dashpots = declared()[i].damping.cwiseProduct(rate);
+            end.of_laws += now.law_slope.cwiseProduct(p.deformation - now.deformation) +
+                           now.law_rate_slope.cwiseProduct(rate - now.rate);
+        }
+        end.force = spring_of(declared()[i], p.deformation) + end.of_dashpots + end.of_laws;
+        for (int k = 0; k < 6; ++k) end.law[k] = now.state[k];
+        return end;
+    }
+
+    /// What turning axes, arm and moments add to the stiffness; its symmetric part.
+    static void add_turning(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
+        Mat12 G = Mat12::Zero();
+        const Vec3 m = f.tail<3>();
+        if (!m.isZero(0)) {
+            const Vec3 turn = p.deformation.tail<3>();
+            Mat3 slope;
+            for (int k = 0; k < 3; ++k) {
+                const Vec3 by = 1e-6 * Vec3::Unit(k);
+                slope.col(k) = (of_turn(turn + by) - of_turn(turn - by)).transpose() * m / 2e-6;
+            }
+            const Mat3 P = p.axes * slope * p.of_turn * p.axes.transpose();
+            const Mat3 M = cross(p.axes * (p.of_turn.transpose() * m));
+            G.block<3, 3>(9, 9) = P;
+            G.block<3, 3>(3, 9) = -P;
+            G.block<3, 3>(9, 3) = -P - M;
+            G.block<3, 3>(3, 3) = P + M;
+        }
+        const Mat3 F = cross(p.axes * f.head<3>());
+        G.block<3, 3>(6, 3) -= F;
+        G.block<3, 3>(3, 6) += F;
+        G.block<3, 3>(0, 3) += F;
+        G.block<3, 3>(3, 0) -= F;
+        G.block<3, 3>(3, 3) += cross(p.arm) * F;
+        if (ground) G.topRows<6>().setZero(), G.leftCols<6>().setZero();
+        K += 0.5 * (G + G.transpose());
+    }
+
+    double stored_in(std::size_t i, const Vec6& deformation) const {
+        const Connector& c = declared()[i];
+        double energy = 0.5 * deformation.dot(c.stiffness.cwiseProduct(deformation));
+        for (int k = 0; k < 6; ++k) energy += on_curve(c.curve[k], deformation[k]).energy;
+        return energy;
+    }
+    double stored(const State& state) const {
+        const auto* there = state.data.find<ConnectorsNow>(connectors_effect);
+        double energy = 0;
+        for (std::size_t i = 0; there && i < there->list.size(); ++i)
+            if (!there->list[i].broken) energy += stored_in(i, place(i, state, there->list[i]).deformation);
+        return energy;
+    }
+
+    /// direction -1: its node is gone.
+    void release(std::size_t i, double time, int direction) {
+        static const char* name[] = {"x", "y", "z", "rx", "ry", "rz"};
+        ConnectorNow& c = list()[i];
+        w_.state.accumulated["connector_dissipated"] += stored_in(i, c.deformation);
+        c.broken = true;
+        c.broken_at = time;
+        char how[80] = " broke: its node has lost its last member";
+        if (direction >= 0)
+            std::snprintf(how, sizeof how, " broke: %.4g %s in %s", std::abs(c.force[direction]),
+                          direction < 3 ? "N" : "N m", name[direction]);
+        host_.note_waking(connectors_effect, false, name_of(i) + how);
+    }
+    void changed(const Places& at) {
+        host_.accelerations_anew();
+        host_.blocks_changed(at);
+    }
+
+    std::vector<Evaluated> now_;
+    double at_start_ = 0;  ///< J
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const std::size_t n = s.model().declared<Connector>(connectors_effect).size();
+    return {{connectors_effect, n > 0, n == 0 ? "not declared" : std::to_string(n) + " by model:connector",
+             s.model().asked_at(connectors_effect)}};
+}
+
+}  // namespace
+
+EffectKind connectors_kind() {
+    return {connectors_effect,
+            {{"connectors", 70, "stored in connectors now, and dissipated by them", {}},
+             {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
+             {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks", "connectors"}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (w.structure.model().declared<Connector>(connectors_effect).empty()) {
+                    w.state.data.erase(connectors_effect);
+                    return nullptr;
+                }
+                return std::make_unique<Connectors>(w, host);
+            },
+            true};
+}
+
+}  // namespace hinge

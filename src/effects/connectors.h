@@ -1,0 +1,66 @@
+// Connectors as a script declares them, and what a run keeps of them.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/types.h"
+
+namespace hinge {
+
+inline constexpr const char* connectors_effect = "connectors";
+
+/// What a law of the script keeps from step to step, by name.
+using LawState = std::map<std::string, double>;
+
+/// Force (N, N m) at a deformation (m, rad), its rate, and dt (s) since the state was kept. It may change the state.
+using ConnectorLaw = std::function<double(double deformation, double rate, double dt, LawState& state)>;
+
+/// Springs, dashpots, curves and laws between node a and node b, along and about three axes: x y z rx ry rz. The
+/// deformation is how far b is from where it would be if a carried it on a rigid arm, in axes that turn with a.
+struct Connector {
+    int a = -1, b = -1;             ///< a: -1 for the ground, where b is declared; its axes stay as they are
+    Mat3 axes = Mat3::Identity();   ///< columns x y z
+    Vec6 stiffness = Vec6::Zero();  ///< N/m, N m/rad
+    Vec6 damping = Vec6::Zero();    ///< N s/m, N m s/rad
+    Vec6 capacity = Vec6::Constant(std::numeric_limits<double>::infinity());  ///< N, N m
+    std::vector<std::pair<double, double>> curve[6];                          ///< of deformation and force, rising
+    ConnectorLaw law[6];
+
+    template <class Self, class A>
+    static void fields(Self& s, A& archive) {
+        archive(s.a, s.b, s.axes, s.stiffness, s.damping, s.capacity, s.curve);
+        for (const auto& law : s.law) archive(bool(law));
+    }
+};
+
+/// A connector where the last step that was kept ended.
+struct ConnectorNow {
+    bool broken = false;
+    double broken_at = 0;             ///< s
+    Vec6 deformation = Vec6::Zero();  ///< m, rad
+    Vec6 force = Vec6::Zero();        ///< of all together: N, N m; what broke it, where it is broken
+    Vec6 of_dashpots = Vec6::Zero();  ///< the part of it that dissipates
+    Vec6 of_laws = Vec6::Zero();      ///< and that of the script's laws
+    LawState law[6];
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.law);
+    }
+};
+
+struct ConnectorsNow {
+    static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
+    std::vector<ConnectorNow> list;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.list);
+    }
+};
+
+}  // namespace hinge
