@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/stable_step.h"
 #include "core/rotation.h"
 #include "run/step_size.h"
 #include "run/yield_tangents.h"
@@ -35,6 +36,15 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
     return true;
 }
 
+/// Whether steps are longer than damping lets a velocity be predicted with the acceleration held: the force of damping
+/// would fling it. Elements of which inertia alone is the faster are left to axial_courant_number.
+bool damped_stiffly(const Structure& structure, double dt) {
+    const std::vector<ElementDamping> damping = damping_of(structure);
+    if (damping.empty()) return false;
+    const double damped = stable_step(structure, damping).dt;
+    return dt > damped && damped < 0.5 * stable_step(structure).dt;
+}
+
 /// x . M y of an element, each a velocity or an acceleration of its two nodes.
 double through_mass(const beam::Inertia& m, const Mat3& to_element, const Vec6 x[2], const Vec6 y[2]) {
     const Vec3 xa = to_element * x[0].tail<3>(), xb = to_element * x[1].tail<3>(), ya = to_element * y[0].tail<3>(),
@@ -54,7 +64,8 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
       tolerance_(settings.tolerance) {
     displacement_predictor_ =
         settings.predictor == Predictor::displacement ||
-        (settings.predictor == Predictor::by_step && axial_courant_number(w.structure, settings.dt) > 1);
+        (settings.predictor == Predictor::by_step &&
+         (axial_courant_number(w.structure, settings.dt) > 1 || damped_stiffly(w.structure, settings.dt)));
     const bool can_yield = built::plasticity && w.structure.can_yield();
     if (iterations_ == 0) {
         const bool newton = displacement_predictor_ && (can_yield || w.structure.large());
