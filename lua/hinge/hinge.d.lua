@@ -499,6 +499,27 @@ function connector:force(run) end
 ---@return number|false
 function connector:broken(run) end
 
+---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
+---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps
+---the velocity in space, flying and turning as a whole too; beta the rates of the element's own deformation, so no
+---rigid motion, and keeps the elastic stiffness where an element yields. A broken element is damped no more, nor is the
+---mass left of it. Called again: of several the last one that a member's groups fit counts, so that alpha = 0 with a
+---group leaves it undamped. What it takes is in run.energy.damping. With explicit steps beta shortens the longest
+---stable step (dt = "auto" knows). Statics is as without.
+---@param options hinge.damping_options
+---@return number alpha 1/s
+---@return number beta s
+function model:damping(options) end
+
+---@class hinge.damping_options
+---0 or above and below 1, of critical damping: at both periods, or one each. Those that ask for a negative coefficient
+---are refused
+---@field ratio? number|number[]
+---@field periods? number[] with ratio: two, s, such as those of the first mode and of the highest that counts
+---@field alpha? number 1/s, in the place of ratio and periods: of M, 0 or above, default 0
+---@field beta? number s, likewise: of K, 0 or above, default 0
+---@field group? hinge.group_like only its members, default all
+
 ---A group that members were put into by name.
 ---@param name string
 ---@return hinge.group
@@ -522,7 +543,7 @@ function model:static(options) end
 ---@field tolerance? number force out of balance, of the forces at work; default 1e-9
 ---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
 
----A dynamic run, without damping but for what rho_infinity asks for: by Newmark's beta method (eq 15), or explicit, by
+---A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15), or explicit, by
 ---central differences with lumped masses (half of each element on each of its nodes, the rotary inertia the section's
 ---polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations, tolerance,
 ---predictor, geometric, turn and what is said of the solver.
@@ -641,6 +662,7 @@ local run = {}
 ---@field contact number contact_stored + contact_released
 ---@field contact_stored number in bonds and touches now
 ---@field contact_released number let go with bonds, or heat of friction
+---@field damping? number dissipated by Rayleigh damping, where model:damping is declared
 ---@field numerical number taken out by a dissipative integrator (rho_infinity)
 ---@field work number done by loads
 ---@field remainder number

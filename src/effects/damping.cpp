@@ -1,0 +1,147 @@
+// Rayleigh damping by groups: C = alpha M + beta K of each element, M its own mass, K its elastic stiffness. The
+// effective stiffness has gamma dt C (algebra/effective_stiffness.cpp); here are the forces C v and what they
+// dissipate.
+//
+// The part of beta takes the rates of the element's own deformation: turning and flying as a whole is not damped by it,
+// however fast. The part of alpha takes the nodes' velocities in space, as Rayleigh's does. A yielding element keeps
+// its elastic K here; a broken one is not damped at all, nor is the mass that is left of it.
+#include "effects/damping.h"
+
+#include "effects/kinds.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
+
+/// Of each element, as the last declaration that fits it has it; empty where all is zero.
+std::vector<ElementDamping> damping_of_elements(const Structure& structure) {
+    std::vector<ElementDamping> of(structure.elements().size());
+    bool any = false;
+    for (std::size_t e = 0; e < of.size(); ++e) {
+        for (const Damping& d : structure.model().declared<Damping>(damping_effect))
+            if (d.group < 0 || structure.in_group(int(e), d.group)) of[e] = {d.alpha, d.beta};
+        any = any || damps(of[e]);
+    }
+    if (!any) of.clear();
+    return of;
+}
+
+class RayleighDamping : public Effect {
+public:
+    RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
+        : Effect(damping_effect, w, host), damping_(std::move(damping)) {
+        for (std::size_t e = 0; e < damping_.size(); ++e)
+            if (damps(damping_[e])) damped_.push_back(int(e));
+        of_element_.resize(damped_.size());
+        before_.assign(w.structure.position().size(), Vec6::Zero());
+        now_ = before_;
+    }
+
+    bool damps_elements() const override { return true; }
+    ElementDamping element_damping(int element) const override { return damping_[element]; }
+
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        find_forces();
+        for (std::size_t n = 0; n < now_.size(); ++n) resisting[n] += now_[n];
+    }
+
+    /// Where the step ends. Explicit steps have met the forces of the predicted velocity, and those do the work.
+    void solved(const Step&, const std::vector<Vec6>&) override {
+        if (!w_.kind.explicit_steps) find_forces();
+    }
+
+    /// Contact may have changed the velocities once more.
+    void end(const Step&) override {
+        if (!w_.kind.explicit_steps) find_forces();
+    }
+
+    /// By the trapezium rule, like the work of loads.
+    void add_up(const Step&, Accounts& sums) const override {
+        double work = 0;
+        for (std::size_t n = 0; n < now_.size(); ++n) {
+            const Vec6 mean = 0.5 * (before_[n] + now_[n]);
+            work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
+                    mean.tail<3>().dot(w_.turned[n]);
+        }
+        sums["damping"] += work;
+    }
+
+    void keep(const Step&) override { before_ = now_; }
+    void restart_ends() override { before_ = now_; }
+
+    void save(Writer& to) const override { to(before_); }
+    void restore(Reader& from) override { from(before_); }
+    bool restored(std::span<const State* const>) override { return before_.size() == now_.size(); }
+
+private:
+    /// C v at the trial pose, N and N m of each node.
+    void find_forces() {
+        w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
+            for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i]);
+        });
+        for (Vec6& n : now_) n.setZero();
+        for (std::size_t i = 0; i < damped_.size(); ++i)
+            for (int end : {0, 1})
+                now_[w_.structure.elements()[damped_[i]].node[end]] += of_element_[i].segment<6>(6 * end);
+    }
+
+    /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
+    Vec12 force_of(int index) const {
+        const Element& e = w_.structure.elements()[index];
+        const bool rests = !w_.resting.empty() && w_.resting[e.node[0]] >= 0;
+        if (w_.state.broken[index] || rests) return Vec12::Zero();
+        const ElementDamping& c = damping_[index];
+        const beam::Placement<double> place = place_element(w_.structure, index, w_.trial);
+        Vec12 v, force = Vec12::Zero();
+        v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
+        if (c.of_mass != 0) force = c.of_mass * (w_.structure.inertia(index).matrix(axes_of(place)) * v);
+        if (c.of_stiffness != 0) {
+            Eigen::Matrix<double, 12, 6> to_nodes;
+            for (int i = 0; i < 6; ++i) {
+                double p[6] = {};
+                p[i] = 1;
+                const beam::NodalForces<double> f = beam::nodal_forces(place, p);
+                for (int end : {0, 1})
+                    to_nodes.col(i).segment<6>(6 * end) << f.force[end].x, f.force[end].y, f.force[end].z,
+                        f.moment[end].x, f.moment[end].y, f.moment[end].z;
+            }
+            const Vec6 rate = to_nodes.transpose() * v;
+            force += to_nodes * (c.of_stiffness * stiffness_now(w_.structure, w_.state, index).times(rate));
+        }
+        return force;
+    }
+
+    std::vector<ElementDamping> damping_;
+    std::vector<int> damped_;         ///< elements
+    std::vector<Vec12> of_element_;   ///< of those
+    std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+    const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
+    if (declared.empty()) return {{damping_effect, false, "not declared", ""}};
+    const bool any = !damping_of_elements(s).empty();
+    return {{damping_effect, run.dynamic && any,
+             any ? only_in_dynamics(run, "model:damping") : "declared by model:damping, but damps no member",
+             s.model().asked_at(damping_effect)}};
+}
+
+}  // namespace
+
+EffectKind damping_kind() {
+    return {damping_effect,
+            {{"damping", 80, "dissipated by Rayleigh damping"}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!w.kind.dynamic) return nullptr;
+                std::vector<ElementDamping> damping = damping_of_elements(w.structure);
+                if (damping.empty()) return nullptr;
+                return std::make_unique<RayleighDamping>(w, host, std::move(damping));
+            },
+            true,
+            damping_of_elements};
+}
+
+}  // namespace hinge
