@@ -520,6 +520,27 @@ function model:damping(options) end
 ---@field beta? number s, likewise: of K, 0 or above, default 0
 ---@field group? hinge.group_like only its members, default all
 
+---A rigid ground that members fall on: the half space behind a plane, stiff, without pull. What touches are nodes, those
+---inside members too, and the free ends of broken members, round with half the smaller side of the section as radius:
+---k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the run begins
+---is at rest there; nodes that begin with their axis below the plane are left out until they have left the ground.
+---Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at the start)
+---and ground_dissipated (by friction and restitution), J.
+---@param plane? hinge.ground_plane
+function model:ground(plane) end
+
+---@class hinge.ground_plane
+---@field point? vec3 m, on the plane; default {0, 0, 0}
+---@field normal? vec3 out of the ground, of any length but 0; default {0, 0, 1}
+---@field friction? number Coulomb's coefficient, 0 or above, default 0; acts where the surface touches
+---k of each point, N/m, above 0; default 0.4 EA / L of each element that meets there, with which explicit steps stay
+---stable: a fall at v penetrates by about v / (0.9 c) L, c the speed of sound
+---@field stiffness? number
+---0..1, the part of the normal velocity that a point has left when it comes out of the ground, by Newton's law as an
+---impulse of no length; default what the springs alone give, which lose nothing, but vibration takes its part
+---@field restitution? number
+---@field group? hinge.group_like whose members meet it; default all
+
 ---A group that members were put into by name.
 ---@param name string
 ---@return hinge.group

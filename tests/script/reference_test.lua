@@ -199,6 +199,7 @@ local calls = {
   ["model:connector.curve"] = function(x) s.model:connector { s.tip, ground = true, curve = x } end,
   ["model:connector.law"] = function(x) s.model:connector { s.tip, ground = true, law = x } end,
   ["model:connector.capacity"] = function(x) s.model:connector { s.tip, ground = true, capacity = x } end,
+  ["model:ground"] = function(x) s.model:ground(x) end,
   ["model:static"] = function(x) s.model:static(x) end,
   ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x) } end,
   ["model:dynamic"] = function(x) s.model:dynamic(x) end,

@@ -1,0 +1,471 @@
+// Rigid half spaces that members fall on. Where a node, or the free end of a broken element, comes closer to the plane
+// than the half depth h of its members, it is pushed back:
+//
+//   U = k/2 o^2 where o > 0, else 0:   o = h - n . (x - point)
+//
+// Friction (Coulomb) is a spring e along the plane between the point of the surface that touches and the ground,
+// |k_t e| <= mu k o; where it would be more, the point slides and what is missing is heat.
+//
+// Restitution: a point that comes out of the ground has its normal velocity reduced to that part of itself by an
+// impulse, whatever the length of the step. Points that come out in one step do so together: the impulses share their
+// sizes as the points' masses and velocities do, and one factor makes the sum of them right.
+#include "effects/ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/rotation.h"
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+/// k of a point: this part of EA / L of each element that meets there. It goes with the mass there, so that a bar that
+/// falls flat stays straight, and raises the square of the highest frequency by a fifth at most: explicit steps of 0.9
+/// of what stability allows stay stable.
+constexpr double normal_part = 0.4;
+/// k_t / k. A point of the surface also turns with its node, which makes it up to 2.5 times as easy to move.
+constexpr double tangential_part = 0.4;
+/// Part of the half depth: nodes that begin further than this below the plane are no part of what stands on it.
+constexpr double buried = 0.01;
+/// Friction that differs by this part of the most that there can be from the one that a step was solved with asks for
+/// another solution.
+constexpr double same_friction = 0.01;
+/// Part of the half depth: a point that is no further from the ground carries when a static run begins.
+constexpr double just_touches = 1e-6;
+
+/// A point that may touch a plane.
+struct Point {
+    int plane = 0, node = 0;
+    int element = -1;         ///< broken: its free end; -1: a node
+    Vec3 arm = Vec3::Zero();  ///< m, from the node in the node's own frame
+    double radius = 0;        ///< h, m
+    double stiffness = 0;     ///< k, N/m
+    double mass = 0;          ///< half of what meets there, kg
+    bool left_out = false;    ///< began below the plane and has not left it yet
+    double level = 0;         ///< m: how far it was inside where it began: there it is at rest
+
+    // where a step begins
+    double overlap = 0;            ///< o, m; negative: apart
+    Vec3 slip = Vec3::Zero();      ///< e, m
+    Vec3 place = Vec3::Zero();     ///< of the point, m
+    Quat turn = Quat::Identity();  ///< of the node
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.overlap, s.slip,
+          s.place, s.turn);
+    }
+};
+
+struct Points {
+    int planes = 0, nodes = 0;
+    std::vector<Point> list;
+    static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.planes, s.nodes, s.list);
+    }
+};
+
+/// How a point lies somewhere.
+struct Touch {
+    double overlap = 0;        ///< o, m
+    Vec3 arm = Vec3::Zero();   ///< from the node to the point, m
+    Vec3 slip = Vec3::Zero();  ///< e, m
+    bool slides = false;
+    double heat = 0;  ///< J, by sliding since the step began
+};
+
+class Ground : public Effect {
+public:
+    Ground(Workspace& w, Host& host) : Effect(ground_effect, w, host) {
+        const int planes = int(declared().size()), nodes = int(w.structure.position().size());
+        const Points* there = w.state.data.find<Points>(ground_effect);
+        if (!there || there->planes != planes || there->nodes != nodes) w.state.data.set(ground_effect, list_points());
+        at_start_ = stored(w.state);
+    }
+
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        had_ = has_, has_ = 0;
+        touches_.resize(points().size());
+        for (std::size_t i = 0; i < points().size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i] = look(p, w_.trial);
+            if (carries(p, t)) ++has_, first_ = has_ == 1 ? int(i) : first_;
+            if (!(t.overlap > 0)) continue;
+            const Vec3 &n = plane(p).normal, push = -p.stiffness * t.overlap * n, drag = tangential(p) * t.slip;
+            resisting[p.node].head<3>() += push + drag;
+            resisting[p.node].tail<3>() += t.arm.cross(push) + surface(p, t.arm).cross(drag);
+        }
+    }
+    /// Left out: the slope of a friction that slides, which has no symmetry, and how the arms turn.
+    void add_blocks(const Places&, Blocks& blocks) const override {
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i];
+            if (!carries(p, t)) continue;
+            const Vec3& n = plane(p).normal;
+            Vec6 row;
+            row << n, t.arm.cross(n);
+            Mat6 K = p.stiffness * row * row.transpose();
+            if (plane(p).friction > 0 && !t.slides)
+                for (const Vec3& along : {Vec3(n.unitOrthogonal()), Vec3(n.cross(n.unitOrthogonal()))}) {
+                    row << along, surface(p, t.arm).cross(along);
+                    K += tangential(p) * row * row.transpose();
+                }
+            blocks.stiffness(p.node, K);
+        }
+    }
+    bool has_blocks() const override { return has_ > 0 || had_ > 0; }
+    bool blocks_follow() const override { return has_blocks(); }
+
+    /// Another solution is needed where a point has come to touch, or no longer does, or friction has become another.
+    bool settled() override {
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Touch now = look(points()[i], w_.trial), &before = touches_[i];
+            if ((now.overlap > 0) != (before.overlap > 0)) return false;
+            const double most = plane(points()[i]).friction * points()[i].stiffness * now.overlap;
+            if (most > 0 && tangential(points()[i]) * (now.slip - before.slip).norm() > same_friction * most)
+                return false;
+        }
+        return true;
+    }
+
+    bool meets() const override { return true; }
+    bool makes_forces_vanish() const override { return true; }
+    /// Long steps end before a point touches.
+    bool meet(const Step& step) override {
+        if (!step.longer) return true;
+        for (const Point& p : points()) {
+            if (p.left_out || is_held(p) || rests(p)) continue;
+            const Vec6 foreseen = w_.state.velocity[p.node] + (0.5 * step.dt) * w_.state.acceleration[p.node];
+            const Vec3 arm = w_.state.rotation[p.node] * p.arm;
+            const double closing =
+                -plane(p).normal.dot(foreseen.head<3>() + Vec3(foreseen.tail<3>()).cross(arm)) * step.dt;
+            if (overlap_of(p, w_.state, arm) + closing > 0) return false;
+        }
+        return true;
+    }
+
+    /// Friction's heat, what the step has missed where a point began or ceased to touch, and restitution.
+    void end(const Step& step) override {
+        lost_ = 0;
+        bool begins_or_ends = false, comes_out = false;
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i] = look(p, w_.trial);
+            lost_ += t.heat;
+            if ((t.overlap > 0) == (p.overlap > 0)) continue;
+            begins_or_ends = true;
+            comes_out |= p.overlap > 0 && plane(p).restitution.value_or(1) < 1;
+        }
+        if (!begins_or_ends) return;
+        taken_.assign(touches_.size(), 0);
+        add_missed(step.dt);
+        if (comes_out) restitute();
+        take_from_friction();
+    }
+    void add_up(const Step&, Accounts& sums) const override {
+        double lost = lost_;
+        if (!w_.kind.dynamic)
+            for (const Touch& t : touches_) lost += t.heat;
+        sums["ground_dissipated"] += lost;
+    }
+    void keep(const Step&) override {
+        for (std::size_t i = 0; i < points().size(); ++i) take(points()[i], look(points()[i], w_.trial), w_.trial);
+        lost_ = 0;
+    }
+
+    /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer.
+    void broke(const Break& b) override {
+        double lost = 0;
+        const Element& e = w_.structure.elements()[b.element];
+        for (Point& p : points())
+            if (w_.state.gone[p.node] && !p.left_out) lost += energy(p, look(p, w_.state)), p.left_out = true;
+        w_.state.accumulated["ground_dissipated"] += lost;
+        for (int i = 0; i < int(declared().size()); ++i)
+            if (meets(i, b.element)) points().push_back(free_end(i, e, b.element, w_.state));
+    }
+
+    void take_back() override { lost_ = 0; }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (const Point& p : points())
+            if (bodies.of_node[p.node] >= 0 && look(p, w_.state).overlap > 0) rests[bodies.of_node[p.node]] = 0;
+    }
+    bool calm() const override { return has_ == 0; }
+    bool sleeps() const override { return true; }
+    bool busy() const override { return has_ > 0; }
+    std::string why_awake() const override { return w_.structure.node_name(points()[first_].node) + " on the ground"; }
+
+    void add_energy(const State& state, Accounts& sums) const override {
+        sums["ground_stored"] += stored(state) - at_start_;
+    }
+    void save(Writer& to) const override { to(at_start_, has_, had_, first_); }
+    void restore(Reader& from) override { from(at_start_, has_, had_, first_); }
+    bool restored(std::span<const State* const> states) override {
+        const int nodes = int(w_.structure.position().size()), elements = int(w_.structure.elements().size());
+        const auto within = [](int i, int n) { return i >= 0 && i < n; };
+        for (const State* s : states) {
+            const Points* there = s->data.find<Points>(ground_effect);
+            if (!there || there->planes != int(declared().size()) || there->nodes != nodes) return false;
+            for (const Point& p : there->list)
+                if (!within(p.plane, there->planes) || !within(p.node, nodes) || !within(p.element + 1, elements + 1))
+                    return false;
+        }
+        touches_.clear();
+        return has_ >= 0 && had_ >= 0 && (points().empty() || within(first_, int(points().size())));
+    }
+
+private:
+    const std::vector<GroundPlane>& declared() const {
+        return w_.structure.model().declared<GroundPlane>(ground_effect);
+    }
+    std::vector<Point>& points() const { return w_.state.data.find<Points>(ground_effect)->list; }
+    const GroundPlane& plane(const Point& p) const { return declared()[p.plane]; }
+    bool meets(int plane, int element) const {
+        return declared()[plane].group < 0 || w_.structure.in_group(element, declared()[plane].group);
+    }
+    static double tangential(const Point& p) { return tangential_part * p.stiffness; }
+    /// From the node to the point of the surface that touches: in small displacement nodes have no turn to follow.
+    Vec3 surface(const Point& p, const Vec3& arm) const {
+        return w_.structure.large() ? Vec3(arm - p.radius * plane(p).normal) : arm;
+    }
+    bool is_held(const Point& p) const { return (w_.state.held[p.node] & 7) == 7; }
+    bool rests(const Point& p) const { return !w_.resting.empty() && w_.resting[p.node] >= 0; }
+    /// Whether it counts in the tangent. Statics begins where nothing presses yet: what just touches carries there.
+    bool carries(const Point& p, const Touch& t) const {
+        return t.overlap > (w_.kind.dynamic ? 0 : -just_touches * p.radius);
+    }
+
+    template <class At>
+    Vec3 place_of(const Point& p, const At& at, const Vec3& arm) const {
+        return w_.structure.position()[p.node] + at.displacement[p.node] + arm;
+    }
+    template <class At>
+    double overlap_of(const Point& p, const At& at, const Vec3& arm) const {
+        return p.radius - p.level - plane(p).normal.dot(place_of(p, at, arm) - plane(p).point);
+    }
+
+    /// How a point lies at a pose, on the way from where the step began.
+    template <class At>
+    Touch look(const Point& p, const At& at) const {
+        Touch t;
+        if (p.left_out || is_held(p)) return t.overlap = -p.radius, t;
+        t.arm = p.element < 0 ? Vec3(Vec3::Zero()) : Vec3(at.rotation[p.node] * p.arm);
+        t.overlap = overlap_of(p, at, t.arm);
+        if (rests(p)) return t.overlap = std::min(0.0, t.overlap), t;
+        const double mu = plane(p).friction;
+        if (mu == 0) return t;
+        const Vec3& n = plane(p).normal;
+        Vec3 moved = place_of(p, at, t.arm) - p.place;
+        if (w_.structure.large())
+            moved -= rotation_vector(at.rotation[p.node] * p.turn.conjugate()).cross(p.radius * n);
+        moved -= moved.dot(n) * n;
+        // of a step in which it comes to touch, the part that is left then
+        const double part = p.overlap > 0 ? 1 : t.overlap > 0 ? t.overlap / (t.overlap - p.overlap) : 0;
+        const double k = tangential(p), most = mu * p.stiffness * std::max(0.0, t.overlap) / k;
+        const Vec3 trial = p.slip + part * moved;
+        const double length = trial.norm();
+        t.slides = length > most;
+        t.slip = t.slides ? Vec3(most / length * trial) : trial;
+        // the step moved the surface against the mean of the forces at its two ends
+        t.heat = 0.5 * k * ((t.slip + p.slip).dot(moved) + p.slip.squaredNorm() - t.slip.squaredNorm());
+        return t;
+    }
+    static double energy(const Point& p, const Touch& t) {
+        const double o = std::max(0.0, t.overlap);
+        return 0.5 * (p.stiffness * o * o + tangential(p) * t.slip.squaredNorm());
+    }
+    double stored(const State& state) const {
+        double sum = 0;
+        for (const Point& p : state.data.find<Points>(ground_effect)->list) sum += energy(p, look(p, state));
+        return sum;
+    }
+    /// Where the next step begins.
+    template <class At>
+    void take(Point& p, const Touch& t, const At& at) const {
+        if (p.left_out || p.level > 0) {  // has it left the ground for the first time?
+            const Vec3 arm = p.element < 0 ? Vec3(Vec3::Zero()) : Vec3(at.rotation[p.node] * p.arm);
+            if (!w_.state.gone[p.node] && overlap_of(p, at, arm) + p.level <= 0) p.left_out = false, p.level = 0;
+        }
+        p.overlap = t.overlap;
+        p.slip = t.slip;
+        if (plane(p).friction == 0) return;
+        p.place = place_of(p, at, t.arm);
+        p.turn = at.rotation[p.node];
+    }
+
+    /// What touches where the run begins is at rest there; what lies deeper is left out until it has left.
+    void begin_at(Point& p, const State& state) const {
+        const Vec3 arm = state.rotation[p.node] * p.arm;
+        const double inside = overlap_of(p, state, arm);
+        p.left_out = p.element < 0 && inside > (1 + buried) * p.radius;
+        p.level = std::max(0.0, inside);
+        p.overlap = inside - p.level;
+        p.place = place_of(p, state, arm), p.turn = state.rotation[p.node];
+    }
+    Point free_end(int plane, const Element& e, int element, const State& state) const {
+        Point p;
+        p.plane = plane, p.element = element;
+        p.node = e.node[state.broken[element] == 2 ? 0 : 1];
+        p.arm = state.offset_arm[element];
+        p.radius = e.radius;
+        const double given = declared()[plane].stiffness;
+        p.stiffness = given > 0 ? given : normal_part * e.rigidity.EA / e.length;
+        p.mass = 0.5 * e.rigidity.rhoA * e.length;
+        begin_at(p, state);
+        return p;
+    }
+    Points list_points() const {
+        const Structure& s = w_.structure;
+        Points points;
+        points.planes = int(declared().size()), points.nodes = int(s.position().size());
+        for (int i = 0; i < points.planes; ++i) {
+            for (int n = 0; n < points.nodes; ++n) {
+                Point p;
+                p.plane = i, p.node = n;
+                for (int element : s.elements_at(n)) {
+                    if (!meets(i, element)) continue;
+                    const Element& e = s.elements()[element];
+                    p.radius = std::max(p.radius, e.radius);
+                    p.stiffness += normal_part * e.rigidity.EA / e.length;
+                    p.mass += 0.5 * e.rigidity.rhoA * e.length;
+                }
+                if (p.stiffness == 0 || w_.state.gone[n]) continue;
+                if (declared()[i].stiffness > 0) p.stiffness = declared()[i].stiffness;
+                begin_at(p, w_.state);
+                points.list.push_back(p);
+            }
+            for (int e = 0; e < int(s.elements().size()); ++e)
+                if (w_.state.broken[e] && meets(i, e)) points.list.push_back(free_end(i, s.elements()[e], e, w_.state));
+        }
+        return points;
+    }
+
+    void add_impulse(const Point& p, const Touch& t, double size) {
+        const Vec3 f = size * plane(p).normal;
+        impulse_[p.node].head<3>() += f;
+        impulse_[p.node].tail<3>() += t.arm.cross(f);
+    }
+    void add_to_trial(double x, const ImpulseResponse& response) {
+        w_.state.accumulated["work"] += x * response.by_supports;
+        for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
+    }
+
+    /// A step takes the mean of the forces at its two ends. Where o changes its sign that is not the force that does
+    /// the work -(U1 - U0) (contact/surface_contact.h): what is missing of it, times dt, is an impulse, scaled so that
+    /// it does the work that was missed.
+    void add_missed(double dt) {
+        impulse_.assign(w_.trial.velocity.size(), Vec6::Zero());
+        double work = 0;
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const double before = points()[i].overlap, now = touches_[i].overlap;
+            if ((before > 0) == (now > 0)) continue;
+            const double most = std::max(before, now), least = std::min(before, now);
+            const double missing = 0.5 * dt * points()[i].stiffness * most * least / (most - least);
+            add_impulse(points()[i], touches_[i], missing);
+            taken_[i] = missing;
+            work += missing * (before - now) / dt;
+        }
+        const ImpulseResponse k = host_.respond(impulse_);
+        if (!(k.square > 0)) return;
+        const double root = k.linear * k.linear + 4 * k.square * work;
+        double x = 1;
+        if (root >= 0) {
+            const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square,
+                         near = far != 0 ? -work / k.square / far : 1;
+            const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
+            if (std::abs(exact - 1) < 0.5) x = exact;
+        }
+        add_to_trial(x, k);
+        for (double& taken : taken_) taken *= x;
+    }
+
+    /// Of the points that come out, the normal velocity is to be what restitution leaves of it.
+    void restitute() {
+        impulse_.assign(w_.trial.velocity.size(), Vec6::Zero());
+        restituted_.assign(touches_.size(), 0);
+        double wanted = 0;  // impulse . velocity, afterwards
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i];
+            const double left = plane(p).restitution.value_or(1);
+            if (!(p.overlap > 0) || t.overlap > 0 || left == 1) continue;
+            const Vec6& v = w_.trial.velocity[p.node];
+            const double speed = plane(p).normal.dot(v.head<3>() + Vec3(v.tail<3>()).cross(t.arm));
+            if (!(speed > 0)) continue;
+            const double size = -(1 - left) * p.mass * speed;
+            add_impulse(p, t, size);
+            restituted_[i] = size;
+            wanted += size * left * speed;
+        }
+        if (wanted == 0 && std::all_of(impulse_.begin(), impulse_.end(), [](const Vec6& f) { return f.isZero(0); }))
+            return;
+        const ImpulseResponse k = host_.respond(impulse_);
+        if (!(k.square > 0)) return;
+        const double x = (wanted - k.linear) / (2 * k.square);
+        add_to_trial(x, k);
+        lost_ -= x * (k.linear + x * k.square);
+        for (std::size_t i = 0; i < touches_.size(); ++i) taken_[i] += x * restituted_[i];
+    }
+
+    /// Friction has acted with all that the springs gave: what was taken of that, is taken of friction.
+    void take_from_friction() {
+        bool slid = false;
+        for (Vec6& f : impulse_) f.setZero();
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i];
+            const bool before = p.overlap > 0;
+            const Vec3& slip = before ? p.slip : t.slip;
+            if (taken_[i] == 0 || slip.isZero(0)) continue;
+            const double pressed = p.stiffness * (before ? p.overlap : t.overlap);
+            const Vec3 f = -taken_[i] * tangential(p) / pressed * slip;
+            impulse_[p.node].head<3>() += f;
+            impulse_[p.node].tail<3>() += surface(p, t.arm).cross(f);
+            slid = true;
+        }
+        if (!slid) return;
+        const ImpulseResponse along = host_.respond(impulse_);
+        add_to_trial(1, along);
+        lost_ -= along.linear + along.square;
+    }
+
+    std::vector<Touch> touches_;  ///< as of the last add_forces or end
+    std::vector<Vec6> impulse_;   ///< N s, N m s
+    /// Of the normal impulse of each point, by restitution, and with what the step missed, N s.
+    std::vector<double> restituted_, taken_;
+    int has_ = 0, had_ = 0;  ///< points that touch, at the last add_forces and the one before
+    int first_ = 0;          ///< of those, the first
+    double lost_ = 0;        ///< J, by friction and restitution in this step
+    double at_start_ = 0;    ///< J
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const std::size_t n = s.model().declared<GroundPlane>(ground_effect).size();
+    const std::string because = n == 0   ? "not declared"
+                                : n == 1 ? "model:ground"
+                                         : "model:ground, " + std::to_string(n) + " planes";
+    return {{ground_effect, n > 0, because, n > 0 ? s.model().asked_at("rigid ground") : ""}};
+}
+
+}  // namespace
+
+EffectKind ground_kind() {
+    return {ground_effect,
+            {{"ground", 75, "stored where members press on the ground, and lost there"},
+             {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
+             {"ground_dissipated", 77, "lost to friction and restitution on the ground", "ground"}},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (w.structure.model().declared<GroundPlane>(ground_effect).empty()) {
+                    w.state.data.erase(ground_effect);
+                    return nullptr;
+                }
+                return std::make_unique<Ground>(w, host);
+            },
+            true};
+}
+
+}  // namespace hinge

@@ -1,0 +1,169 @@
+-- A rigid ground: closed forms at rest, in falls and in sliding; energy, momentum, undo, checkpoints, errors.
+--
+-- Run: lua5.4 tests/script/ground_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "ground"
+local expect, equal, near = checks.expect, checks.equal, checks.near
+local g, side = 9.80665, 0.05
+local bar, steel = hinge.section.solid { width = side, depth = side }, hinge.material { E = 206e9, density = 7850 }
+local mass = 7850 * side ^ 2 -- of a bar 1 m long, kg
+
+local function with(options, more)
+  local result = {}
+  for field, value in pairs(options) do result[field] = value end
+  for field, value in pairs(more or {}) do result[field] = value end
+  return result
+end
+
+-- A bar 1 m long, flat, `height` above the plane z = 0, at rest or moving.
+local function flat(height, ground, options)
+  local model = hinge.model(options)
+  local a, b = model:node { 0, 0, height + side / 2 }, model:node { 1, 0, height + side / 2 }
+  model:member { a, b, section = bar, material = steel, group = "bar" }
+  model:gravity { 0, 0, -g }
+  if ground then model:ground(ground) end
+  return model, a, b
+end
+
+-- What the energy balance misses, of the energy turned over.
+local function error_of(run, turned_over) return math.abs(run.energy.remainder) / turned_over end
+
+-- Falls: a bar dropped flat meets the ground after sqrt(2 h / g), with sqrt(2 g h), and comes back to e^2 h.
+local h = 0.05
+local fall, speed = math.sqrt(2 * h / g), math.sqrt(2 * g * h)
+for _, integrator in ipairs { { dt = 2e-5 }, { dt = 1e-4 }, { integrator = "explicit", dt = "auto" } } do
+  for _, e in ipairs { 1, 0.5, 0 } do
+    local name = ("fall, %s %s, e = %g"):format(integrator.integrator or "newmark", integrator.dt, e)
+    local model, a = flat(h, { restitution = e })
+    local run = model:dynamic(with(integrator, { duration = fall * (1.1 + e), record = false }))
+    local fastest, highest, met, before, after = 0, -1, false, nil, nil
+    for _ in run:steps() do
+      local _, _, vz = run:velocity(a)
+      local _, _, z = run:displacement(a)
+      fastest = support.largest_of(fastest, -vz)
+      local down = z < -h
+      if down then met = true end
+      if not met then before = run:momentum().linear[3] end
+      if met and not down then
+        after = after or run:momentum().linear[3]
+        highest = support.largest_of(highest, z + h)
+      end
+    end
+    equal(run.verdict, "completed", name .. ": " .. run.reason)
+    near(fastest / speed, 1, 2e-3, name .. ": speed at impact")
+    near(-after / before, e, 5e-3, name .. ": momentum given back")
+    near(highest / h, e * e, 5e-3, name .. ": rebound")
+    near(error_of(run, mass * g * h), 0, 1e-3, name .. ": energy balance")
+    near(run.energy.ground_dissipated / (mass * g * h), 1 - e * e, 5e-3, name .. ": dissipated")
+  end
+end
+
+-- A block on an inclined plane.
+local function block(angle, mu, options, velocity)
+  local n = { -math.sin(angle), 0, math.cos(angle) }
+  local model = hinge.model {}
+  local up = side / 2 - mass * g * math.cos(angle) / 2 / 1e9
+  local a = model:node { up * n[1], 0, up * n[3] }
+  local b = model:node { up * n[1] + math.cos(angle), 0, up * n[3] + math.sin(angle) }
+  model:member { a, b, section = bar, material = steel, group = "bar" }
+  model:gravity { 0, 0, -g }
+  model:ground { normal = n, friction = mu, stiffness = 1e9 }
+  if velocity then model:velocity("bar", { velocity * math.cos(angle), 0, velocity * math.sin(angle) }) end
+  local run = model:dynamic(with({ record = false }, options))
+  run:finish()
+  equal(run.verdict, "completed", "block: " .. run.reason)
+  local x, _, z = run:displacement(a)
+  local p = run:momentum().linear -- the bar vibrates along its axis
+  return x * math.cos(angle) + z * math.sin(angle), (p[1] * math.cos(angle) + p[3] * math.sin(angle)) / mass, run
+end
+local slope = math.rad(30)
+for _, o in ipairs { { dt = 2e-5 }, { integrator = "explicit", dt = 1.25e-5 } } do
+  local t, name = 0.1, o.integrator or "newmark"
+  local s, v, run = block(slope, 0.3, with(o, { duration = t }))
+  local a = g * (math.sin(slope) - 0.3 * math.cos(slope))
+  near(-v / (a * t), 1, 2e-3, name .. ": speed of a block that slides down")
+  near(-s / (a * t * t / 2), 1, 5e-3, name .. ": its way")
+  near(run.energy.ground_dissipated / (0.3 * mass * g * math.cos(slope) * a * t * t / 2), 1, 1e-2, name .. ": its heat")
+  near(error_of(run, -run.energy.gravity), 0, 1e-3, name .. ": its energy balance")
+  s = block(slope, 0.7, with(o, { duration = t })) -- it hops while its weight comes on at once
+  near(s / (g * math.sin(slope) * t * t / 2), 0, 1e-2, name .. ": a block that sticks")
+  s, v, run = block(0, 0.5, with(o, { duration = 0.15 }), 0.5)
+  near(s / (0.5 ^ 2 / (2 * 0.5 * g)), 1, 5e-3, name .. ": way to a stop")
+  near(v / 0.5, 0, 5e-3, name .. ": stopped")
+  near(run.energy.ground_dissipated / (mass * 0.5 ^ 2 / 2), 1, 5e-3, name .. ": heat of stopping")
+  near(error_of(run, mass * 0.5 ^ 2 / 2), 0, 1e-3, name .. ": energy balance of stopping")
+end
+
+-- At rest: one end on a support, the other on the ground, which carries half the weight.
+for _, displacement in ipairs { "small", "large" } do
+  local model, a, b = flat(0, { stiffness = 1e6, friction = displacement == "large" and 0.5 or 0 },
+    { displacement = displacement })
+  model:fix(a, "xyz,rx,rz")
+  local run = model:static { steps = 3 }
+  run:finish()
+  equal(run.verdict, "completed", displacement .. ": statics, " .. run.reason)
+  local _, _, uz = run:displacement(b)
+  local _, _, up = run:reaction(a)
+  -- the node in the middle touches too: by the moments about it, the support carries what the end of the bar does
+  expect(up > 0.1 * mass * g, "%s: the support carries %g N", displacement, up)
+  near(-1e6 * uz / up, 1, 1e-3, displacement .. ": reaction at the end")
+  near(error_of(run, mass * g * math.abs(uz)), 0, 1e-6, displacement .. ": energy balance at rest")
+end
+
+-- Bits: a ground that nothing reaches changes none; a checkpoint and steps taken back neither.
+do
+  local function hash(ground)
+    local model = flat(1, ground)
+    model:velocity("bar", { 1, 0, 0 }, { 1, 2, 3 })
+    local run = model:dynamic { dt = 2e-5, duration = 2e-3, record = false }
+    run:finish()
+    return run.hash
+  end
+  equal(hash { friction = 0.5, restitution = 0.3 }, hash(nil), "an idle ground: the state's hash")
+  local function tumbling(options)
+    local model = flat(0.001, { friction = 0.4, restitution = 0.6 })
+    model:velocity("bar", { 2, 0.5, -3 }, { 0, 1, 0.5 })
+    return model:dynamic(with({ dt = 2e-5, duration = 0.02, record = false }, options))
+  end
+  local folder = support.temporary_folder()
+  for name, options in pairs { newmark = {}, explicit = { integrator = "explicit", dt = "auto" },
+    ["step control"] = { dt = 1e-4, step_control = 1e-3 } } do
+    local whole, other = tumbling(options), nil
+    local awake = 0
+    for step in whole:steps() do
+      if whole.energy.ground_stored > 0 then
+        awake = awake + 1
+        if awake == 3 then whole:checkpoint(folder .. "/one") other = tumbling(options):resume(folder .. "/one") end
+      end
+      if step.index == 10 then equal(whole.verdict, "running", name) end
+    end
+    equal(whole.verdict, "completed", name .. ": " .. whole.reason)
+    if expect(other, "%s: it touched %d times", name, awake) then
+      other:finish()
+      equal(other.hash, whole.hash, name .. ": bits after a checkpoint")
+      equal(other.energy.ground, whole.energy.ground, name .. ": energy after a checkpoint")
+    end
+    near(error_of(whole, whole.energy.initial), 0, name == "step control" and 1e-3 or 5e-3, name .. ": balance")
+    expect(whole.energy.ground_dissipated > 0.01 * whole.energy.initial, "%s: dissipated", name)
+  end
+end
+
+-- Errors at the script's line; the model is as it was.
+for message, ground in pairs {
+  ["model:ground: field 'normal' is {0, 0, 0}; must have a length..."] = { normal = { 0, 0, 0 } },
+  ["model:ground: field 'friction' is -0.1; must be 0 or above"] = { friction = -0.1 },
+  ["model:ground: field 'stiffness' is 0 N/m; must be above 0 N/m"] = { stiffness = 0 },
+  ["model:ground: field 'restitution' is 1.5; must be between 0 and 1..."] = { restitution = 1.5 },
+  ["model:ground: unknown field 'norml' (did you mean 'normal'?)..."] = { norml = { 0, 0, 1 } },
+  ["model:ground: field 'group': no group 'legs'; the model has 'bar'"] = { group = "legs" },
+} do
+  local model = flat(1)
+  local ok, why = pcall(model.ground, model, ground)
+  expect(not ok and support.says(tostring(why), "...ground_test.lua:...: " .. message), "says %s, wanted %s",
+    tostring(why), message)
+  local run = model:dynamic { dt = 1e-4, duration = 1e-3 }
+  equal(run.energy.ground, nil, "a refused ground is not declared")
+end
+checks.done()
