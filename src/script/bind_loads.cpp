@@ -138,7 +138,7 @@ int add_load(lua_State* L) {
     fields.insert(fields.end(), others.begin(), others.end());
     o.expect(fields);
     for (const std::string& field : others)
-        if (o.has(field.c_str())) o.complain(field, "given", "belongs to a load that is not on a node");
+        if (o.has(field.c_str())) o.complain(field, "given", "belongs to a load on '" + others[0] + "', not on a node");
     NodalLoad load;
     o.push_field("node");
     load.node = node_argument(L, -1, "model:load: field 'node'", m.get()).index;
