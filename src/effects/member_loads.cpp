@@ -1,0 +1,381 @@
+// Loads along members: forces and moments per length, and point loads between the ends.
+//
+// Each element passes its part of the load on to its two nodes by the lever rule. In a clamped member those parts give
+// other end moments than the load does, so the member's two end nodes get the difference to the fixed-end moments of
+// the whole Timoshenko member, with the two shear forces that keep it in balance. End forces are then exact, and
+// displacements of joints as exact as the stiffness between them is: closed form with pairs of asi-gauss elements.
+//
+// Large displacement: forces that are given in space keep their direction. The correction is that of the load's
+// components in the axes that the member has now (chord from end to end) and turns with them. A member with a broken
+// element has no correction, and the broken element's part of the load goes with it.
+#include "effects/member_loads.h"
+
+#include <cmath>
+#include <map>
+
+#include "beam/tangent.h"
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+/// The closed form of a Timoshenko beam that bends in one plane, shear flexibility phi = 12 EI/(GA L^2): where end 1 or
+/// 2 alone turns by one, the deflection over the length and the section's rotation at xi (0 to 1). By Betti's law they
+/// are the fixed-end moments of a unit force or moment that acts there.
+double deflection(int end, double xi, double phi) {
+    const double bow = 0.5 * phi * (xi - xi * xi);
+    return (end == 0 ? xi * (1 - xi) * (1 - xi) + bow : -xi * xi * (1 - xi) - bow) / (1 + phi);
+}
+double rotation(int end, double xi, double phi) {
+    return (end == 0 ? (1 - xi) * (1 - 3 * xi + phi) : xi * (3 * xi - 2 + phi)) / (1 + phi);
+}
+
+/// What a member's elements make of loads at their nodes while its ends are clamped.
+class Clamped {
+public:
+    Clamped(const Structure& s, int first, int end) : n_(end - first) {
+        if (n_ < 2) return;
+        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * (n_ + 1), 6 * (n_ + 1));
+        for (int i = 0; i < n_; ++i) {
+            const Element& e = s.elements()[first + i];
+            K.block<12, 12>(6 * i, 6 * i) += beam::linear_tangent(Mat3::Identity(), e.length, e.stiffness.matrix());
+        }
+        const int inner = 6 * (n_ - 1);
+        Eigen::MatrixXd to_ends(inner, 12);
+        to_ends << K.block(6, 0, inner, 6), K.block(6, 6 * n_, inner, 6);
+        carried_ = -K.block(6, 6, inner, inner).ldlt().solve(to_ends);
+    }
+    /// The part of a unit load on node k (0 to n), in one of six directions, that arrives at the ends' component `to`
+    /// (0 to 11).
+    double arrives(int k, int direction, int to) const {
+        if (k == 0) return direction == to;
+        if (k == n_) return 6 + direction == to;
+        return carried_(6 * (k - 1) + direction, to);
+    }
+
+private:
+    int n_;
+    Eigen::MatrixXd carried_;
+};
+
+/// A part of a load, at a point of an element.
+struct Portion {
+    int element;     ///< of the member, 0 to n - 1
+    double eta, xi;  ///< place in the element and in the member, 0 to 1
+    Vec3 force, moment;
+};
+
+std::vector<Portion> portions(const MemberLoad& load, int n, double length, const Vec3& along) {
+    std::vector<Portion> list;
+    if (!load.spread()) {
+        const int element = std::min(n - 1, int(load.at * n));
+        list.push_back({element, load.at * n - element, load.at, load.force[0], load.moment[0]});
+        return list;
+    }
+    Vec3 force[2] = {load.force[0], load.force[1]};
+    if (load.axes == LoadAxes::projected)
+        for (Vec3& q : force)
+            if (!q.isZero(0)) q *= q.cross(along).norm() / q.norm();
+    const double point[3] = {0.5 - 0.5 * std::sqrt(0.6), 0.5, 0.5 + 0.5 * std::sqrt(0.6)},
+                 weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};  // Gauss: exact for a linear load on a cubic
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const double xi = (i + point[k]) / n, part = weight[k] * length / n;
+            list.push_back({i, point[k], xi, part * ((1 - xi) * force[0] + xi * force[1]),
+                            part * ((1 - xi) * load.moment[0] + xi * load.moment[1])});
+        }
+    return list;
+}
+
+class MemberLoads : public Effect {
+public:
+    MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host) {
+        const Structure& s = w.structure;
+        std::map<int, std::pair<int, int>> elements_of;  // first and one past the last
+        for (int i = 0; i < int(s.elements().size()); ++i) {
+            auto& range = elements_of.try_emplace(s.elements()[i].member, i, i).first->second;
+            range.second = i + 1;
+        }
+        place_.assign(s.position().size(), -1);
+        for (const MemberLoad& load : declared()) {
+            const auto [first, end] = elements_of.at(load.member);
+            loads_.push_back(taken_up(load, first, end));
+            on_member_[load.member].push_back(int(loads_.size()) - 1);
+            for (int i = first; i < end; ++i)
+                for (int node : s.elements()[i].node)
+                    if (place_[node] < 0) place_[node] = int(nodes_.size()), nodes_.push_back(node);
+        }
+        before_.assign(nodes_.size(), Vec6::Zero());
+    }
+
+    /// Statics takes a load with a history as it is at time 0, or in full where that is nothing.
+    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+        for (const Loaded& l : loads_)
+            act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
+    }
+    bool loads_follow() const override { return w_.structure.large(); }
+
+    /// The factors at the end of the step.
+    void begin(const Step& step) override { factors_at(step.end()); }
+    void restart_begins() override { factors_at(w_.state.time); }
+    void restart_ends() override {
+        before_ = acting(w_.state);
+        for (Loaded& l : loads_) l.kept_factor = l.factor;
+    }
+    /// In statics they are part of F.
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        if (!w_.kind.dynamic) return;
+        for (const Loaded& l : loads_)
+            act(l, w_.trial, l.factor, [&](int node, const Vec6& f) {
+                if (w_.resting.empty() || w_.resting[node] < 0) resisting[node] -= f;
+            });
+    }
+
+    /// By the trapezium rule.
+    void add_up(const Step&, Accounts& sums) const override {
+        if (!w_.kind.dynamic) return;
+        const std::vector<Vec6> now = acting(w_.trial);
+        double work = 0;
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            const int n = nodes_[i];
+            const Vec6 mean = 0.5 * (now[i] + before_[i]);
+            work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
+                    mean.tail<3>().dot(w_.turned[n]);
+        }
+        sums["work"] += work;
+    }
+    void keep(const Step&) override {
+        if (!w_.kind.dynamic) return;
+        before_ = acting(w_.trial);
+        for (Loaded& l : loads_) l.kept_factor = l.factor;
+    }
+
+    /// The fixed-end part: an element's forces balance what its nodes got of the load and of the correction.
+    void add_section_forces(int element, double side, SectionForces& forces) const override {
+        const auto on = on_member_.find(w_.structure.elements()[element].member);
+        if (on == on_member_.end()) return;
+        for (const int i : on->second) {
+            const Loaded& l = loads_[i];
+            const double factor = w_.kind.dynamic ? l.kept_factor : w_.state.factor * static_factor(l);
+            const int end = side < 0 ? 0 : 1;
+            const Share& share = l.shares[element - l.first];
+            Vec3 force = share.force[end], moment = share.moment[end];
+            if (!l.local) {
+                const Mat3 to_local = axes_of(place_element(w_.structure, element, w_.state)).transpose();
+                force = to_local * force, moment = to_local * moment;
+            }
+            force *= -side * factor, moment *= -side * factor;
+            forces.Qx += force.x(), forces.Qy += force.y(), forces.N += force.z();
+            forces.Mx += moment.x(), forces.My += moment.y(), forces.Mz += moment.z();
+            if (!whole(l)) continue;
+            const Chord chord = chord_of(l, w_.state);
+            const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
+            const double xi = double(element - l.first + end) / int(l.shares.size()), length = chord.span.norm();
+            const Vec3 there = (1 - xi) * m[0] - xi * m[1], sum = (m[0] + m[1]) / length;
+            forces.Mx += there.x(), forces.My += there.y();
+            forces.Qx += sum.y(), forces.Qy -= sum.x();
+        }
+    }
+
+    bool calls_script() const override {
+        for (const MemberLoad& l : declared())
+            if (l.has_history) return true;
+        return false;
+    }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (const Loaded& l : loads_)
+            if (l.history)
+                for (int i = l.first; i < l.first + int(l.shares.size()); ++i) {
+                    const int body = bodies.of_node[w_.structure.elements()[i].node[0]];
+                    if (!w_.state.broken[i] && body >= 0) rests[body] = 0;
+                }
+    }
+    bool changes_within(double now, std::span<const double> after) const override {
+        for (const Loaded& l : loads_) {
+            if (!l.history) continue;
+            const double factor = l.history(now);
+            for (const double t : after)
+                if (l.history(now + t) != factor) return true;
+        }
+        return false;
+    }
+
+    void save(Writer& to) const override { save_fields(*this, to); }
+    void restore(Reader& from) override { fields(*this, from); }
+    bool restored(std::span<const State* const>) override { return before_.size() == nodes_.size(); }
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.before_);
+        for (auto& l : s.loads_) a(l.factor, l.kept_factor);
+    }
+
+private:
+    /// What an element passes on to its two nodes, in the load's axes, N and N m.
+    struct Share {
+        Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
+    };
+    struct Loaded {
+        int first;  ///< element
+        bool local;
+        History history;
+        std::vector<Share> shares;  ///< of the member's elements
+        /// The correction's moment at each end about x and about y is linear in the load's components across: of the
+        /// forces, N m, and of the moments, N m, both in the load's axes.
+        Vec3 of_force[2][2], of_moment[2][2];
+        double factor = 1, kept_factor = 1;
+    };
+    /// A member's axes, and the way from its first to its second end, m.
+    struct Chord {
+        Mat3 axes;
+        Vec3 span;
+    };
+
+    const std::vector<MemberLoad>& declared() const {
+        return w_.structure.model().declared<MemberLoad>(member_loads_effect);
+    }
+
+    Loaded taken_up(const MemberLoad& load, int first, int end) const {
+        const Element& e = w_.structure.elements()[first];
+        const int n = end - first;
+        const double length = n * e.length;
+        Loaded l{first, load.axes == LoadAxes::local, load.history, {}, {}, {}};
+        l.shares.resize(n);
+        for (int end_of : {0, 1})
+            for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
+        const Clamped clamped(w_.structure, first, end);
+        // bending about x deflects along -y where it turns, bending about y along x
+        const double phi[2] = {12 * e.rigidity.EIx / (e.rigidity.GAy * length * length),
+                               12 * e.rigidity.EIy / (e.rigidity.GAx * length * length)};
+        const double sign[2] = {-1, 1};
+        for (const Portion& p : portions(load, n, length, e.chord.normalized())) {
+            const double lever[2] = {1 - p.eta, p.eta};
+            for (int i : {0, 1}) {
+                l.shares[p.element].force[i] += lever[i] * p.force;
+                l.shares[p.element].moment[i] += lever[i] * p.moment;
+            }
+            for (int of : {0, 1})
+                for (int plane : {0, 1}) {
+                    const int to = 6 * of + 3 + plane;
+                    const auto passed_on = [&](int direction) {
+                        return lever[0] * clamped.arrives(p.element, direction, to) +
+                               lever[1] * clamped.arrives(p.element + 1, direction, to);
+                    };
+                    l.of_force[of][plane] +=
+                        (sign[plane] * length * deflection(of, p.xi, phi[plane]) - passed_on(1 - plane)) * p.force;
+                    l.of_moment[of][plane] += (rotation(of, p.xi, phi[plane]) - passed_on(3 + plane)) * p.moment;
+                }
+        }
+        return l;
+    }
+
+    double static_factor(const Loaded& l) const {
+        const double factor = l.history ? l.history(0) : 1;
+        return factor == 0 ? 1 : factor;
+    }
+    void factors_at(double time) {
+        for (Loaded& l : loads_) l.factor = l.history ? l.history(time) : 1;
+    }
+
+    bool whole(const Loaded& l) const {
+        for (std::size_t i = 0; i < l.shares.size(); ++i)
+            if (w_.state.broken[l.first + i]) return false;
+        return true;
+    }
+    Chord chord_of(const Loaded& l, const Places& at) const {
+        const Structure& s = w_.structure;
+        const Element &a = s.elements()[l.first], &b = s.elements()[l.first + l.shares.size() - 1];
+        Vec3 span = double(l.shares.size()) * a.chord;
+        if (!s.large()) return {a.axes.toRotationMatrix(), span};
+        span += at.displacement[b.node[1]] - at.displacement[a.node[0]];
+        const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
+        return {axes_of(beam::place<double>({span.x(), span.y(), span.z()}, quad(at.rotation[a.node[0]]),
+                                            quad(at.rotation[b.node[1]]), quad(a.axes))),
+                span};
+    }
+    /// The correction at an end, in the member's axes; `axes`: those.
+    Vec3 end_moment(const Loaded& l, int end, const Mat3& axes) const {
+        Vec3 m = Vec3::Zero();
+        for (int plane : {0, 1}) {
+            const Vec3 &f = l.of_force[end][plane], &c = l.of_moment[end][plane];
+            m[plane] = l.local ? f[1 - plane] + c[plane] : axes.col(1 - plane).dot(f) + axes.col(plane).dot(c);
+        }
+        return m;
+    }
+
+    /// Calls add(node, force and moment in space) with all that a load asks of the nodes at such a place.
+    template <class Add>
+    void act(const Loaded& l, const Places& at, double factor, Add add) const {
+        const auto& elements = w_.structure.elements();
+        bool broken = false;
+        for (std::size_t i = 0; i < l.shares.size(); ++i) {
+            const int element = l.first + int(i);
+            if (w_.state.broken[element]) {
+                broken = true;
+                continue;
+            }
+            const Share& share = l.shares[i];
+            const Mat3 turn =
+                l.local ? Mat3(axes_of(place_element(w_.structure, element, at))) : Mat3(Mat3::Identity());
+            for (int end : {0, 1}) {
+                Vec6 f;
+                f << factor * (turn * share.force[end]), factor * (turn * share.moment[end]);
+                add(elements[element].node[end], f);
+            }
+        }
+        if (broken) return;
+        const Chord chord = chord_of(l, at);
+        Vec3 m[2];
+        for (int end : {0, 1}) m[end] = factor * (chord.axes * end_moment(l, end, chord.axes));
+        const Vec3 shear = chord.span.cross(m[0] + m[1]) / chord.span.squaredNorm();
+        Vec6 f;
+        f << -shear, m[0];
+        add(elements[l.first].node[0], f);
+        f << shear, m[1];
+        add(elements[l.first + l.shares.size() - 1].node[1], f);
+    }
+
+    /// On each of nodes_, now.
+    std::vector<Vec6> acting(const Places& at) const {
+        std::vector<Vec6> sum(nodes_.size(), Vec6::Zero());
+        for (const Loaded& l : loads_) act(l, at, l.factor, [&](int node, const Vec6& f) { sum[place_[node]] += f; });
+        return sum;
+    }
+
+    std::vector<Loaded> loads_;
+    std::map<int, std::vector<int>> on_member_;  ///< places in loads_
+    std::vector<int> nodes_, place_;             ///< of loaded members; of each node its place in that list, -1
+    std::vector<Vec6> before_;                   ///< what acted on nodes_ at the end of the last step
+};
+
+bool acts(const Structure& s) {
+    for (const MemberLoad& l : s.model().declared<MemberLoad>(member_loads_effect))
+        for (int end : {0, 1})
+            if (!l.force[end].isZero(0) || !l.moment[end].isZero(0)) return true;
+    return false;
+}
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const std::size_t n = s.model().declared<MemberLoad>(member_loads_effect).size();
+    const bool on = acts(s);
+    return {{member_loads_effect, on,
+             n == 0 ? "not declared"
+             : on   ? std::to_string(n) + " on members"
+                    : "all that are declared are zero",
+             s.model().asked_at(member_loads_effect)}};
+}
+
+}  // namespace
+
+EffectKind member_loads_kind() {
+    return {member_loads_effect,
+            {},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!acts(w.structure)) return nullptr;
+                return std::make_unique<MemberLoads>(w, host);
+            },
+            true};
+}
+
+}  // namespace hinge

@@ -1,0 +1,32 @@
+// Loads on members, as a script declares them.
+#pragma once
+
+#include "model/model.h"
+
+namespace hinge {
+
+inline constexpr const char* member_loads_effect = "member loads";
+
+/// In which axes a load on a member is given, and per which length.
+enum class LoadAxes : std::uint8_t {
+    global,     ///< in space, per length of the member; keeps its direction
+    projected,  ///< in space, per length of the member's projection on the plane across the load, at the start
+    local       ///< in the element's axes, with which it turns
+};
+
+struct MemberLoad {
+    int member;
+    LoadAxes axes = LoadAxes::global;
+    double at = -1;  ///< where a point load acts, 0 to 1 of the length; -1: spread over the member
+    /// At the member's first and second end, linear between, N/m and N m/m; of a point load the first one, N and N m.
+    Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
+    bool has_history = false;
+    History history = {};  ///< factor over time
+    bool spread() const { return at < 0; }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.member, s.axes, s.at, s.force[0], s.force[1], s.moment[0], s.moment[1], s.has_history);
+    }
+};
+
+}  // namespace hinge
