@@ -496,12 +496,13 @@ function model:connector(options) end
 ---function is called several times a step, each time with the state that the last step left. All of its work counts as
 ---dissipated. An error takes the step back and is raised where the run was stepped
 ---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
----N, N m: where a step ends with this force or more in one direction, either sign, the whole connector is gone, and what
----it stored with it; default: it never breaks. run.wakings tells of it
+---N, N m: where a step ends with this force or more in one direction, either sign, the whole connector is gone, and
+---what it stored with it; default: it never breaks. run.wakings tells of it
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
 
 ---A connector that model:connector declared. What it reads is of the run that is given, or the latest of its model.
 ---@class hinge.connector
+local connector = {}
 
 ---How far b is from where a would have it, m and rad, where it broke if it is broken.
 ---@param run? hinge.run
@@ -524,7 +525,8 @@ function connector:broken(run) end
 ---rigid motion, and keeps the elastic stiffness where an element yields. A broken element is damped no more, nor is the
 ---mass left of it. Called again: of several the last one that a member's groups fit counts, so that alpha = 0 with a
 ---group leaves it undamped. What it takes is in run.energy.damping. With explicit steps beta shortens the longest
----stable step (dt = "auto" knows). Statics is as without.
+---stable step (dt = "auto" knows); Newmark's method takes predictor "displacement" where damping is as strong as that.
+---Statics is as without.
 ---@param options hinge.damping_options
 ---@return number alpha 1/s
 ---@return number beta s
@@ -545,6 +547,12 @@ function model:damping(options) end
 ---is at rest there; nodes that begin with their axis below the plane are left out until they have left the ground.
 ---Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at the start)
 ---and ground_dissipated (by friction and restitution), J.
+---A rigid ground that members fall on: the half space behind a plane, stiff, without pull. What touches are nodes,
+---those inside members too, and the free ends of broken members, round with half the smaller side of the section as
+---radius: k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the
+---run begins is at rest there; nodes that begin with their axis below the plane are left out until they have left the
+---ground. Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at
+---the start) and ground_dissipated (by friction and restitution), J.
 ---@param plane? hinge.ground_plane
 function model:ground(plane) end
 
@@ -583,10 +591,10 @@ function model:static(options) end
 ---@field tolerance? number force out of balance, of the forces at work; default 1e-9
 ---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
 
----A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15), or explicit, by
----central differences with lumped masses (half of each element on each of its nodes, the rotary inertia the section's
----polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations, tolerance,
----predictor, geometric, turn and what is said of the solver.
+---A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15),
+---or explicit, by central differences with lumped masses (half of each element on each of its nodes, the rotary inertia
+---the section's polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations,
+---tolerance, predictor, geometric, turn and what is said of the solver.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
@@ -700,9 +708,12 @@ local run = {}
 ---@field fracture_elastic number strain energy of broken elements
 ---@field fracture_kinetic number lost as broken elements become stubs
 ---@field contact number contact_stored + contact_released
----@field contact_stored number in bonds and touches now
----@field contact_released number let go with bonds, or heat of friction
+---@field contact_stored number in contacts now
+---@field contact_released number released with ties, or heat of friction
 ---@field damping? number dissipated by Rayleigh damping, where model:damping is declared
+---@field connectors number connector_stored + connector_dissipated; these three where the model has connectors
+---@field connector_stored number in their springs and curves now
+---@field connector_dissipated number by dashpots and laws, and released by breaks
 ---@field numerical number taken out by a dissipative integrator (rho_infinity)
 ---@field work number done by loads
 ---@field remainder number

@@ -26,7 +26,8 @@ local function damage_table(damage, groups)
   return table.concat(lines, "\n")
 end
 
-local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "numerical",
+local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping",
+  "numerical",
   "remainder" }
 
 local function energy_table(energy)

@@ -75,13 +75,7 @@ expect(#parts >= 4 and large.saves == judge.median(parts), "the part of the time
 expect(large.saves > 0.2, "one linear solve a step is cheaper than several: %g", large.saves)
 local idle = effect(r, "plasticity")
 expect(idle.same and idle.change == 0, "plasticity far from yielding: the same bits, no change; %s", idle.change)
-<<<<<<< ours
-equal(table.concat(r.absent, ", ", 1, 4), "gravity, fracture, contact, friction", "what is not in the scene")
-expect(table.concat(r.absent, ", "):find("point masses", 1, true), "point masses are not in the scene")
-equal(table.concat(r.absent, ", "), "gravity, fracture, contact, friction, ground", "what is not in the scene")
-=======
 equal(table.concat(r.absent, ", ", 1, 4), "gravity, fracture, contact, friction", "what is not in the scene, first")
->>>>>>> theirs
 near(r.answers.uz.error, 0, 1e-3, "its own error, against 64 elements")
 expect(r.answers.uz.scatter < 1e-7 and r.finer == "elements_per_member 64", "scatter %g, twice as fine: %s",
   r.answers.uz.scatter, r.finer)

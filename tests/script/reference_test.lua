@@ -84,6 +84,7 @@ local function scene()
   s.group = s.model:group "arm"
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.connector = s.model:connector { s.tip, ground = true, stiffness = { x = 1 } }
+  s.model:damping { alpha = 1 }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.snapshot = s.run:snapshot()
@@ -191,6 +192,7 @@ local calls = {
   ["model:mass"] = function(x) s.model:mass(with({ node = s.tip, mass = 1 }, x)) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
+  ["model:damping"] = function(x) s.model:damping(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
   ["model:connector"] = function(x) s.model:connector(with({ s.tip, ground = true }, x)) end,
   ["model:connector.axes"] = function(x) s.model:connector { s.tip, ground = true, axes = x } end,

@@ -1,6 +1,6 @@
 -- How fast does a damped bar come to rest?
 --
--- Run     hinge run scripts/damped_vibration.lua
+-- Run     hinge run scripts/12_damped_vibration.lua
 -- Shows   a steel cantilever, 3 m long, 100 mm thick, set off in its first mode; Rayleigh damping of 2 % of critical at
 --         the periods of its first and second mode
 -- Expect  ratio = 0.02 within 1 %                  from the energy left after three periods, exp(-2 z w t)

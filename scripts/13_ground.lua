@@ -1,6 +1,6 @@
 -- A bar is dropped on a rigid ground.
 --
--- Run     hinge run scripts/ground.lua
+-- Run     hinge run scripts/13_ground.lua
 -- Shows   a steel bar falls flat by 50 mm on a ground that gives back half of the normal velocity
 -- Expect  speed = 0.99028 within 0.2 %             sqrt(2 g h) as it meets the ground, m/s
 --         rebound_mm = 12.5 within 1 %             e^2 h, e = 0.5

@@ -1,6 +1,6 @@
 -- Which joint stops a swinging mass: a dashpot, or one that rubs?
 --
--- Run     hinge run scripts/connectors.lua
+-- Run     hinge run scripts/11_connectors.lua
 -- Shows   a short bar slides on a spring; a dashpot damps it, and then a law of the script's own, Coulomb's friction
 -- Expect  decrement = 0.314554 within 0.0005     ln of two amplitudes, a period apart: 2 pi z / sqrt(1 - z^2), z = 0.05
 --         lost_mm = 4 within 0.02                what friction takes off the amplitude in each period: 4 F / k
