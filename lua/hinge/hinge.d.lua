@@ -315,11 +315,12 @@ function model:load(options) end
 ---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
 ---@field history? fun(time: number): number|number[][]
 
----Hangs a point mass on a node: it has inertia, weighs where the model has gravity, and turns with the node. Several on
----one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum, energy and
+---Hangs a point mass on a node: it has inertia, weighs where the model has gravity, and turns with the node. Several
+---on one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum, energy and
 ---weight are in the same accounts as those of members. A node that loses its last member by fracture flies on with its
----mass; where it has no rotary inertia then, it stops spinning. Declared after a run, it is there in runs that go on from
----that one. An error where a run begins if the node has no member. Not in what `hinge check` says of masses and periods.
+---mass; where it has no rotary inertia then, it stops spinning. Declared after a run, it is there in runs that go on
+---from that one. An error where a run begins if the node has no member. `hinge check` has it in masses and natural
+---periods.
 ---@param options hinge.mass_options
 function model:mass(options) end
 
@@ -541,18 +542,18 @@ function model:damping(options) end
 ---@field beta? number s, likewise: of K, 0 or above, default 0
 ---@field group? hinge.group_like only its members, default all
 
----A rigid ground that members fall on: the half space behind a plane, stiff, without pull. What touches are nodes, those
----inside members too, and the free ends of broken members, round with half the smaller side of the section as radius:
----k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the run begins
----is at rest there; nodes that begin with their axis below the plane are left out until they have left the ground.
----Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at the start)
----and ground_dissipated (by friction and restitution), J.
 ---A rigid ground that members fall on: the half space behind a plane, stiff, without pull. What touches are nodes,
 ---those inside members too, and the free ends of broken members, round with half the smaller side of the section as
 ---radius: k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the
 ---run begins is at rest there; nodes that begin with their axis below the plane are left out until they have left the
 ---ground. Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at
----the start) and ground_dissipated (by friction and restitution), J.
+---the start) and ground_dissipated (by friction and restitution), J. A rigid ground that members fall on: the half
+---space behind a plane, stiff, without pull. What touches are nodes, those inside members too, and the free ends of
+---broken members, round with half the smaller side of the section as radius: k o^2 / 2 for an overlap o. Each call
+---adds a plane. Nodes that are held do not touch; what touches where the run begins is at rest there; nodes that begin
+---with their axis below the plane are left out until they have left the ground. Statics has it too, but needs
+---supports. run.energy then has ground, the sum of ground_stored (above that at the start) and ground_dissipated (by
+---friction and restitution), J.
 ---@param plane? hinge.ground_plane
 function model:ground(plane) end
 

@@ -58,7 +58,7 @@ struct Stiffness {
     }
 };
 
-/// Eqs 5, 7a and 12a in the frame of the chord: K = L B(s)^T D B(s). The curvature (t2 - t1)/L is constant in the element; the shear
+/// Eq 5 in the frame of the chord: K = L B(s)^T D B(s). The curvature (t2 - t1)/L is constant in the element; the shear
 /// strain is the rotation interpolated at s, so only the shear rows of B depend on s.
 inline Stiffness stiffness(const Rigidity& c, double L, double s) {
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;

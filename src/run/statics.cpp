@@ -105,7 +105,9 @@ bool Statics::renew_and_factorise() {
         effective_->build(list, state_, w_.trial, tangents_of(list, w_.yielding, tangents));
         w_.force.swap(state_.force);
         Blocks blocks = blocks_at(w_.trial, 0);
-        if (!blocks.pairs.empty() || !blocks.nodes.empty()) effective_->set_blocks(std::move(blocks));
+        const bool has_blocks = !blocks.pairs.empty() || !blocks.nodes.empty();
+        if (has_blocks || had_blocks_) effective_->set_blocks(std::move(blocks));
+        had_blocks_ = has_blocks;
         built_ = true;
         effective_->assemble();
     });

@@ -57,7 +57,7 @@ private:
     std::vector<Vec6> last_move_;
     std::vector<Yielding> hinges_;  ///< of the last equilibrium
     std::vector<int> was_yielding_;
-    bool built_ = false, loads_follow_ = false;
+    bool built_ = false, loads_follow_ = false, had_blocks_ = false;
     Stages stages_;
     int recover_stage_ = stages_.add("recover stresses", "large displacement"),
         stiffness_stage_ = stages_.add("stiffness", ""), solve_stage_ = stages_.add("solve", "");

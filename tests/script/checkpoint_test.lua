@@ -229,29 +229,45 @@ local newer = string.pack("<I4", 7) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33
 support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
 refused("another version",
   "checkpoint " .. file .. " is of format 7, written by hinge 9.8.7; this is hinge " .. hinge.version
-    .. ", which reads format 2: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
+    .. ", which reads format 3: go on with the hinge that wrote it, or start the run anew", victim.resume, victim, file)
 
 support.write(file, bytes)
-refused("other dt", "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...", function() small(5e-5):resume(file) end)
-refused("another model", "...is of another run, with not the same nodes (2 there, 3 here), members (1 there, 2 here), materials (1 there, 2 here), " ..
-  "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...", function() small(1e-4, true):resume(file) end)
-refused("other probes", "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on", function()
+refused("other dt",
+  "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...",
+  function() small(5e-5):resume(file) end)
+refused("another model",
+  "...is of another run, with not the same nodes (2 there, 3 here), members (1 there, 2 here), "
+    .. "materials (1 there, 2 here), " ..
+  "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...",
+  function() small(1e-4, true):resume(file) end)
+refused("other probes",
+  "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on",
+  function()
   local r, tip = small(1e-4)
   r:probe { node = tip, "uz", name = "tip" }
   r:resume(file)
 end)
-refused("begun", "...run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step", function() first:resume(file) end)
-refused("in a step", "...run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step...", function()
+refused("begun",
+  "...run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step",
+  function() first:resume(file) end)
+refused("in a step",
+  "...run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step...",
+  function()
   impact_run({ declare = function(model, corner)
     model:load { node = corner, force = function(_, r) r:checkpoint(file) return 0, 0, 0 end }
   end }):step()
 end)
-refused("no name", "...run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'", function() first:checkpoint() end)
-refused("static", "...run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew", function()
+refused("no name",
+  "...run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'",
+  function() first:checkpoint() end)
+refused("static",
+  "...run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew",
+  function()
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:fix(a)
-  model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
+  model:member { a, b,
+    section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
   model:static {}:checkpoint(file)
 end)
 local itself = {}

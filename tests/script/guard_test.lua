@@ -31,7 +31,8 @@ checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.en
 checks.expect(not run:step(), "there is no further step")
 
 local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()
-checks.expect(blind.verdict == "completed" or not blind.reason:find "energy balance", "energy_tolerance = 0 does not look: %s",
+checks.expect(blind.verdict == "completed" or not blind.reason:find "energy balance",
+  "energy_tolerance = 0 does not look: %s",
   blind.reason)
 checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "and the ledger does not close")
 

@@ -81,7 +81,8 @@ end
 
 function look.space_frame_dynamic(r)
   below(pick(r.elastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.02, "elastic error of two of asi-gauss")
-  below(pick(r.plastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.05, "elasto-plastic error of two of asi-gauss")
+  below(pick(r.plastic.errors, { method = "asi-gauss", elements = 2 }).error, 0.05,
+    "elasto-plastic error of two of asi-gauss")
   -- as good as two of asi-gauss; the paper finds that the conventional method needs sixteen
   needed(r.elastic.needed, { conventional = 8, asi = 8, ["asi-gauss"] = 2 }, "elastic response")
   needed(r.plastic.needed, { conventional = "> 16", asi = 8, ["asi-gauss"] = 2 }, "elasto-plastic response")
@@ -221,7 +222,8 @@ end
 local names = { "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact", "ten_storey_cases",
   "ten_storey_sensitivity" }
 local function run_all()
-  local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all), quote(folder .. "/all")))
+  local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all),
+    quote(folder .. "/all")))
   return ended, said, support.json(support.read(folder .. "/all/summary.json") or "{}")
 end
 for _, name in ipairs(names) do stand_in(name, "job:note 'one of two'") end
@@ -232,7 +234,8 @@ stand_in(names[2], "error 'a slip'")
 stand_in(names[4], "job:verdict('failed', 'too few held')")
 status, complaint, summary = run_all()
 equal(status, 1, "status where two scripts fail")
-expect(complaint:find("hinge: the run failed: space_frame_dynamic, two_beam_impact failed; the notes say why\n", 1, true),
+local both = "hinge: the run failed: space_frame_dynamic, two_beam_impact failed; the notes say why\n"
+expect(complaint:find(both, 1, true),
   "it says: %s", complaint)
 for i, name in ipairs(names) do
   equal((summary.results[name] or {}).name, i ~= 2 and name or nil, "what was returned by " .. name)
