@@ -33,7 +33,7 @@ local function swing(joint)
 end
 
 local ends = swing { damping = { x = 2 * 0.05 * omega * mass } }
-local decrement = math.log(ends[1] / ends[3])
+local decrement = math.log((ends[1] or 1) / (ends[3] or 1)) -- a plan takes no step
 
 -- Friction as a stiff spring that slides: its state is where it stands.
 local F, stick = 1e-3 * k, 1e3 * k
