@@ -16,7 +16,8 @@ public:
     }
 
     void add_up(const Step&, Accounts& sums) const override {
-        for (const Yielding& y : w_.yielding) sums["plastic"] += y.flow.dissipation;
+        double& plastic = sums["plastic"];
+        for (const Yielding& y : w_.yielding) plastic += y.flow.dissipation;
     }
 
     void kept(const Step&) override {

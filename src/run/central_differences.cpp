@@ -26,17 +26,17 @@ void CentralDifferences::predict(const Step& step) {
 void CentralDifferences::accelerate(Step& step) {
     const double half = 0.5 * step.dt;
     Mass& mass = *mass_.now();
-    const std::vector<Vec6>&inverse = mass.lumped_inverse(), &external = w_.external, &resisting = w_.resisting;
-    const State& state = w_.state;
-    Pose& trial = w_.trial;
+    const Vec6 *inverse = mass.lumped_inverse().data(), *external = w_.external.data(),
+               *resisting = w_.resisting.data(), *v_before = w_.state.velocity.data(),
+               *a_before = w_.state.acceleration.data();
+    Vec6 *velocity = w_.trial.velocity.data(), *acceleration = w_.trial.acceleration.data();
     const auto move = [&](int i, const Lanes& a, Fastest& most) {
-        const Lanes v =
-            load_row<6>(w_.state.velocity[i].data()) + half * (load_row<6>(w_.state.acceleration[i].data()) + a);
-        store_row<6>(w_.trial.acceleration[i].data(), a);
-        store_row<6>(w_.trial.velocity[i].data(), v);
+        const Lanes v = load_row<6>(v_before[i].data()) + half * (load_row<6>(a_before[i].data()) + a);
+        store_row<6>(acceleration[i].data(), a);
+        store_row<6>(velocity[i].data(), v);
         if (const double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; v2 > most.speed) most = {v2, i, 0};
     };
-    const int nodes = int(resisting.size());
+    const int nodes = int(w_.resisting.size());
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
     const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
         Lanes sum{};

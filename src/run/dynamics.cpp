@@ -243,14 +243,13 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
 
 ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
     ImpulseResponse out;
-    std::vector<Vec6> right = impulse;
-    for (std::size_t i = 0; i < right.size(); ++i) {
-        out.linear += right[i].dot(w_.trial.velocity[i]);
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        out.linear += impulse[i].dot(w_.trial.velocity[i]);
         for (int c = 0; c < 6; ++c)
-            if (state_.held[i] >> c & 1) out.by_supports -= right[i][c] * w_.trial.velocity[i][c], right[i][c] = 0;
+            if (state_.held[i] >> c & 1) out.by_supports -= impulse[i][c] * w_.trial.velocity[i][c];
     }
-    mass_.renewed(w_.trial).solve(right, out.change, state_, 1e-10);
-    for (std::size_t i = 0; i < right.size(); ++i) out.square += 0.5 * right[i].dot(out.change[i]);
+    mass_.renewed(w_.trial).solve(impulse, out.change, state_, 1e-10);  // nothing where it is held
+    for (std::size_t i = 0; i < impulse.size(); ++i) out.square += 0.5 * impulse[i].dot(out.change[i]);
     for (const auto& e : effects_) out.by_supports += e->work_on_response(out.change);
     return out;
 }

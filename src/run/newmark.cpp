@@ -200,11 +200,13 @@ void Newmark::renew_effective_stiffness() {
 /// (M + beta dt^2 K) da = F - R - M a.
 void Newmark::solve_for_change(Step& step) {
     const int nodes = int(w_.resisting.size());
-    const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
+    const Vec6 *external = w_.external.data(), *resisting = w_.resisting.data();
+    Vec6* right = right_.data();
+    const double check = w_.pool.sum(nodes, some_nodes, [external, resisting, right](int first, int end) {
         double sum = 0;
         for (int i = first; i < end; ++i) {
-            right_[i] = w_.external[i] - w_.resisting[i];
-            sum += right_[i].squaredNorm();
+            right[i] = external[i] - resisting[i];
+            sum += right[i].squaredNorm();
         }
         return sum;
     });
@@ -260,20 +262,24 @@ bool Newmark::correct(Step& step) {
             w_.turned[i] = rotation_vector(trial.rotation[i] * w_.state.rotation[i].conjugate());
             change_[i].tail<3>() = (w_.turned[i] - before) / to_u;
         }
-    const double size = w_.pool.sum(int(change_.size()), some_nodes, [&](int first, int end) {
-        Lanes sum{};
-        for (int i = first; i < end; ++i) {
-            const Lanes change = load_row<6>(change_[i].data());
-            store_row<6>(trial.acceleration[i].data(), load_row<6>(trial.acceleration[i].data()) + to_a * change);
-            store_row<6>(trial.velocity[i].data(), load_row<6>(trial.velocity[i].data()) + to_v * change);
-            store_row<3>(trial.displacement[i].data(), load_row<3>(trial.displacement[i].data()) + to_u * change);
-            if (!by_spin)
-                store_row<3>(w_.turned[i].data(), load_row<3>(w_.turned[i].data()) + to_u * second_three(change));
-            sum += change * change;
-        }
-        if (!by_spin) move_to_turned(first, end);
-        return sum[0] + sum[1] + sum[2];
-    });
+    Vec6 *a = trial.acceleration.data(), *v = trial.velocity.data();
+    Vec3 *u = trial.displacement.data(), *turned_by = w_.turned.data();
+    const Vec6* changes = change_.data();
+    const double size =
+        w_.pool.sum(int(change_.size()), some_nodes, [&, a, v, u, turned_by, changes](int first, int end) {
+            Lanes sum{};
+            for (int i = first; i < end; ++i) {
+                const Lanes change = load_row<6>(changes[i].data());
+                store_row<6>(a[i].data(), load_row<6>(a[i].data()) + to_a * change);
+                store_row<6>(v[i].data(), load_row<6>(v[i].data()) + to_v * change);
+                store_row<3>(u[i].data(), load_row<3>(u[i].data()) + to_u * change);
+                if (!by_spin)
+                    store_row<3>(turned_by[i].data(), load_row<3>(turned_by[i].data()) + to_u * second_three(change));
+                sum += change * change;
+            }
+            if (!by_spin) move_to_turned(first, end);
+            return sum[0] + sum[1] + sum[2];
+        });
     if (settings_.automatic) {
         double jump = 0;
         for (std::size_t i = 0; i < change_.size(); ++i) jump += lumped_[i] * change_[i].head<3>().squaredNorm();
