@@ -84,32 +84,26 @@ void Dynamics::stage(int stage, F f) {
 
 /// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
+    const auto all = [this](auto does) {
+        for (const auto& e : effects_) ((*e).*does)(step_);
+    };
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
     stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
     if (meets_) stage(at_.contact, [&] { meet(); });    // [who meets whom: eqs 17 to 19]
     if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
-    stage(at_.predict, [&] {                            // what is known of the motion
-        integrator_->predict(step_);
-        for (const auto& e : effects_) e->predicted(step_);
-    });
+    stage(at_.predict, [&] { integrator_->predict(step_), all(&Effect::predicted); });  // the motion that is known
     bool more = true;
     while (more && step_.failure.empty()) {                    // Newton's loop; the paper goes through it once
         stage(at_.recover, [&] { recover(step_.end()); });     // R: eqs 3, 10, 13, and the return to eq 14
         if (step_.failure.empty()) integrator_->solve(step_);  // [yield: eq 10a], effective stiffness, eq 15
         stage(at_.correct, [&] { more = correct(); });
     }
-    stage(at_.recover, [&] { settle(); });  // stresses where a long step has led
-    if (meets_)
-        stage(at_.ends, [&] {  // [ties that are due, contacts that began or ended]
-            for (const auto& e : effects_) e->end(step_);
-        });
+    stage(at_.recover, [&] { settle(); });                    // stresses where a long step has led
+    if (meets_) stage(at_.ends, [&] { all(&Effect::end); });  // [ties that are due, contacts that began or ended]
     if (control_.on()) stage(at_.control, [&] { weigh(); });  // [whether the step is kept]
-    if (decides_)
-        stage(at_.decide, [&] {  // [eq 16; the script is told]
-            for (const auto& e : effects_) e->decide(step_);
-        });
-    stage(at_.commit, [&] { commit(); });  // what was tried becomes the state
+    if (decides_) stage(at_.decide, [&] { all(&Effect::decide); });  // [eq 16; the script is told]
+    stage(at_.commit, [&] { commit(); });                            // what was tried becomes the state
 }
 
 void Dynamics::begin_step() {
