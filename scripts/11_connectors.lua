@@ -29,11 +29,12 @@ local function swing(joint)
     if (u - last) * (last - before) < 0 then ends[#ends + 1] = last end
     way, before, last = way + math.abs(u - last), last, u
   end
+  for i = #ends + 1, 3 do ends[i] = last end -- a plan takes no step
   return ends, run, way
 end
 
 local ends = swing { damping = { x = 2 * 0.05 * omega * mass } }
-local decrement = math.log((ends[1] or 1) / (ends[3] or 1)) -- a plan takes no step
+local decrement = math.log(ends[1] / ends[3])
 
 -- Friction as a stiff spring that slides: its state is where it stands.
 local F, stick = 1e-3 * k, 1e3 * k
