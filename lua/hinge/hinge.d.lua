@@ -637,9 +637,9 @@ function model:dynamic(options) end
 ---where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"
----@field geometric? boolean initial stress in the operator, default true
----@field turn? number rad: an element's part of the operator is rebuilt when it has turned by this, default 0.01
----of the operator's blocks. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
+---@field geometric? boolean initial stress in the effective stiffness, default true
+---@field turn? number rad: an element's effective stiffness is rebuilt when it has turned by this, default 0.01
+---of the effective stiffness. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
 ---steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
 ---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors

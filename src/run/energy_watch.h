@@ -42,7 +42,7 @@ public:
         a(s.looked_at_, good);
         if constexpr (A::reading) {
             if (!good) s.good_.reset();
-            else if (!s.good_) a.must(false);  // read_into has made room for it
+            else if (!s.good_) a.must(false);  // make_room comes first
         }
         if (good) a(s.good_->state, s.good_->share);
     }
