@@ -638,8 +638,8 @@ function model:dynamic(options) end
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"
 ---@field geometric? boolean initial stress in the effective stiffness, default true
----@field turn? number rad: an element's effective stiffness is rebuilt when it has turned by this, default 0.01
----of the effective stiffness. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
+---@field turn? number rad: an element's stiffness is rebuilt when it has turned by this, default 0.01
+---of the left side. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
 ---steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
 ---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors
