@@ -31,7 +31,7 @@ model:velocity("debris", { 1, 0, 0 })
 model:gravity { 0, 0, -g }
 
 local first = 0
-model:contact { friction = 0.5, on_touch = function(event) if first == 0 then first = event.time end end }
+model:contact { friction = 0.5, on_contact = function(event) if first == 0 then first = event.time end end }
 
 local run = model:dynamic { integrator = "explicit", dt = "auto", duration = 0.8 }:finish()
 

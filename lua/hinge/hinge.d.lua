@@ -424,10 +424,10 @@ function model:fracture(rule) end
 ---@field dt number s
 ---@field step integer
 
----Lets members touch. surface (the default): bars, round with half the smaller side of their section as radius, press
----on each other where their axes come closest, k g^2 / 2 for an overlap g; nothing is lost but by friction. gap
+---Lets members collide. surface (the default): bars, round with half the smaller side of their section as radius, press
+---on each other where their axes come closest, k g^2 / 2 for a penetration g; nothing is lost but by friction. gap
 ---(section 2.4, eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part
----springs back. Members that share a joint, or overlap when first seen, do not touch until they have parted. Called
+---springs back. Members that share a joint, or overlap when first seen, do not meet until they have parted. Called
 ---again it adds a rule: of several, the last one that fits both members' groups counts.
 ---@param rule? hinge.contact_rule
 function model:contact(rule) end
@@ -436,27 +436,27 @@ function model:contact(rule) end
 ---@field rule? "surface"|"gap" default surface
 ---@field groups? hinge.group_like[] only members of these, default all
 ---@field between? hinge.group_like[] two groups: one member of each, in the place of groups
----asked once of two members when they come near: nil or true: this rule's numbers; false: they never touch; a table:
----other numbers (rule, stiffness, friction, binding_time, release, reach, flatness)
+---asked once of two members when they come near: nil or true: this rule's numbers; false: they never meet; a table:
+---other numbers (rule, stiffness, friction, binding_time, release, contact_length, coplanarity_tolerance)
 ---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
 ---called at the end of a step in which two elements were bound or began to press on each other
----@field on_touch? fun(event: hinge.contact_event)
----@field on_release? fun(event: hinge.contact_event) likewise, let go or parted
+---@field on_contact? fun(event: hinge.contact_event)
+---@field on_release? fun(event: hinge.contact_event) likewise, released or parted
 ---surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
 ---@field stiffness? number
----@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the ledger's contact_released
+---@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the account contact_released
 ---@field binding_time? number gap: default 0.5e-3 s
 ---gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given
----back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is let go
+---back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is lost
 ---@field release? "parting"|"time"
----@field reach? number gap: C_l of eq 18, default 1.8
----@field flatness? number gap: alpha of eq 19, default 3e-4 m^3
+---@field contact_length? number gap: C_l of eq 18, default 1.8
+---@field coplanarity_tolerance? number gap: alpha of eq 19, default 3e-4 m^3
 ---default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at
 ---several times the cost
 ---@field sleep? boolean
 ---gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other;
 ---release is then "time"
----@field letter? boolean
+---@field as_printed? boolean
 
 ---@class hinge.contact_event
 ---@field time number s
@@ -595,7 +595,7 @@ function model:static(options) end
 ---A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15),
 ---or explicit, by central differences with lumped masses (half of each element on each of its nodes, the rotary inertia
 ---the section's polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations,
----tolerance, predictor, geometric, turn and what is said of the solver.
+---tolerance, predictor, geometric, rebuild_angle and what is said of the solver.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
@@ -638,7 +638,7 @@ function model:dynamic(options) end
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"
 ---@field geometric? boolean initial stress in the effective stiffness, default true
----@field turn? number rad: an element's stiffness is rebuilt when it has turned by this, default 0.01
+---@field rebuild_angle? number rad: an element's stiffness is rebuilt when it has rotated by this, default 0.01
 ---of the left side. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
 ---steps are longer than the fastest waves need
 ---@field precision? "single"|"double"

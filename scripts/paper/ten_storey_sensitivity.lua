@@ -169,7 +169,7 @@ local function aircraft_of(width, thickness, yield_stress)
 end
 
 local strong = aircraft_of(0.3, 0.02, 275e6)
-local touch  = { reach = 1e9, flatness = 1e9 } -- eqs 18 and 19 always hold: what touches, binds
+local joined = { contact_length = 1e9, coplanarity_tolerance = 1e9 } -- eqs 18 and 19 always hold: what meets, binds
 
 local function wide(scale) return impact.with(sections(scale), { bay = 4 }) end
 
@@ -181,8 +181,8 @@ local function why_tasks(p)
     { "sections half as large", { building = sections(0.5) } },
     { "bays of 4 m", { building = wide(1) } },
     { "contact by surfaces", { contact = "surface" } },
-    { "what touches, binds", { contact_limits = touch }, gap = true },
-    { "both of these", { building = wide(1), contact_limits = touch }, gap = true },
+    { "what meets, binds", { contact_limits = joined }, gap = true },
+    { "both of these", { building = wide(1), contact_limits = joined }, gap = true },
     { "aircraft of box 300x300x20", { aircraft = strong } },
     { "aircraft that cannot yield or break", { aircraft = aircraft_of(0.12, 0.006), unbreakable = true } },
     { "hinges' rotations count unsigned", { unsigned = true } },

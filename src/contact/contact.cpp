@@ -45,7 +45,7 @@ Released held_by(const Tie& tie) {
         const double at = tie.at[i / 2], share = i % 2 == 0 ? 1 - at : at;
         held.end[i] = tie.end[i];
         held.force[i] = tie.force[i];
-        held.opening[i] = (i < 2 ? -share : share) * tie.side_now;
+        held.opening[i] = (i < 2 ? -share : share) * tie.normal_now;
     }
     return held;
 }
@@ -103,19 +103,19 @@ void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
 double Contact::advance(const Motion& motion, double dt) {
     double gone = 0, fast = 0;
     bool wild = false;
-    const auto heed = [&](double gone_squared, double fast_squared) {
+    const auto note = [&](double gone_squared, double fast_squared) {
         wild = wild || !(gone_squared + fast_squared < never);
         gone = std::max(gone, gone_squared);
         fast = std::max(fast, fast_squared);
     };
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const Vec3& x = motion.position[nodes_[i]];
-        heed((x - last_[i]).squaredNorm(), motion.velocity[nodes_[i]].head<3>().squaredNorm());
+        note((x - last_[i]).squaredNorm(), motion.velocity[nodes_[i]].head<3>().squaredNorm());
         last_[i] = x;
     }
     for (ArmEnd& arm : arms_) {
         const Vec3 x = point(arm.end, motion);
-        heed((x - arm.last).squaredNorm(), velocity(arm.end, motion).squaredNorm());
+        note((x - arm.last).squaredNorm(), velocity(arm.end, motion).squaredNorm());
         arm.last = x;
     }
     if (wild) return never;
@@ -123,9 +123,9 @@ double Contact::advance(const Motion& motion, double dt) {
     return std::sqrt(fast) * dt;
 }
 
-// All pairs whose bars could touch before anything has travelled a margin. The margin is about a hundred steps of the
-// fastest end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays
-// short.
+// All pairs whose bars could come into contact before anything has travelled a margin. The margin is about a hundred
+// steps of the fastest end, so that the list's cost is spread over them, but no longer than half an element, so that
+// the list stays short.
 void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
                          const PairRule& rule_of) {
     ++counts_.list_builds;
@@ -146,7 +146,8 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         const Vec3 p = point(bar.end(0), motion), q = point(bar.end(1), motion);
         double pad = 0;
         for (const ContactSettings& rule : rules_)  // by eq 18 the axes are no further apart than C_l (L_c + L_i) / 4
-            pad = std::max(pad, rule.letter ? 0.25 * std::min(rule.reach, 1e9) * length(p, q) : bar.radius);
+            pad =
+                std::max(pad, rule.as_printed ? 0.25 * std::min(rule.contact_length, 1e9) * length(p, q) : bar.radius);
         pad += margin_;
         boxes[i] = {p.cwiseMin(q).array() - pad, p.cwiseMax(q).array() + pad};
     }
@@ -176,11 +177,12 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         if (far > 2 * margin_) continue;
         if (known) {
             candidate.state = old->state;
-            candidate.side = old->side;
+            candidate.normal = old->normal;
         } else if (first_sight && far <= 0 &&
                    (rule.rule == ContactRuleKind::surface
-                        ? closest.distance < (1 - 1e-6) * candidate.touch  // resting on each other is apart
-                        : closest.distance <= candidate.touch || flat(two, rule.flatness))) {
+                        ? closest.distance < (1 - 1e-6) * candidate.contact_distance  // resting on each other is apart
+                        : closest.distance <= candidate.contact_distance ||
+                              coplanar(two, rule.coplanarity_tolerance))) {
             candidate.state = PairState::joined;
         }
         observe(candidate, two, closest);
@@ -196,30 +198,32 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         }
     };
     for (const Tie& tie : ties_) mark(tie.element);
-    for (const SurfaceContact& touch : surface_contacts_) mark(touch.element);
+    for (const SurfaceContact& contact : surface_contacts_) mark(contact.element);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
 // Negative when it applies already.
 double Contact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
     const ContactSettings& rule = rules_[pair.rule];
-    if (!rule.letter) return closest.distance - pair.touch;
-    if (std::isinf(rule.reach)) return -1;
+    if (!rule.as_printed) return closest.distance - pair.contact_distance;
+    if (std::isinf(rule.contact_length)) return -1;
     const double lengths = length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]);
     // Each of the four distances and both lengths change by at most twice what an end travels.
-    const double far = (spread(two) - rule.reach * lengths) / (4 + 2 * rule.reach);
-    return far > 0 && closest.distance <= pair.touch ? 0.0 : far;  // in touch is not apart, whatever eq 18 says
+    const double far = (spread(two) - rule.contact_length * lengths) / (4 + 2 * rule.contact_length);
+    return far > 0 && closest.distance <= pair.contact_distance ? 0.0
+                                                                : far;  // in contact is not apart, whatever eq 18 says
 }
 
-// What the two bars' position tells to remember: that they are apart, and on which side of a the bar b is. While they
-// are within touch of each other the side may only turn, not flip: a bar that has passed through is on the wrong side.
+// What the two bars' position tells to remember: that they are apart, and in which direction from a the bar b is. While
+// they are in contact the direction may only rotate, not flip: a bar that has passed through is on the wrong side.
 void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
     const double far = farness(pair, two, closest);
     if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
-    const double cutting = 1e-6 * pair.touch + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
+    const double cutting =
+        1e-6 * pair.contact_distance + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
     if (closest.distance <= cutting) return;
     const Vec3 direction = closest.between / closest.distance;
-    if (closest.distance > pair.touch || direction.dot(pair.side) > 0) pair.side = direction;
+    if (closest.distance > pair.contact_distance || direction.dot(pair.normal) > 0) pair.normal = direction;
 }
 
 bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
@@ -238,7 +242,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
         return false;
     }
     if (far > 0) look_at_[i] += 0.5 * far;
-    if (const double apart = closest.distance - pair.touch;
+    if (const double apart = closest.distance - pair.contact_distance;
         a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
         nearest_ = {{pair.element[0], pair.element[1]}, apart};
 
@@ -246,15 +250,16 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
                         {{dt * velocity(a.end(0), motion), dt * velocity(a.end(1), motion)},
                          {dt * velocity(b.end(0), motion), dt * velocity(b.end(1), motion)}}};
     if (rule.rule == ContactRuleKind::surface) {
-        if (closest.distance - moving.closing_bound() > pair.touch) return false;
-        if (far > 0 && !first_meeting(moving, closest, pair.side, {never, never, pair.touch}).found) return false;
+        if (closest.distance - moving.closing_bound() > pair.contact_distance) return false;
+        if (far > 0 && !first_meeting(moving, closest, pair.normal, {never, never, pair.contact_distance}).found)
+            return false;
         watch(pair, a, b, motion, two);
         look_at_[i] = never;
         return true;
     }
-    const RuleNumbers numbers{rule.reach, rule.flatness, pair.touch};
-    const Meeting meeting = rule.letter ? letter_meeting(moving, closest, pair.side, numbers)
-                                        : first_meeting(moving, closest, pair.side, numbers);
+    const RuleNumbers numbers{rule.contact_length, rule.coplanarity_tolerance, pair.contact_distance};
+    const Meeting meeting = rule.as_printed ? printed_meeting(moving, closest, pair.normal, numbers)
+                                            : first_meeting(moving, closest, pair.normal, numbers);
     if (!meeting.found) return false;
     bind(pair, a, b, motion, meeting, time);
     look_at_[i] = never;
@@ -270,7 +275,7 @@ void Contact::bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& mo
     tie.element[1] = b.element;
     tie.rule = pair.rule;
     tie.since = time;
-    tie.side = tie.side_now = meeting.direction;
+    tie.normal = tie.normal_now = meeting.direction;
     tie.at[0] = meeting.s;
     tie.at[1] = meeting.t;
     Vec3 at[4];
@@ -299,12 +304,12 @@ Contact::Candidate* Contact::find(const int element[2], std::size_t* place) {
 }
 
 // The pair is free again, and remembers from which side it came.
-void Contact::set_free(const int element[2], const Vec3& side) {
+void Contact::set_free(const int element[2], const Vec3& normal) {
     std::size_t i = 0;
     if (Candidate* pair = find(element, &i)) {
         note_pair(i);
         pair->state = PairState::free;
-        pair->side = side;
+        pair->normal = normal;
         look_at_[i] = travelled_;
     }
 }
@@ -312,36 +317,36 @@ void Contact::set_free(const int element[2], const Vec3& side) {
 void Contact::end_tie(const Tie& tie) {
     counts_.energy_released += tie.energy;
     events_.push_back({now_, {tie.element[0], tie.element[1]}, false});
-    set_free(tie.element, tie.side_now);
+    set_free(tie.element, tie.normal_now);
 }
 
 void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two) {
     pair.state = PairState::bound;
-    SurfaceContact touch;
+    SurfaceContact contact;
     const Bar* bars[2] = {&a, &b};
     for (int i = 0; i < 2; ++i) {
-        touch.element[i] = bars[i]->element;
-        touch.radius[i] = bars[i]->radius;
-        for (int e = 0; e < 2; ++e) touch.end[2 * i + e] = bars[i]->end(e);
+        contact.element[i] = bars[i]->element;
+        contact.radius[i] = bars[i]->radius;
+        for (int e = 0; e < 2; ++e) contact.end[2 * i + e] = bars[i]->end(e);
     }
     const ContactSettings& rule = rules_[pair.rule];
-    touch.stiffness =
+    contact.stiffness =
         rule.stiffness > 0
             ? rule.stiffness
             : surface_stiffness(a.stiffness, b.stiffness,
-                                0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.touch);
-    touch.friction = rule.friction;
-    touch.side_before = pair.side;
-    contact::look(touch, motion.position, motion.rotation);
-    contact::settle(touch, motion.position, motion.rotation);
-    surface_contacts_.push_back(touch);
+                                0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.contact_distance);
+    contact.friction = rule.friction;
+    contact.normal_before = pair.normal;
+    contact::look(contact, motion.position, motion.rotation);
+    contact::settle(contact, motion.position, motion.rotation);
+    surface_contacts_.push_back(contact);
 }
 
 // Pairs that have parted are free again.
 void Contact::end_surface_contacts() {
-    std::erase_if(surface_contacts_, [&](const SurfaceContact& touch) {
-        if (touch.overlap_before > 0) return false;
-        set_free(touch.element, touch.side_before);
+    std::erase_if(surface_contacts_, [&](const SurfaceContact& contact) {
+        if (contact.penetration_before > 0) return false;
+        set_free(contact.element, contact.normal_before);
         return true;
     });
 }
@@ -350,16 +355,16 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
                                  const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
     now_ = time;
     Settled out;
-    for (SurfaceContact& touch : surface_contacts_) {
-        const bool before = touch.overlap_before > 0, now = touch.overlap > 0;
+    for (SurfaceContact& contact : surface_contacts_) {
+        const bool before = contact.penetration_before > 0, now = contact.penetration > 0;
         if (before != now) {
             out.missed = true;
-            out.work += missed_impulse(touch, dt, rotation, impulse);
+            out.work += missed_impulse(contact, dt, rotation, impulse);
             ++(now ? counts_.bound : counts_.released);
-            events_.push_back({time, {touch.element[0], touch.element[1]}, now});
+            events_.push_back({time, {contact.element[0], contact.element[1]}, now});
         }
-        out.heat += touch.heat;
-        contact::settle(touch, position, rotation);
+        out.heat += contact.heat;
+        contact::settle(contact, position, rotation);
     }
     return out;
 }
@@ -383,16 +388,17 @@ double Contact::drop(int element) {
 }
 
 // Element by element, as a bar's ends change places when it breaks at its first one.
-void Contact::hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
-                      const std::vector<Quat>& rotation) {
-    for (SurfaceContact& touch : surface_contacts_) {
+void Contact::follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
+                            const std::vector<Quat>& rotation) {
+    for (SurfaceContact& contact : surface_contacts_) {
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
-                if (bar.element == touch.element[i]) touch.end[2 * i] = bar.end(0), touch.end[2 * i + 1] = bar.end(1);
-        const Vec3 slip = touch.slip_before;
-        contact::look(touch, position, rotation);
-        touch.slip = slip;
-        contact::settle(touch, position, rotation);
+                if (bar.element == contact.element[i])
+                    contact.end[2 * i] = bar.end(0), contact.end[2 * i + 1] = bar.end(1);
+        const Vec3 slip = contact.slip_before;
+        contact::look(contact, position, rotation);
+        contact.slip = slip;
+        contact::settle(contact, position, rotation);
     }
 }
 
@@ -439,26 +445,27 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
         add_tie_forces(tie, position, rotation, force);
         stored_ += tie.energy;
     }
-    for (SurfaceContact& touch : surface_contacts_) {
-        contact::look(touch, position, rotation);
-        add_contact_forces(touch, rotation, force);
-        stored_ += touch.energy;
+    for (SurfaceContact& contact : surface_contacts_) {
+        contact::look(contact, position, rotation);
+        add_contact_forces(contact, rotation, force);
+        stored_ += contact.energy;
     }
 }
 
 bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
-    return std::any_of(surface_contacts_.begin(), surface_contacts_.end(), [&](SurfaceContact touch) {
-        const bool before = touch.overlap > 0;
-        const Vec3 slip = touch.slip;
-        contact::look(touch, position, rotation);
-        return before != (touch.overlap > 0) || (touch.slip - slip).norm() > 0.01 * std::max(0.0, touch.overlap);
+    return std::any_of(surface_contacts_.begin(), surface_contacts_.end(), [&](SurfaceContact contact) {
+        const bool before = contact.penetration > 0;
+        const Vec3 slip = contact.slip;
+        contact::look(contact, position, rotation);
+        return before != (contact.penetration > 0) ||
+               (contact.slip - slip).norm() > 0.01 * std::max(0.0, contact.penetration);
     });
 }
 
 void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                             const AddStiffness& add) const {
     for (const Tie& tie : ties_) add_tie_stiffness(tie, position, rotation, add);
-    for (const SurfaceContact& touch : surface_contacts_) add_contact_stiffness(touch, rotation, add);
+    for (const SurfaceContact& contact : surface_contacts_) add_contact_stiffness(contact, rotation, add);
 }
 
 }  // namespace hinge::contact

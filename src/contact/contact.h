@@ -1,9 +1,9 @@
 // Contact at work: bars that move, which pairs of them meet, and what then acts between two.
 //
-// Rule `surface`: bars that are closer than the sum of their half depths press on each other (touch.h). Rule `gap` (eqs
-// 17-19, figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are bound by
-// four gap elements, node to node, for a binding time (gap_rule.h says when, tie.h how). broad_phase.h: which pairs
-// are worth a look.
+// Rule `surface`: bars that are closer than the sum of their half depths press on each other (surface_contact.h). Rule
+// `gap` (eqs 17-19, figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are
+// bound by four gap elements, node to node, for a binding time (gap_rule.h says when, tie.h how). broad_phase.h: which
+// pairs are worth a look.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ namespace hinge::contact {
 struct Two;
 struct Meeting;
 
-/// An element (or the stub of a broken one) as contact sees it. At most one bar per element.
+/// An element (or what is left of a broken one) as contact sees it. At most one bar per element.
 struct Bar {
     int element = -1;
     int body = 0;             ///< which body it belongs to
-    int node[2] = {-1, -1};   ///< on which its two ends hang
-    Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: a stub's free end
+    int node[2] = {-1, -1};   ///< which its two ends follow
+    Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: the free end of a broken element
     double radius = 0;        ///< m, half the depth of the member
     double stiffness = 0;     ///< EA of the member, N
 
@@ -52,13 +52,13 @@ struct ContactSettings {
     double friction = 0;   ///< Coulomb's coefficient
 
     // gap
-    double reach =
-        1.8;  ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other never meets it at mid
-              ///< length, than 1/4 near an end, nor do bars end on. Infinite: eq 18 always holds, touch decides
-    double flatness = 3e-4;        ///< alpha of eq 19, m^3 (the paper's value)
-    double binding_time = 0.5e-3;  ///< s (the paper's value)
-    bool letter = false;  ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
-                          ///< step, and the axes must also come within the sum of the half depths
+    double contact_length = 1.8;  ///< C_l of eq 18 (the paper's value). At 1.8 a bar shorter than 1/8 of the other
+                                  ///< never meets it at mid length, than 1/4 near an end, nor do bars end on. Infinite:
+                                  ///< eq 18 always holds, the half depths decide
+    double coplanarity_tolerance = 3e-4;  ///< alpha of eq 19, m^3 (the paper's value)
+    double binding_time = 0.5e-3;         ///< s (the paper's value)
+    bool as_printed = false;  ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
+                              ///< step, and the axes must also come within the sum of the half depths
     bool hold_until_parting = true;  ///< after its binding time a tie stays until the bars part and its stored energy
                                      ///< is at a low minimum, and what is left springs back as an impulse; false: cut
                                      ///< at the binding time, what it stores is gone
@@ -75,8 +75,8 @@ struct ContactSettings {
     bool operator==(const ContactSettings&) const = default;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.rule, s.sleep, s.stiffness, s.friction, s.reach, s.flatness, s.binding_time, s.letter, s.hold_until_parting,
-          s.parting_energy, s.longest_hold, s.shortest_gap);
+        a(s.rule, s.sleep, s.stiffness, s.friction, s.contact_length, s.coplanarity_tolerance, s.binding_time,
+          s.as_printed, s.hold_until_parting, s.parting_energy, s.longest_hold, s.shortest_gap);
     }
 };
 
@@ -84,7 +84,7 @@ struct ContactSettings {
 using PairRule = std::function<int(int element_a, int element_b)>;
 
 struct ContactCounts {
-    long bound = 0, released = 0, dropped = 0;  ///< ties made, or touches begun; released; lost with a broken element
+    long bound = 0, released = 0, dropped = 0;  ///< ties made, or contacts begun; released; lost with a broken element
     long pair_tests = 0, list_builds = 0;
     double energy_released = 0;  ///< J, stored in ties when they were released or dropped
 
@@ -137,7 +137,7 @@ public:
 
     /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their
     /// element numbers. `bars` is the current list of bars; `changed` says that it differs from the last call
-    /// (something broke). Pairs that share a node never bind; nor do pairs that touch when they are first seen, until
+    /// (something broke). Pairs that share a node never bind; nor do pairs in contact when they are first seen, until
     /// they have parted. Returns the number of pairs newly bound. `rule_of` is asked once for each pair that comes
     /// near; without it all meet by the first rule.
     int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
@@ -147,16 +147,18 @@ public:
     /// J.
     double drop(int element);
 
-    /// Elements broke: touches go on with the stubs, which lie where the elements lay. Nothing is released.
-    void hang_on(const std::vector<Bar>& bars, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+    /// Elements broke: surface contacts go on with what is left of them, which lies where they lay. Nothing is
+    /// released.
+    void follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
+                       const std::vector<Quat>& rotation);
 
-    /// Lets go what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it
+    /// Releases what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it
     /// compares the energies with those of the call before. Returns the energy released, J; `released` gets what each
     /// tie held.
     double release(double time, std::vector<Released>* released = nullptr);
 
     /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step
-    /// missed (touch.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
+    /// missed (surface_contact.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
     struct Settled {
         bool missed = false;
         double work = 0, heat = 0;
@@ -164,15 +166,16 @@ public:
     Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                    std::vector<Vec6>& impulse);
 
-    /// Adds the forces of ties and touches to `force` (what resists: + dU/du), and stores the energies.
+    /// Adds the forces of ties and surface contacts to `force` (what resists: + dU/du), and stores the energies.
     void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                              std::vector<Vec6>& force);
 
-    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a touch that
+    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a contact that
     /// pressed does not, or the other way round; or friction has become another by more than 1 % of the pressure.
     bool unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const;
 
-    /// The stiffness of every tie where the nodes are, and of every touch as it was at the last add_internal_forces.
+    /// The stiffness of every tie where the nodes are, and of every surface contact as it was at the last
+    /// add_internal_forces.
     void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                        const AddStiffness& add) const;
 
@@ -183,7 +186,7 @@ public:
     const std::vector<Tie>& ties() const { return ties_; }  ///< in the order in which they were made
     const std::vector<SurfaceContact>& surface_contacts() const {
         return surface_contacts_;
-    }                                                    ///< pairs that touch, or might in this step
+    }                                                    ///< pairs in contact, or that might be in this step
     const Nearest& nearest() const { return nearest_; }  ///< in the last detect; {-1, -1}: none was looked at
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
@@ -211,20 +214,20 @@ public:
 private:
     enum class PairState : int {
         free,   ///< may bind
-        bound,  ///< by a tie, or with a touch to watch
-        joined  ///< touched when first seen: a joint, or members that cross in one; free once they have parted
+        bound,  ///< by a tie, or by a surface contact
+        joined  ///< in contact when first seen: a joint, or members that cross in one; free once they have parted
     };
     struct Candidate {
         int element[2];
         int bar[2];  ///< places in the list of bars
         PairState state;
         int rule;
-        double touch;              ///< sum of the half depths, m
-        Vec3 side = Vec3::Zero();  ///< unit direction from a to b when they last were clearly apart
+        double contact_distance;     ///< sum of the half depths, m
+        Vec3 normal = Vec3::Zero();  ///< unit direction from a to b when they last were clearly apart
 
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.element, s.bar, s.state, s.rule, s.touch, s.side);
+            a(s.element, s.bar, s.state, s.rule, s.contact_distance, s.normal);
         }
     };
     struct ArmEnd {
@@ -247,7 +250,7 @@ private:
     void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two);
     void end_tie(const Tie& tie);
     void end_surface_contacts();
-    void set_free(const int element[2], const Vec3& side);
+    void set_free(const int element[2], const Vec3& normal);
     Candidate* find(const int element[2], std::size_t* place);
     void note_pair(std::size_t place);
     void note_list();

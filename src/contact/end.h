@@ -7,7 +7,7 @@
 
 namespace hinge::contact {
 
-/// `arm` is zero for a real node; a broken element's stub ends in a virtual node, whose arm turns with the node it
+/// `arm` is zero for a real node; a broken element ends in a virtual node, whose arm turns with the node it
 /// hangs on.
 struct End {
     int node = -1;

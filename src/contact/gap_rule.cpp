@@ -6,7 +6,7 @@
 
 namespace hinge::contact {
 
-double flatness(const Two& two) {
+double coplanarity(const Two& two) {
     const Vec3 &a1 = two.a[0], &a2 = two.a[1], &b1 = two.b[0], &b2 = two.b[1];
     return (b1 - a2).cross(b2 - a2).dot(a1 - a2);
 }
@@ -20,17 +20,19 @@ namespace {
 
 double lengths(const Two& two) { return (two.a[1] - two.a[0]).norm() + (two.b[1] - two.b[0]).norm(); }
 
-// Rounding of f for bars of these lengths: parallel bars must count as flat even when alpha is zero.
-double flatness_noise(const Two& two) {
+// Rounding of f for bars of these lengths: parallel bars must count as coplanar even when alpha is zero.
+double coplanarity_noise(const Two& two) {
     const double l = lengths(two);
     return 1e-13 * l * l * l;
 }
 
 }  // namespace
 
-bool within_reach(const Two& two, double reach) { return std::isinf(reach) || spread(two) <= reach * lengths(two); }
+bool within_contact_length(const Two& two, double contact_length) {
+    return std::isinf(contact_length) || spread(two) <= contact_length * lengths(two);
+}
 
-bool flat(const Two& two, double alpha) { return std::abs(flatness(two)) <= alpha + flatness_noise(two); }
+bool coplanar(const Two& two, double alpha) { return std::abs(coplanarity(two)) <= alpha + coplanarity_noise(two); }
 
 Two Moving::at(double tau) const {
     Two two;
@@ -48,7 +50,7 @@ double Moving::closing_bound() const {
 }
 
 // f = e . (da x db), each of the three linear in tau; e joins the two middles, so that cancellation is least.
-Cubic flatness_over(const Moving& moving) {
+Cubic coplanarity_over(const Moving& moving) {
     const Two &x = moving.start, &u = moving.move;
     const Vec3 a0 = x.a[1] - x.a[0], a1 = u.a[1] - u.a[0];
     const Vec3 b0 = x.b[1] - x.b[0], b1 = u.b[1] - u.b[0];
@@ -60,7 +62,7 @@ Cubic flatness_over(const Moving& moving) {
 
 namespace {
 
-// ElementMatrices of [0, 1] on which p is monotone: their borders, 0 and 1 included. Returns the number of borders.
+// Parts of [0, 1] on which p is monotone: their borders, 0 and 1 included. Returns the number of borders.
 int monotone_borders(const Cubic& p, double border[4]) {
     int n = 0;
     border[n++] = 0;
@@ -81,7 +83,7 @@ int monotone_borders(const Cubic& p, double border[4]) {
 }
 
 // Where a monotone p takes `value` between from and to, which lie on its two sides: Newton, kept inside by bisection.
-double crossing_of(const Cubic& p, double value, double from, double to) {
+double root_of(const Cubic& p, double value, double from, double to) {
     const bool rising = p(to) > p(from);
     double tau = 0.5 * (from + to);
     for (int i = 0; i < 80 && to - from > 1e-15; ++i) {
@@ -110,41 +112,42 @@ int spans_between(const Cubic& p, double lo, double hi, Span out[3]) {
         const double at_from = p(from), at_to = p(to);
         if (std::max(at_from, at_to) < lo || std::min(at_from, at_to) > hi) continue;
         const double x = border[i], y = border[i + 1];
-        if (at_from < lo) from = crossing_of(p, lo, x, y);
-        if (at_from > hi) from = crossing_of(p, hi, x, y);
-        if (at_to < lo) to = crossing_of(p, lo, x, y);
-        if (at_to > hi) to = crossing_of(p, hi, x, y);
+        if (at_from < lo) from = root_of(p, lo, x, y);
+        if (at_from > hi) from = root_of(p, hi, x, y);
+        if (at_to < lo) to = root_of(p, lo, x, y);
+        if (at_to > hi) to = root_of(p, hi, x, y);
         out[n++] = {from, std::max(from, to)};
     }
     return n;
 }
 
-Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& side, double touch) {
+Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& normal,
+                  double contact_distance) {
     const double s = closest.s, t = closest.t;
     const Vec3 relative =
         (1 - t) * moving.move.b[0] + t * moving.move.b[1] - (1 - s) * moving.move.a[0] - s * moving.move.a[1];
-    const double cutting = 1e-6 * touch + 1e-9 * lengths(now);
-    const bool known = closest.distance > cutting && closest.between.dot(side) >= 0;
-    const Vec3 direction = known ? Vec3(closest.between / closest.distance) : side;
+    const double cutting = 1e-6 * contact_distance + 1e-9 * lengths(now);
+    const bool known = closest.distance > cutting && closest.between.dot(normal) >= 0;
+    const Vec3 direction = known ? Vec3(closest.between / closest.distance) : normal;
     return {-relative.dot(direction), direction};
 }
 
-Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& side, const RuleNumbers& numbers) {
+Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers) {
     const double infinite = std::numeric_limits<double>::infinity();
-    const double touch = numbers.touch, bound = moving.closing_bound();
-    if (begin.distance - bound > touch) return {};
+    const double contact_distance = numbers.contact_distance, bound = moving.closing_bound();
+    if (begin.distance - bound > contact_distance) return {};
 
-    // A pair that was within touch already may have passed through a little without a tie (or when a tie was released).
-    // There f has a side, the sign of the common normal along `side`, and everything beyond the band of eq 19 on the
-    // far side counts as flat too. In one plane (normal and side at a right angle) f tells no side, and the band has
-    // two.
-    const Cubic f = flatness_over(moving);
-    const double alpha = numbers.alpha + flatness_noise(moving.start);
-    const Vec3 normal = (moving.start.a[1] - moving.start.a[0]).cross(moving.start.b[1] - moving.start.b[0]);
-    const double along = normal.dot(side), half = 0.5 * normal.norm();
+    // A pair that was in contact already may have passed through a little without a tie (or when a tie was released).
+    // Then the sign of f tells on which side b is: it is that of a x b along `normal`. Everything beyond the band of eq
+    // 19 on the far side counts as coplanar too. In one plane (a x b and `normal` at a right angle) f tells no side,
+    // and the band has two limits.
+    const Cubic f = coplanarity_over(moving);
+    const double alpha = numbers.alpha + coplanarity_noise(moving.start);
+    const Vec3 across = (moving.start.a[1] - moving.start.a[0]).cross(moving.start.b[1] - moving.start.b[0]);
+    const double along = across.dot(normal), half = 0.5 * across.norm();
     double lo = -alpha, hi = alpha;
-    if (begin.distance <= touch && along > half) lo = -infinite;
-    if (begin.distance <= touch && along < -half) hi = infinite;
+    if (begin.distance <= contact_distance && along > half) lo = -infinite;
+    if (begin.distance <= contact_distance && along < -half) hi = infinite;
 
     Span spans[3];
     const int n = spans_between(f, lo, hi, spans);
@@ -153,21 +156,21 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& si
     // Inside a span nothing but distances counts. They change no faster than `bound` per step, so what is missing says
     // how far ahead the next look may be (conservative advancement); the least stride bounds the work when bars slide
     // along each other.
-    const double least = std::max(1.0 / 256, std::min(1.0, 0.01 * touch / std::max(bound, 1e-300)));
+    const double least = std::max(1.0 / 256, std::min(1.0, 0.01 * contact_distance / std::max(bound, 1e-300)));
     const double stretch = (moving.move.a[1] - moving.move.a[0]).norm() + (moving.move.b[1] - moving.move.b[0]).norm();
     for (int i = 0; i < n; ++i) {
         double tau = spans[i].from;
         while (true) {
             const Two now = moving.at(tau);
             const Closest closest = tau == 0 ? begin : closest_points(now);
-            double wait = (closest.distance - touch) / bound;
-            if (!std::isinf(numbers.reach)) {
-                const double beyond = spread(now) - numbers.reach * lengths(now);
-                if (beyond > 0) wait = std::max(wait, beyond / (4 * bound + numbers.reach * stretch));
+            double wait = (closest.distance - contact_distance) / bound;
+            if (!std::isinf(numbers.contact_length)) {
+                const double beyond = spread(now) - numbers.contact_length * lengths(now);
+                if (beyond > 0) wait = std::max(wait, beyond / (4 * bound + numbers.contact_length * stretch));
             }
             if (!(wait > 1e-12)) {
-                const Approach met = approach(moving, now, closest, side, touch);
-                if (met.rate > 1e-12 * touch) return {true, tau, closest.s, closest.t, met.direction};
+                const Approach found = approach(moving, now, closest, normal, contact_distance);
+                if (found.rate > 1e-12 * contact_distance) return {true, tau, closest.s, closest.t, found.direction};
             }
             if (tau >= spans[i].to) break;
             tau = std::min(spans[i].to, tau + std::max(wait, least));
@@ -176,12 +179,12 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& si
     return {};
 }
 
-Meeting letter_meeting(const Moving& moving, const Closest& begin, const Vec3& side, const RuleNumbers& numbers) {
+Meeting printed_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers) {
     const Two& now = moving.start;
-    if (!within_reach(now, numbers.reach) || !flat(now, numbers.alpha)) return {};
-    const Approach met = approach(moving, now, begin, side, 0);
-    if (!(met.rate > 1e-12 * lengths(now))) return {};
-    return {true, 0, begin.s, begin.t, met.direction};
+    if (!within_contact_length(now, numbers.contact_length) || !coplanar(now, numbers.alpha)) return {};
+    const Approach found = approach(moving, now, begin, normal, 0);
+    if (!(found.rate > 1e-12 * lengths(now))) return {};
+    return {true, 0, begin.s, begin.t, found.direction};
 }
 
 }  // namespace hinge::contact

@@ -1,7 +1,7 @@
 // The rule `gap` as geometry: eqs 17-19 of the paper, at an instant and swept over a step.
 //
-// Letters as in the paper: A1, A2 the ends of one element, B1, B2 those of the other; L_c, L_i their lengths; C_l the
-// reach; alpha the flatness. All lengths in m, f and alpha in m^3.
+// Symbols as in the paper: A1, A2 the ends of one element, B1, B2 those of the other; L_c, L_i their lengths; C_l the
+// contact length (a factor); alpha the coplanarity tolerance. All lengths in m, f and alpha in m^3.
 #pragma once
 
 #include "contact/segments.h"
@@ -18,17 +18,17 @@ inline Closest closest_points(const Two& two) { return closest_points(two.a[0], 
 
 /// Eq 17: f = (B1 - A2) x (B2 - A2) . (A1 - A2), six times the volume of the tetrahedron of the four end points.
 /// For any point p on the axis of a and q on the axis of b it equals (q - p) . (A2 - A1) x (B2 - B1).
-double flatness(const Two& two);
+double coplanarity(const Two& two);
 
 /// Eq 18, left side: |A1B1| + |A1B2| + |A2B1| + |A2B2|.
 double spread(const Two& two);
 
 /// Eq 18: spread <= C_l (L_c + L_i).
-bool within_reach(const Two& two, double reach);
+bool within_contact_length(const Two& two, double contact_length);
 
 /// Eq 19, |f| <= alpha. (Printed without the bars; a signed f would let half of all approaches through from any
 /// distance.)
-bool flat(const Two& two, double alpha);
+bool coplanar(const Two& two, double alpha);
 
 /// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines,
 /// so that at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
@@ -46,7 +46,7 @@ struct Cubic {
     double operator()(double tau) const { return c[0] + tau * (c[1] + tau * (c[2] + tau * c[3])); }
     double slope(double tau) const { return c[1] + tau * (2 * c[2] + tau * 3 * c[3]); }
 };
-Cubic flatness_over(const Moving& moving);
+Cubic coplanarity_over(const Moving& moving);
 
 /// A closed part of a step.
 struct Span {
@@ -57,9 +57,9 @@ struct Span {
 int spans_between(const Cubic& p, double lo, double hi, Span out[3]);
 
 struct RuleNumbers {
-    double reach;  ///< C_l of eq 18; infinite: eq 18 always holds
-    double alpha;  ///< eq 19, m^3
-    double touch;  ///< sum of the half depths, m (not used by the letter)
+    double contact_length;    ///< C_l of eq 18; infinite: eq 18 always holds
+    double alpha;             ///< eq 19, m^3
+    double contact_distance;  ///< sum of the half depths, m (not used by the rule as printed)
 };
 
 /// A contact found: when, and where on the two axes.
@@ -78,16 +78,18 @@ struct Approach {
 
 /// The velocity at which the bars approach, as a distance per step: minus the relative motion of the two closest points
 /// along the line from a to b. Where the axes all but cut each other, or have passed through each other, that line says
-/// nothing: then `side`, the direction from a to b before, takes its place.
-Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& side, double touch);
+/// nothing: then `normal`, the direction from a to b before, takes its place.
+Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& normal,
+                  double contact_distance);
 
-/// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within `touch` of
-/// each other, and the bars approach. `side` is the unit direction from a to b when they last were clearly apart (zero:
-/// unknown); it tells bars that come closer from bars that have already passed a little through each other. `begin` are
-/// the closest points when the step begins. A graze shallower than 1 % of `touch` may go unseen.
-Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& side, const RuleNumbers& numbers);
+/// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within the contact
+/// distance of each other, and the bars approach. `normal` is the unit direction from a to b when they last were
+/// clearly apart (zero: unknown); it tells bars that come closer from bars that have already passed a little through
+/// each other. `begin` are the closest points when the step begins. A graze shallower than 1 % of the contact distance
+/// may go unseen.
+Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers);
 
-/// Eqs 17-19 to the letter, looked at only when the step begins: flat, within reach, approaching.
-Meeting letter_meeting(const Moving& moving, const Closest& begin, const Vec3& side, const RuleNumbers& numbers);
+/// Eqs 17-19 as printed, looked at only when the step begins: coplanar (19), close enough (18), approaching.
+Meeting printed_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers);
 
 }  // namespace hinge::contact

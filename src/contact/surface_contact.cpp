@@ -21,43 +21,43 @@ double share(int end, const double at[2]) {
 Vec3 arm_of(const End& end, const std::vector<Quat>& rotation) { return rotation[end.node] * end.arm; }
 
 // Which part of the way from axis to axis lies in this end's bar.
-double depth_share(const SurfaceContact& touch, int end) {
-    return touch.radius[end / 2] / (touch.radius[0] + touch.radius[1]);
+double depth_share(const SurfaceContact& contact, int end) {
+    return contact.radius[end / 2] / (contact.radius[0] + contact.radius[1]);
 }
 
 // How n . (q - p) changes.
-Row normal_row(const SurfaceContact& touch, const std::vector<Quat>& rotation) {
+Row normal_row(const SurfaceContact& contact, const std::vector<Quat>& rotation) {
     Row row;
     for (int i = 0; i < 4; ++i) {
-        const Vec3 f = (i < 2 ? -1 : 1) * share(i, touch.at) * touch.side;
-        row[i] << f, arm_of(touch.end[i], rotation).cross(f);
+        const Vec3 f = (i < 2 ? -1 : 1) * share(i, contact.at) * contact.normal;
+        row[i] << f, arm_of(contact.end[i], rotation).cross(f);
     }
     return row;
 }
 
-// How the touching points of the two surfaces shift along `direction`.
-Row slip_row(const SurfaceContact& touch, const std::vector<Quat>& rotation, const Vec3& direction) {
+// How the points of contact of the two surfaces shift along `direction`.
+Row slip_row(const SurfaceContact& contact, const std::vector<Quat>& rotation, const Vec3& direction) {
     Row row;
     for (int i = 0; i < 4; ++i) {
-        const double part = share(i, touch.at_before);
+        const double part = share(i, contact.at_before);
         const Vec3 f = (i < 2 ? -part : part) * direction;
-        row[i] << f,
-            arm_of(touch.end[i], rotation).cross(f) - part * depth_share(touch, i) * touch.between.cross(direction);
+        row[i] << f, arm_of(contact.end[i], rotation).cross(f) -
+                         part * depth_share(contact, i) * contact.between.cross(direction);
     }
     return row;
 }
 
-void points_of(const SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+void points_of(const SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                Vec3 (&point)[4]) {
-    for (int i = 0; i < 4; ++i) point[i] = position[touch.end[i].node] + arm_of(touch.end[i], rotation);
+    for (int i = 0; i < 4; ++i) point[i] = position[contact.end[i].node] + arm_of(contact.end[i], rotation);
 }
 
 Vec3 between_points(const Vec3 (&point)[4], const double at[2]) {
     return (1 - at[1]) * point[2] + at[1] * point[3] - (1 - at[0]) * point[0] - at[0] * point[1];
 }
 
-void add_row(const SurfaceContact& touch, const Row& row, double factor, std::vector<Vec6>& into) {
-    for (int i = 0; i < 4; ++i) into[touch.end[i].node] += factor * row[i];
+void add_row(const SurfaceContact& contact, const Row& row, double factor, std::vector<Vec6>& into) {
+    for (int i = 0; i < 4; ++i) into[contact.end[i].node] += factor * row[i];
 }
 
 }  // namespace
@@ -66,72 +66,72 @@ double surface_stiffness(double ea_a, double ea_b, double length, double depths)
     return 2 * ea_a * ea_b / (ea_a + ea_b) / std::max(length, depths);
 }
 
-double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& side) {
+double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal) {
     closest = closest_points(point[0], point[1], point[2], point[3]);
     if (closest.kind == Nearness::crossing) {
-        Vec3 normal = (point[1] - point[0]).cross(point[3] - point[2]).normalized();
-        if (normal.dot(side) < 0) normal = -normal;
-        side = normal;
+        const Vec3 across = (point[1] - point[0]).cross(point[3] - point[2]).normalized();
+        normal = across.dot(normal) < 0 ? Vec3(-across) : across;
         return closest.between.dot(normal);
     }
     if (closest.distance < 1e-9 * ((point[1] - point[0]).norm() + (point[3] - point[2]).norm())) return 0;
     const Vec3 direction = closest.between / closest.distance;
-    const bool passed = direction.dot(side) < 0;
-    side = passed ? Vec3(-direction) : direction;
+    const bool passed = direction.dot(normal) < 0;
+    normal = passed ? Vec3(-direction) : direction;
     return passed ? -closest.distance : closest.distance;
 }
 
-void look(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Vec3 point[4];
-    points_of(touch, position, rotation, point);
+    points_of(contact, position, rotation, point);
     Closest closest;
-    touch.side = touch.side_before;
-    const double depths = touch.radius[0] + touch.radius[1], k = touch.stiffness;
-    touch.overlap = depths - signed_distance(point, closest, touch.side);
-    touch.at[0] = closest.s;
-    touch.at[1] = closest.t;
-    touch.energy = touch.overlap > 0 ? 0.5 * k * touch.overlap * touch.overlap : 0;
-    if (touch.friction == 0) return;
+    contact.normal = contact.normal_before;
+    const double depths = contact.radius[0] + contact.radius[1], k = contact.stiffness;
+    contact.penetration = depths - signed_distance(point, closest, contact.normal);
+    contact.at[0] = closest.s;
+    contact.at[1] = closest.t;
+    contact.energy = contact.penetration > 0 ? 0.5 * k * contact.penetration * contact.penetration : 0;
+    if (contact.friction == 0) return;
 
     // how far the two surfaces have moved past each other since the step began
-    touch.between = between_points(point, touch.at_before);
+    contact.between = between_points(point, contact.at_before);
     Vec3 moved = Vec3::Zero();
-    if (touch.overlap_before > 0) {
-        Vec3 turn = Vec3::Zero();
+    if (contact.penetration_before > 0) {
+        Vec3 rolled = Vec3::Zero();
         for (int i = 0; i < 4; ++i)
-            turn += share(i, touch.at_before) * depth_share(touch, i) *
-                    rotation_vector(rotation[touch.end[i].node] * touch.turn_before[i].conjugate());
-        moved = touch.between - touch.between_before - turn.cross(touch.between);
+            rolled += share(i, contact.at_before) * depth_share(contact, i) *
+                      rotation_vector(rotation[contact.end[i].node] * contact.rotation_before[i].conjugate());
+        moved = contact.between - contact.between_before - rolled.cross(contact.between);
     }
-    Vec3 trial = touch.slip_before + moved;
-    trial -= trial.dot(touch.side) * touch.side;
-    const double length = trial.norm(), most = touch.friction * std::max(0.0, touch.overlap);
-    touch.slides = length > most;
-    touch.slip = touch.slides ? Vec3(most / length * trial) : trial;
+    Vec3 trial = contact.slip_before + moved;
+    trial -= trial.dot(contact.normal) * contact.normal;
+    const double length = trial.norm(), most = contact.friction * std::max(0.0, contact.penetration);
+    contact.slides = length > most;
+    contact.slip = contact.slides ? Vec3(most / length * trial) : trial;
     // the step moved the surfaces against the mean of the forces at its two ends
-    const double stored = 0.5 * k * touch.slip.squaredNorm();
-    touch.heat =
-        0.5 * k * (touch.slip + touch.slip_before).dot(moved) + 0.5 * k * touch.slip_before.squaredNorm() - stored;
-    touch.energy += stored;
+    const double stored = 0.5 * k * contact.slip.squaredNorm();
+    contact.heat = 0.5 * k * (contact.slip + contact.slip_before).dot(moved) +
+                   0.5 * k * contact.slip_before.squaredNorm() - stored;
+    contact.energy += stored;
 }
 
-void add_contact_forces(const SurfaceContact& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
-    if (touch.overlap <= 0) return;
-    add_row(touch, normal_row(touch, rotation), -touch.stiffness * touch.overlap, force);
-    const double stretch = touch.slip.norm();
-    if (stretch > 0) add_row(touch, slip_row(touch, rotation, touch.slip / stretch), touch.stiffness * stretch, force);
+void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
+    if (contact.penetration <= 0) return;
+    add_row(contact, normal_row(contact, rotation), -contact.stiffness * contact.penetration, force);
+    const double stretch = contact.slip.norm();
+    if (stretch > 0)
+        add_row(contact, slip_row(contact, rotation, contact.slip / stretch), contact.stiffness * stretch, force);
 }
 
 void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& rotation, const AddStiffness& add) {
-    if (now.overlap <= 0) return;
+    if (now.penetration <= 0) return;
     std::vector<Row> rows{normal_row(now, rotation)};
     if (now.friction > 0 && !now.slides) {
-        const Vec3 across = now.side.unitOrthogonal();
+        const Vec3 across = now.normal.unitOrthogonal();
         rows.push_back(slip_row(now, rotation, across));
-        rows.push_back(slip_row(now, rotation, now.side.cross(across)));
+        rows.push_back(slip_row(now, rotation, now.normal.cross(across)));
     }
 
-    // ends that hang on one node are one; a node's own block goes with its first pair
+    // ends that follow one node are one; a node's own block goes with its first pair
     int nodes[4], count = 0, place[4];
     for (int i = 0; i < 4; ++i) {
         place[i] = int(std::find(nodes, nodes + count, now.end[i].node) - nodes);
@@ -158,26 +158,26 @@ void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& r
         }
 }
 
-void settle(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
-    touch.overlap_before = touch.overlap;
-    touch.side_before = touch.side;
-    if (touch.friction == 0) return;
+void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+    contact.penetration_before = contact.penetration;
+    contact.normal_before = contact.normal;
+    if (contact.friction == 0) return;
     Vec3 point[4];
-    points_of(touch, position, rotation, point);
-    std::copy(touch.at, touch.at + 2, touch.at_before);
-    touch.between_before = touch.between = between_points(point, touch.at);
-    touch.slip_before = touch.slip;
-    for (int i = 0; i < 4; ++i) touch.turn_before[i] = rotation[touch.end[i].node];
+    points_of(contact, position, rotation, point);
+    std::copy(contact.at, contact.at + 2, contact.at_before);
+    contact.between_before = contact.between = between_points(point, contact.at);
+    contact.slip_before = contact.slip;
+    for (int i = 0; i < 4; ++i) contact.rotation_before[i] = rotation[contact.end[i].node];
 }
 
-double missed_impulse(const SurfaceContact& touch, double dt, const std::vector<Quat>& rotation,
+double missed_impulse(const SurfaceContact& contact, double dt, const std::vector<Quat>& rotation,
                       std::vector<Vec6>& impulse) {
-    const double before = touch.overlap_before, now = touch.overlap;
+    const double before = contact.penetration_before, now = contact.penetration;
     if ((before > 0) == (now > 0)) return 0;
     const double most = std::max(before, now), least = std::min(before, now);
     const double missing =
-        0.5 * dt * touch.stiffness * most * least / (most - least);  // towards each other: least <= 0
-    add_row(touch, normal_row(touch, rotation), missing, impulse);
+        0.5 * dt * contact.stiffness * most * least / (most - least);  // towards each other: least <= 0
+    add_row(contact, normal_row(contact, rotation), missing, impulse);
     return missing * (before - now) / dt;
 }
 

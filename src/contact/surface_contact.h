@@ -1,4 +1,4 @@
-// A touch: two round bars press on each other where their axes come closest (the rule `surface`).
+// Surface contact: two round bars press on each other where their axes come closest (the rule `surface`).
 #pragma once
 
 #include <vector>
@@ -15,12 +15,12 @@ namespace hinge::contact {
 /// p and q are the closest points of the two axes (s along a, t along b), n the unit vector from a to b on their common
 /// normal. As s and t make the distance least they drop out of the derivative: a force k g n on b at q, the opposite on
 /// a at p, shared by the nodes as the element's own displacement is. Both lie on one line, so that momentum and angular
-/// momentum are conserved. n keeps the side from which b came, so that axes that have passed each other still are
+/// momentum are conserved. n keeps the direction from which b came, so that axes that have passed each other still are
 /// pushed back.
 ///
-/// Friction (Coulomb): a spring e, k as well, between the points of the two surfaces that touch, |k e| <= mu k g. Where
-/// it would be more, the surfaces slide and what is missing is heat. The force acts at the surface: bars are made to
-/// roll.
+/// Friction (Coulomb): a spring e, k as well, between the points of the two surfaces that are in contact, |k e| <= mu k
+/// g. Where it would be more, the surfaces slide and what is missing is heat. The force acts at the surface: bars are
+/// made to roll.
 struct SurfaceContact {
     int element[2] = {-1, -1};
     End end[4];                 ///< A1, A2, B1, B2
@@ -29,60 +29,60 @@ struct SurfaceContact {
     double friction = 0;        ///< mu
 
     // as of the last look()
-    double overlap = 0;           ///< g, m; negative: apart
+    double penetration = 0;       ///< g, m; negative: apart
     double energy = 0;            ///< J
     double at[2] = {0, 0};        ///< s, t
-    Vec3 side = Vec3::Zero();     ///< n
+    Vec3 normal = Vec3::Zero();   ///< n
     Vec3 slip = Vec3::Zero();     ///< e, m
     Vec3 between = Vec3::Zero();  ///< from the point of a that touched when the step began to that of b, m
     double heat = 0;              ///< J, by sliding since the last settle()
     bool slides = false;
 
     // as of the last settle(): where a step begins
-    double overlap_before = 0;
+    double penetration_before = 0;
     double at_before[2] = {0, 0};
-    Vec3 side_before = Vec3::Zero();
+    Vec3 normal_before = Vec3::Zero();
     Vec3 slip_before = Vec3::Zero();
     Vec3 between_before = Vec3::Zero();  ///< q - p
-    Quat turn_before[4] = {Quat::Identity(), Quat::Identity(), Quat::Identity(),
-                           Quat::Identity()};  ///< of the four nodes
+    Quat rotation_before[4] = {Quat::Identity(), Quat::Identity(), Quat::Identity(),
+                               Quat::Identity()};  ///< of the four nodes
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.overlap, s.energy, s.at, s.side, s.slip, s.between,
-          s.heat, s.slides, s.overlap_before, s.at_before, s.side_before, s.slip_before, s.between_before,
-          s.turn_before);
+        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.penetration, s.energy, s.at, s.normal, s.slip,
+          s.between, s.heat, s.slides, s.penetration_before, s.at_before, s.normal_before, s.slip_before,
+          s.between_before, s.rotation_before);
     }
 };
 
 /// k = EA / max(length, depths): EA the harmonic mean of the two members', length the mean of the two elements', so
-/// that a touch brings in no frequency above the elements' own; depths = h_a + h_b.
+/// that a contact brings in no frequency above the elements' own; depths = h_a + h_b.
 double surface_stiffness(double ea_a, double ea_b, double length, double depths);
 
-/// The closest points of the two axes; `side` is set to n and the result is n . (q - p), m.
-double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& side);
+/// The closest points of the two axes; `normal` is set to n and the result is n . (q - p), m.
+double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal);
 
 /// How the two bars lie now.
-void look(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-/// Adds what the touch resists with, + dU/du and friction, to `force`.
-void add_contact_forces(const SurfaceContact& touch, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
+/// Adds what the contact resists with, + dU/du and friction, to `force`.
+void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
 
 /// The tangent k N N^T, N the derivative of the distance, and the same for a friction that sticks; never negative.
 /// (Left out: how n turns, which is g / (h_a + h_b) of it, and the slope of a friction that slides, which has no
 /// symmetry.)
-void add_contact_stiffness(const SurfaceContact& touch, const std::vector<Quat>& rotation, const AddStiffness& add);
+void add_contact_stiffness(const SurfaceContact& contact, const std::vector<Quat>& rotation, const AddStiffness& add);
 
 /// Takes what is "as of the last look()" for where the next step begins.
-void settle(SurfaceContact& touch, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-/// What a step of length dt got wrong about a touch that began or ended within it.
+/// What a step of length dt got wrong about a contact that began or ended within it.
 ///
 /// A step takes the mean of the forces at its two ends. The force that does just the work -(U1 - U0) is (U1 - U0) / (g1
 /// - g0); the two are the same while g > 0. Where g changes its sign the difference, times dt, is an impulse that is
-/// missing along n: it is added to `impulse`, and the work it does, J, is returned. Without it a touch costs up to
+/// missing along n: it is added to `impulse`, and the work it does, J, is returned. Without it a contact costs up to
 /// (omega dt)^2 / 4 of the energy.
-double missed_impulse(const SurfaceContact& touch, double dt, const std::vector<Quat>& rotation,
+double missed_impulse(const SurfaceContact& contact, double dt, const std::vector<Quat>& rotation,
                       std::vector<Vec6>& impulse);
 
 }  // namespace hinge::contact

@@ -48,7 +48,7 @@ Pose pose(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Q
         out.arm[i] = rotation[end.node] * end.arm;
         point[i] = position[end.node] + out.arm[i];
     }
-    out.q = tie.turn;
+    out.q = tie.rotation;
     Vec3 kr[4];
     double size = 0;
     for (int g = 0; g < 4; ++g) {
@@ -57,8 +57,8 @@ Pose pose(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Q
         size += std::sqrt(kr[g].squaredNorm() * tie.gap[g].rest.squaredNorm());
     }
     const auto turn_rest = [&] {
-        const Mat3 turn = out.q.toRotationMatrix();
-        for (int g = 0; g < 4; ++g) out.s[g] = turn * tie.gap[g].rest;
+        const Mat3 Q = out.q.toRotationMatrix();
+        for (int g = 0; g < 4; ++g) out.s[g] = Q * tie.gap[g].rest;
     };
     turn_rest();
 
@@ -101,8 +101,8 @@ void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vect
     Vec3 at_end[4];
     for (Vec3& f : at_end) f.setZero();
     tie.energy = tie.opening = 0;
-    tie.turn = now.q;
-    tie.side_now = now.q * tie.side;
+    tie.rotation = now.q;
+    tie.normal_now = now.q * tie.normal;
     for (int g = 0; g < 4; ++g) {
         const int a = gap_a(g), b = gap_b(g);
         const Vec3 strain = now.r[g] - now.s[g], f = tie.gap[g].stiffness * strain;
@@ -110,7 +110,7 @@ void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vect
         at_end[b] += f;
         tie.energy += 0.5 * f.dot(strain);
         const double share = (a == 0 ? 1 - tie.at[0] : tie.at[0]) * (b == 2 ? 1 - tie.at[1] : tie.at[1]);
-        tie.opening += share * strain.dot(tie.side_now);
+        tie.opening += share * strain.dot(tie.normal_now);
     }
     for (int i = 0; i < 4; ++i) {
         tie.force[i] = at_end[i];
@@ -140,7 +140,7 @@ void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const 
 
     // Six pairs; what belongs to one node alone goes with A1A2 and B1B2.
     constexpr int pairs[6][2] = {{0, 1}, {2, 3}, {0, 2}, {0, 3}, {1, 2}, {1, 3}};
-    Mat12 lone = Mat12::Zero();  // both ends on one node (a stub): kept for that node's next pair
+    Mat12 lone = Mat12::Zero();  // both ends on one node (a broken element): kept for that node's next pair
     bool has_lone[2] = {false, false};
     for (int n = 0; n < 6; ++n) {
         const int i = pairs[n][0], j = pairs[n][1];

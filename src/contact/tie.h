@@ -1,4 +1,4 @@
-// The tie that ties two elements together: four gap elements, node to node (fig 7), turning as one.
+// A tie that holds two elements together: four gap elements, node to node (fig 7), turning as one.
 #pragma once
 
 #include <vector>
@@ -34,17 +34,17 @@ struct Gap {
 /// releases likewise.
 struct Tie {
     int element[2] = {-1, -1};
-    int rule = 0;              ///< of the Contact's
-    double since = 0;          ///< s
-    End end[4];                ///< A1, A2, B1, B2
-    Gap gap[4];                ///< A1B1, A1B2, A2B1, A2B2
-    Vec3 side = Vec3::Zero();  ///< direction from a to b when they met
-    double at[2] = {0, 0};     ///< where they met, along a and along b
+    int rule = 0;                ///< of the Contact's
+    double since = 0;            ///< s
+    End end[4];                  ///< A1, A2, B1, B2
+    Gap gap[4];                  ///< A1B1, A1B2, A2B1, A2B2
+    Vec3 normal = Vec3::Zero();  ///< direction from a to b when they met
+    double at[2] = {0, 0};       ///< where they met, along a and along b
 
-    Quat turn = Quat::Identity();  ///< Q, as of the last forces
-    double energy = 0;             ///< J, as of the last forces
-    double opening = 0;            ///< m, as of the last forces: how much further apart along the side than at binding
-    Vec3 side_now = Vec3::Zero();  ///< Q side, as of the last forces
+    Quat rotation = Quat::Identity();  ///< Q, as of the last forces
+    double energy = 0;                 ///< J, as of the last forces
+    double opening = 0;  ///< m, as of the last forces: how much further apart along the normal than at binding
+    Vec3 normal_now = Vec3::Zero();  ///< Q times it, as of the last forces
     Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
                      Vec3::Zero()};                                 ///< N, at each end, as of the last forces
     double energy_before = 0, opening_before = 0, energy_peak = 0;  ///< as of the last release()
@@ -52,8 +52,8 @@ struct Tie {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.element, s.rule, s.since, s.end, s.gap, s.side, s.at, s.turn, s.energy, s.opening, s.side_now, s.force,
-          s.energy_before, s.opening_before, s.energy_peak, s.falling);
+        a(s.element, s.rule, s.since, s.end, s.gap, s.normal, s.at, s.rotation, s.energy, s.opening, s.normal_now,
+          s.force, s.energy_before, s.opening_before, s.energy_peak, s.falling);
     }
 };
 
@@ -65,7 +65,7 @@ constexpr int gap_b(int gap) { return 2 + gap % 2; }
 /// member rules); shortest is a fraction of the mean length of the two elements.
 double gap_stiffness(double ea_a, double ea_b, double length, double shortest);
 
-/// Adds what the tie resists with, + dU/du, to `force`, and stores energy, opening and side in the tie.
+/// Adds what the tie resists with, + dU/du, to `force`, and stores energy, opening and normal in the tie.
 void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                     std::vector<Vec6>& force);
 

@@ -107,7 +107,7 @@ public:
             const int a = member(event.element[0]), b = member(event.element[1]);
             const int rule = w_.structure.model().contact_rule(a, b);
             if (rule < 0) continue;
-            if (const auto& tell = event.bound ? declared()[rule].on_touch : declared()[rule].on_release)
+            if (const auto& tell = event.bound ? declared()[rule].on_contact : declared()[rule].on_release)
                 tell(event, a, b);
         }
         for (const contact::ContactEvent& event : now().events())
@@ -122,7 +122,7 @@ public:
     void all_broke() override {
         list_bars();
         place(w_.state.displacement);
-        now().hang_on(bars_, position_, w_.state.rotation);
+        now().follow_broken(bars_, position_, w_.state.rotation);
         host_.blocks_changed(w_.state);
     }
 
@@ -138,7 +138,7 @@ public:
     void forget() override { now().forget(); }
     bool calls_script() const override {
         return std::any_of(declared().begin(), declared().end(),
-                           [](const ContactRule& r) { return r.pairs || r.on_touch || r.on_release; });
+                           [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
     }
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
@@ -211,7 +211,7 @@ private:
         const Bodies bodies = find_bodies(w_.structure, w_.state);
         for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
             const Element& e = w_.structure.elements()[i];
-            if (!e.touches) continue;
+            if (!e.collides) continue;
             contact::Bar bar;
             bar.element = int(i);
             bar.radius = e.radius;

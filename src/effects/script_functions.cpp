@@ -10,7 +10,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
     const Model& m = s.model();
     const auto any = [](const auto& list, auto has) { return std::any_of(list.begin(), list.end(), has); };
     const bool fracture = any(m.fracture(), [](const FractureRule& r) { return r.hook || r.batch; });
-    const bool contact = any(m.contact(), [](const ContactRule& r) { return r.pairs || r.on_touch || r.on_release; });
+    const bool contact = any(m.contact(), [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
     const bool load = any(m.loads(), [](const NodalLoad& l) { return l.follows_state(); });
     const bool history = any(m.loads(), [](const NodalLoad& l) { return bool(l.history); });
     const bool rule = fracture || contact || load;

@@ -154,7 +154,7 @@ int Model::contact_rule(int a, int b) const {
     return -1;
 }
 
-bool Model::can_touch(int member) const {
+bool Model::can_collide(int member) const {
     return std::any_of(contact_.begin(), contact_.end(),
                        [&](const ContactRule& r) { return r.groups.empty() || in_any(members_[member], r.groups); });
 }

@@ -91,7 +91,7 @@ struct ContactRule {
     bool between = false;     ///< one member in the first of two groups, one in the second
     std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)>
         pairs;  ///< asked once a pair of members: none, or by what numbers
-    std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_touch, on_release;
+    std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_contact, on_release;
 };
 
 struct ModelOptions {
@@ -188,7 +188,7 @@ public:
     const std::vector<FractureRule>& fracture() const { return fracture_; }
     const std::vector<ContactRule>& contact() const { return contact_; }
     int contact_rule(int member_a, int member_b) const;  ///< by which the two meet, as their groups have it; -1: none
-    bool can_touch(int member) const;
+    bool can_collide(int member) const;
     const std::vector<SupportMotion>& motions() const { return motions_; }
     const std::optional<Vec3>& gravity() const { return gravity_; }
     /// Which line of the script asked for an effect; the first one counts. "" where none did.

@@ -56,7 +56,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
             if (group < 0 || std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end())
                 fracture = int(r);
         }
-        const bool touches = m.can_touch(int(index));
+        const bool collides = m.can_collide(int(index));
         int left = member.node[0];
         for (int i = 0; i < member.elements; ++i) {
             int right = member.node[1];
@@ -99,7 +99,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                                  kind.yield,
                                  radius,
                                  fracture,
-                                 touches});
+                                 collides});
             left = right;
         }
     }

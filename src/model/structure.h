@@ -28,7 +28,7 @@ struct Element {
     const beam::YieldSurface& yield;
     double radius;  ///< half the smaller side of the section, m
     int fracture;   ///< index of its rule, -1 for none
-    bool touches;   ///< takes part in contact
+    bool collides;  ///< takes part in contact
 };
 
 enum class MassKind : std::uint8_t { consistent, lumped };

@@ -65,7 +65,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
           r.group);
     }));
     parts.push_back(part("contact rules", model.contact(), [](Sum& a, const ContactRule& r) {
-        a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_touch), bool(r.on_release));
+        a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_contact), bool(r.on_release));
     }));
     parts.push_back(part("options of the model", std::vector{model.options()}, [](Sum& a, const ModelOptions& o) {
         a(o.formulation, o.displacement, o.shift, o.mass, o.plasticity, o.elements_per_member);
@@ -73,7 +73,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
     parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
-        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.turn, s.narrow, s.energy_tolerance,
+        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.rebuild_angle, s.narrow, s.energy_tolerance,
           s.step_control, s.rho_infinity, s.rest, s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
     }));
     for (const auto& [effect, what] : model.declarations()) {

@@ -105,7 +105,7 @@ void Newmark::begin(const EffectList& effects) {
             damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
         }
     effective_->set_damping(std::move(damping), w_.scheme.gamma * settings_.dt);
-    if (w_.structure.large()) w_.sweep.watch_turning(settings_.turn);
+    if (w_.structure.large()) w_.sweep.watch_turning(settings_.rebuild_angle);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
 }

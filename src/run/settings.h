@@ -30,9 +30,9 @@ struct DynamicSettings {
     /// form or displacements are large, in steps too long for one.
     int iterations = 0;
     Predictor predictor = Predictor::by_step;
-    double tolerance = 1e-10;  ///< of Newton: correction of the acceleration, relative to the step's first
-    bool geometric = true;     ///< initial-stress stiffness in the effective stiffness (the forces are exact anyway)
-    double turn = 0.01;        ///< rad: an element's effective stiffness is rebuilt when it has turned by this much
+    double tolerance = 1e-10;     ///< of Newton: correction of the acceleration, relative to the step's first
+    bool geometric = true;        ///< initial-stress stiffness in the effective stiffness (the forces are exact anyway)
+    double rebuild_angle = 0.01;  ///< rad: an element's effective stiffness is rebuilt when it has rotated by this much
     bool narrow = true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
     /// The run ends, failed, when the energy balance error is a larger part of the energy turned over. 0: never, the
     /// default of Shift::whole, whose balance cannot close; with Shift::plastic a tenth.

@@ -1,4 +1,4 @@
-// model:contact: who touches whom, by which rule, and what the script hears of it.
+// model:contact: which members meet, by which rule, and what the script hears of it.
 #include "script/objects.h"
 
 namespace hinge::script {
@@ -9,15 +9,15 @@ void read_numbers(Options& o, bool gap, contact::ContactSettings& c) {
     c.rule = gap ? contact::ContactRuleKind::gap : contact::ContactRuleKind::surface;
     c.stiffness = o.number("stiffness", "N/m", Range::positive, c.stiffness);
     c.friction = o.number("friction", "", Range::not_negative, c.friction);
-    c.reach = o.number("reach", "", Range::positive, c.reach);
-    c.flatness = o.number("flatness", "m^3", Range::positive, c.flatness);
+    c.contact_length = o.number("contact_length", "", Range::positive, c.contact_length);
+    c.coplanarity_tolerance = o.number("coplanarity_tolerance", "m^3", Range::positive, c.coplanarity_tolerance);
     c.binding_time = o.number("binding_time", "s", Range::positive, c.binding_time);
-    c.letter = o.flag("letter", c.letter);
+    c.as_printed = o.flag("as_printed", c.as_printed);
     c.hold_until_parting =
-        o.word("release", {"parting", "time"}, c.letter || !c.hold_until_parting ? "time" : "parting") == "parting";
+        o.word("release", {"parting", "time"}, c.as_printed || !c.hold_until_parting ? "time" : "parting") == "parting";
     for (const char* field : {"stiffness", "friction"})
         if (gap && o.has(field)) o.complain(field, "given", "belongs to rule 'surface'; rule is 'gap'");
-    for (const char* field : {"reach", "flatness", "binding_time", "letter", "release"})
+    for (const char* field : {"contact_length", "coplanarity_tolerance", "binding_time", "as_printed", "release"})
         if (!gap && o.has(field)) o.complain(field, "given", "belongs to rule 'gap'; rule is 'surface', the default");
 }
 
@@ -53,14 +53,15 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, Con
         try {
             if (lua_istable(L, -1)) {
                 Options o(L, lua_gettop(L), who);
-                o.expect({"rule", "stiffness", "friction", "reach", "flatness", "binding_time", "letter", "release"});
+                o.expect({"rule", "stiffness", "friction", "contact_length", "coplanarity_tolerance", "binding_time",
+                          "as_printed", "release"});
                 read_numbers(o, reads_gap(o, usual.rule == contact::ContactRuleKind::gap), *found);
             } else if (lua_isboolean(L, -1) && !lua_toboolean(L, -1)) {
                 found.reset();
             } else if (!lua_isnil(L, -1) && !lua_isboolean(L, -1)) {
                 throw InputError(who + " returned " + show(L, -1) +
                                  "; it must return nil or true for the rule's own numbers, false where the two never "
-                                 "touch, or a table of other numbers");
+                                 "meet, or a table of other numbers");
             }
         } catch (const InputError& e) {
             lua_pop(L, 1);
@@ -94,8 +95,8 @@ std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFun
 int contact_rule(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:contact").value;
     Options o(L, 2, "model:contact", true);
-    o.expect({"rule", "groups", "between", "stiffness", "friction", "binding_time", "release", "reach", "flatness",
-              "sleep", "letter", "pairs", "on_touch", "on_release"});
+    o.expect({"rule", "groups", "between", "stiffness", "friction", "binding_time", "release", "contact_length",
+              "coplanarity_tolerance", "sleep", "as_printed", "pairs", "on_contact", "on_release"});
     ContactRule rule;
     read_numbers(o, reads_gap(o, false), rule.settings);
     rule.settings.sleep = o.flag("sleep", rule.settings.sleep);
@@ -120,8 +121,8 @@ int contact_rule(lua_State* L) {
         o.complain("between", std::to_string(rule.groups.size()) + " groups",
                    "must be two, such as { 'aircraft', 'building' }");
     if (const auto f = function_in(o, "pairs", "must be a function of two members", *m)) read_pairs(*f, m, rule);
-    if (const auto f = function_in(o, "on_touch", "must be a function of an event", *m))
-        rule.on_touch = telling(*f, "on_touch", m);
+    if (const auto f = function_in(o, "on_contact", "must be a function of an event", *m))
+        rule.on_contact = telling(*f, "on_contact", m);
     if (const auto f = function_in(o, "on_release", "must be a function of an event", *m))
         rule.on_release = telling(*f, "on_release", m);
     m->add_contact(std::move(rule));

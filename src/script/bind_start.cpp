@@ -164,7 +164,7 @@ int dynamic_run(lua_State* L) {
               "tolerance",
               "predictor",
               "geometric",
-              "turn",
+              "rebuild_angle",
               "solver",
               "solver_tolerance",
               "solver_iterations",
@@ -226,15 +226,15 @@ int dynamic_run(lua_State* L) {
                   : predictor == "displacement" ? Predictor::displacement
                                                 : Predictor::by_step;
     s.geometric = o.flag("geometric", s.geometric);
-    s.turn = o.number("turn", "rad", Range::positive, s.turn);
+    s.rebuild_angle = o.number("rebuild_angle", "rad", Range::positive, s.rebuild_angle);
     s.narrow = o.word("precision", {"single", "double"}, "single") == "single";
     s.rest = o.flag("rest", s.rest);
     if (o.has("energy_tolerance")) s.energy_tolerance = o.number("energy_tolerance", "", Range::not_negative);
     s.threads = o.integer("threads", 1, 1);
     if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
     if (in_explicit_steps)
-        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric", "turn",
-                                  "solver", "solver_tolerance", "solver_iterations", "precision"})
+        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric",
+                                  "rebuild_angle", "solver", "solver_tolerance", "solver_iterations", "precision"})
             if (o.has(field))
                 throw InputError(std::string("model:dynamic: field '") + field +
                                  "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");

@@ -113,9 +113,9 @@ local function savings(job, quick)
   compare("contact sleeps between looks", "model:contact { sleep = false }",
     function() return case_one(hit) end,
     function() return case_one(hit, { rule = "gap", binding_time = 0.5e-3, sleep = false }) end)
-  compare("operator kept within 0.01 rad", "turn = 1e-9",
+  compare("operator kept within 0.01 rad", "rebuild_angle = 1e-9",
     function() return case_one(hit) end,
-    function() return case_one(with(hit, { turn = 1e-9 })) end)
+    function() return case_one(with(hit, { rebuild_angle = 1e-9 })) end)
   compare("operator in single precision", "precision = 'double'",
     function() return case_one(hit) end,
     function() return case_one(with(hit, { precision = "double" })) end)

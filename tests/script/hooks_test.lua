@@ -257,14 +257,14 @@ local function met(declare, dt)
   run:finish()
   return run, events, members
 end
-local _, both = met(function(m, _, note) m:contact { on_touch = note } end)
+local _, both = met(function(m, _, note) m:contact { on_contact = note } end)
 local touched = {}
 for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
 checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
 checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s",
   touched["left-middle"])
 local one, events = met(function(m, _, note)
-  m:contact { between = { "left", "middle" }, on_touch = note, on_release = note }
+  m:contact { between = { "left", "middle" }, on_contact = note, on_release = note }
 end)
 checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0,
   "between two groups alone; the right one flies through")
@@ -359,7 +359,7 @@ local hooks = {
     model:contact {}
   end,
   batch = function(model, once) model:fracture { batch = function() once() end } model:contact {} end,
-  on_touch = function(model, once) model:contact { on_touch = once } end,
+  on_contact = function(model, once) model:contact { on_contact = once } end,
   pairs = function(model, once) model:contact { pairs = function() once() end } end,
   load = function(model, once, tip)
     model:contact {}
@@ -375,7 +375,7 @@ for name, declare in pairs(hooks) do
   declare(steady_model, nothing, steady_tip)
   local steady = steady_run():finish()
   for what, case in pairs(failing) do
-    local model, once, make, tip = scene(name == "on_touch" and 2 or name == "pairs" and 1 or 20, case[1])
+    local model, once, make, tip = scene(name == "on_contact" and 2 or name == "pairs" and 1 or 20, case[1])
     declare(model, once, tip)
     local run = make()
     local ok, message = pcall(run.finish, run)

@@ -109,7 +109,7 @@ function look.two_beam_impact(r, printed)
   below(math.abs(r.rules.gap.let_go), 0.02, "let go by gaps")
   -- the paper's finding, that the energy stays almost unchanged, does not hold to the letter of eqs 17-19, nor for gap
   -- elements that are cut after 0.5 ms
-  near(r.rules.letter.let_go, 0.12, 0.02, "let go by the letter")
+  near(r.rules.as_printed.let_go, 0.12, 0.02, "let go as printed")
   near(r.rules.cut.let_go, 0.126, 0.02, "let go by gaps that are cut")
   equal(#r.sweep, 27, "crossings of the sweep")
   for i, s in ipairs(r.sweep) do

@@ -427,13 +427,13 @@ local function corner(options)
 end
 
 for what, go in pairs { ["Case I"] = case_one, ["a corner that turns"] = corner } do
-  local usual, fresh, double = go {}, go { turn = 1e-9 }, go { precision = "double" }
+  local usual, fresh, double = go {}, go { rebuild_angle = 1e-9 }, go { precision = "double" }
   local apart, fewer, rounding = difference(usual, fresh), fresh.counts.element_builds / usual.counts.element_builds,
     difference(usual, double)
-  print(("%s: with turn = 1e-9 energies differ by %.1e, %.0f times as many builds; in double precision by %.1e")
+  print(("%s: with angle 1e-9 energies differ by %.1e, %.0f times as many builds; in double precision by %.1e")
     :format(what, apart, fewer, rounding))
-  expect(apart < 1e-7, "%s: turn = 1e-9 changes the energies by %g", what, apart)
-  expect(fewer > 5, "%s: turn = 1e-9 builds only %.1f times as many elements", what, fewer)
+  expect(apart < 1e-7, "%s: rebuild_angle = 1e-9 changes the energies by %g", what, apart)
+  expect(fewer > 5, "%s: rebuild_angle = 1e-9 builds only %.1f times as many elements", what, fewer)
   expect(rounding < 1e-8, "%s: double precision changes the energies by %g", what, rounding)
 end
 do

@@ -67,7 +67,7 @@ local function crash(options)
   row("struck", { 0, 0, 0 }, { 1, 0, 0 })
   local striker = row("striker", { 0, 0, 0.06 }, { 1, 0, 0.06 })
   model:velocity("striker", { 0, 0, -20 })
-  model:contact { rule = "surface", on_touch = function() touched = touched + 1 end,
+  model:contact { rule = "surface", on_contact = function() touched = touched + 1 end,
     on_release = function() released = released + 1 end }
   model:load { node = striker[2], force = { 1, 0, 0 }, history = function(t) asked[#asked + 1] = t return 1 end }
   options.duration, options.record = 4e-3, false

@@ -172,7 +172,7 @@ TEST_CASE("checkpoint: one of another model or other settings is told by its par
     CHECK((saved(other) == before));
     Crash longer(false);
     longer.settings.duration = 0.03;
-    longer.settings.turn = 0.02;
+    longer.settings.rebuild_angle = 0.02;
     Dynamics third = longer.start();
     CHECK_THROWS_WITH(resume(third, found, "file"),
                       Catch::Contains("with not the same duration and settings of the run;"));

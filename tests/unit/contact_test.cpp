@@ -35,7 +35,7 @@ TEST_CASE("contact: members crossing at their mid nodes bind up to four element 
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             CHECK(contact.ties()[i].element[0] == pairs[i].first);
             CHECK(contact.ties()[i].element[1] == pairs[i].second);
-            CHECK(contact.ties()[i].side.z() == Approx(1));
+            CHECK(contact.ties()[i].normal.z() == Approx(1));
             for (const Gap& gap : contact.ties()[i].gap) CHECK(gap.stiffness <= 5e8 / 0.25 * (1 + 1e-12));
         }
         int added = 0;
@@ -82,7 +82,7 @@ TEST_CASE("contact: bars that part or stay are left alone", "[contact]") {
 
 TEST_CASE("contact: bars that share a node or are joined when first seen never bind, until they have parted",
           "[contact]") {
-    // A brace through a brace, in touch; a third bar shares a node with the first.
+    // A brace through a brace, in contact; a third bar shares a node with the first.
     Scene s;
     const int a = s.node({-1, 0, 0}), b = s.node({1, 0, 0}), c = s.node({0, -1, 0.01}), d = s.node({0, 1, 0.01}),
               e = s.node({1, 0.04, 1});
@@ -106,14 +106,14 @@ TEST_CASE("contact: bars that share a node or are joined when first seen never b
     CHECK(step({0, 0, -10}, 100) == 1);  // now it is contact
 }
 
-TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touches", "[contact]") {
+TEST_CASE("contact: what is left of a broken element is a new bar, joined to what it meets", "[contact]") {
     // Elements 0: nodes 0-1, 1: nodes 1-2. Element 0 breaks at node 1 and hangs on node 0 with an arm.
     Scene s;
     const int n0 = s.node({0, 0, 0}), n1 = s.node({1, 0, 0}), n2 = s.node({2, 0, 0});
     s.bar(n0, n1);
     s.bar(n1, n2);
     ContactSettings settings;
-    settings.reach = infinite;
+    settings.contact_length = infinite;
     Contact contact(settings);
     contact.detect(s.bars, false, s.motion(), 1e-4, 0);
     s.bars[0].node[1] = n0;
@@ -123,7 +123,7 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
         CHECK(contact.detect(s.bars, i == 0, s.motion(), 1e-4, i * 1e-4) == 0);
         s.move(1e-4);
     }
-    // The stub swings away about its node by half a turn a second, and back: it has parted, and meets the other bar.
+    // It swings away about its node at pi rad a second, and back: it has parted, and meets the other bar.
     s.v[n0] << 0, 0, 0, 0, 0, 100;
     for (int i = 0; i < 10; ++i) {
         CHECK(contact.detect(s.bars, false, s.motion(), 1e-3, 0) == 0);
@@ -143,11 +143,11 @@ TEST_CASE("contact: a broken element's stub is a new bar, joined to what it touc
 TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
     // A swarm of bars with changing velocities. The reference looks at every pair in every step, with nothing kept but
     // the side.
-    for (bool letter : {false, true}) {
-        Dice dice(letter ? 9 : 10);
+    for (bool as_printed : {false, true}) {
+        Dice dice(as_printed ? 9 : 10);
         ContactSettings settings;
-        settings.letter = letter;
-        settings.flatness = letter ? 3e-3 : 3e-4;
+        settings.as_printed = as_printed;
+        settings.coplanarity_tolerance = as_printed ? 3e-3 : 3e-4;
         settings.binding_time = 1e9;
         Scene s;
         for (int i = 0; i < 60; ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
             s.bar(s.node(at), s.node(at + d), dice(0.02, 0.05));
         }
         Contact contact(settings);
-        std::map<std::pair<int, int>, Vec3> side;
+        std::map<std::pair<int, int>, Vec3> normal;
         std::map<std::pair<int, int>, int> state;  // 0 unseen, 1 free, 2 joined, 3 bound
         const double dt = 1e-4;
         std::size_t total = 0;
@@ -171,20 +171,25 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
                 for (int j = i + 1; j < 60; ++j) {
                     const Two two{{s.x[2 * i], s.x[2 * i + 1]}, {s.x[2 * j], s.x[2 * j + 1]}};
                     const Closest c = closest_points(two);
-                    const double touch = s.bars[i].radius + s.bars[j].radius;
-                    Vec3& way = side.try_emplace({i, j}, Vec3::Zero()).first->second;
+                    const double contact_distance = s.bars[i].radius + s.bars[j].radius;
+                    Vec3& way = normal.try_emplace({i, j}, Vec3::Zero()).first->second;
                     int& is = state[{i, j}];
-                    const bool near = letter ? within_reach(two, settings.reach) : c.distance <= touch;
-                    if (is == 0) is = near && (c.distance <= touch || flat(two, settings.flatness)) ? 2 : 1;
+                    const bool near = as_printed ? within_contact_length(two, settings.contact_length)
+                                                 : c.distance <= contact_distance;
+                    if (is == 0)
+                        is = near && (c.distance <= contact_distance || coplanar(two, settings.coplanarity_tolerance))
+                                 ? 2
+                                 : 1;
                     if (is == 2 && !near) is = 1;
-                    if (c.distance > touch || c.between.dot(way) > 0) way = c.between.normalized();
+                    if (c.distance > contact_distance || c.between.dot(way) > 0) way = c.between.normalized();
                     if (is != 1) continue;
                     const Moving m{two,
                                    {{dt * s.v[2 * i].head<3>(), dt * s.v[2 * i + 1].head<3>()},
                                     {dt * s.v[2 * j].head<3>(), dt * s.v[2 * j + 1].head<3>()}}};
-                    const RuleNumbers numbers{settings.reach, settings.flatness, touch};
+                    const RuleNumbers numbers{settings.contact_length, settings.coplanarity_tolerance,
+                                              contact_distance};
                     const Meeting meeting =
-                        letter ? letter_meeting(m, c, way, numbers) : first_meeting(m, c, way, numbers);
+                        as_printed ? printed_meeting(m, c, way, numbers) : first_meeting(m, c, way, numbers);
                     if (meeting.found) {
                         is = 3;
                         expected.push_back({i, j});
@@ -201,8 +206,8 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
             s.move(dt);
         }
         CHECK(total > 12);
-        CHECK(contact.counts().list_builds < (letter ? 200 : 120));
-        if (!letter) CHECK(contact.counts().pair_tests < 600 * 60 * 59 / 2 / 50);
+        CHECK(contact.counts().list_builds < (as_printed ? 200 : 120));
+        if (!as_printed) CHECK(contact.counts().pair_tests < 600 * 60 * 59 / 2 / 50);
     }
 }
 
@@ -248,39 +253,39 @@ TEST_CASE("contact: nothing near, next to nothing done", "[contact]") {
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 1) == 0);
 }
 
-TEST_CASE("contact: to the letter without eq 18, every flat pair that approaches", "[contact]") {
+TEST_CASE("contact: as printed without eq 18, every coplanar pair that approaches", "[contact]") {
     Scene s = crossing(50, 1.0);
     ContactSettings settings;
-    settings.letter = true;
-    settings.reach = infinite;
+    settings.as_printed = true;
+    settings.contact_length = infinite;
     Contact contact(settings);
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 0);
     for (int n = 3; n < 6; ++n) s.x[n].z() = 1e-3;
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
 }
 
-TEST_CASE("contact: to the letter, short bars with a large C_l bind from as far as eq 18 reaches", "[contact]") {
+TEST_CASE("contact: as printed, short bars with a large C_l bind from as far as eq 18 reaches", "[contact]") {
     // Bars one above the other, side by side: coplanar at any distance, so that eq 18 alone decides; far beyond the sum
     // of their half depths.
     const struct {
-        double length[2], reach;
+        double length[2], contact_length;
     } cases[] = {{{0.05, 0.05}, 20}, {{0.6, 0.03}, 4}, {{0.03, 0.6}, 4}, {{0.02, 0.02}, 200}};
     for (const auto& c : cases) {
-        INFO("lengths " << c.length[0] << " and " << c.length[1] << " m, C_l " << c.reach);
-        const double v = 10, dt = 2e-4, from = 0.3 * c.reach * (c.length[0] + c.length[1]);
+        INFO("lengths " << c.length[0] << " and " << c.length[1] << " m, C_l " << c.contact_length);
+        const double v = 10, dt = 2e-4, from = 0.3 * c.contact_length * (c.length[0] + c.length[1]);
         Scene s;
         const Vec3 a(0.5 * c.length[0], 0, 0), b(0.5 * c.length[1], 0, 0), above(0, 0, from);
         const int upper = 2;
         s.bar(s.node(-a), s.node(a), 0.005);
         s.bar(s.node(above - b, {0, 0, -v}), s.node(above + b, {0, 0, -v}), 0.005);
         ContactSettings settings;
-        settings.letter = true;
-        settings.reach = c.reach;
+        settings.as_printed = true;
+        settings.contact_length = c.contact_length;
         Contact contact(settings);
         // eq 18 by hand: twice the distance of ends on one side, twice that of ends on opposite sides
         const auto reaches = [&](double z) {
             const double near = 0.5 * (c.length[0] - c.length[1]), far = 0.5 * (c.length[0] + c.length[1]);
-            return 2 * std::hypot(z, near) + 2 * std::hypot(z, far) <= c.reach * (c.length[0] + c.length[1]);
+            return 2 * std::hypot(z, near) + 2 * std::hypot(z, far) <= c.contact_length * (c.length[0] + c.length[1]);
         };
         REQUIRE_FALSE(reaches(from));
         bool bound = false;
@@ -379,8 +384,7 @@ TEST_CASE("contact: held until the bars part and the energy is low", "[contact]"
     }
 }
 
-TEST_CASE("contact: after a release a pair binds again only when it approaches, seen from the side it came from",
-          "[contact]") {
+TEST_CASE("contact: after a release a pair binds again only when it approaches, seen from where it came", "[contact]") {
     ContactSettings settings;
     settings.hold_until_parting = false;
     for (double z : {-2e-3, 2e-4}) {  // released after it has passed through a little, or not
@@ -395,7 +399,7 @@ TEST_CASE("contact: after a release a pair binds again only when it approaches, 
         held.at(0.5e-3, z);
         for (int n = 3; n < 6; ++n) held.s.v[n][2] = -5;  // down: on through
         CHECK(held.contact.detect(held.s.bars, false, held.s.motion(), 1e-4, 0) == 4);
-        CHECK(held.contact.ties().front().side.z() == Approx(1));
+        CHECK(held.contact.ties().front().normal.z() == Approx(1));
     }
 }
 
@@ -450,11 +454,11 @@ TEST_CASE("contact: a broken element loses its ties, not its memory", "[contact]
     CHECK(held.contact.counts().dropped == 2);
     CHECK(held.contact.drop(2) == 0);
     // What is left of element 2 hangs on node 4 (its far end went): it is bound again while it presses on.
-    contact::Bar& stub = held.s.bars[2];
-    stub.node[0] = stub.node[1] = 4;
-    stub.arm = held.s.x[3] - held.s.x[4];
+    contact::Bar& broken = held.s.bars[2];
+    broken.node[0] = broken.node[1] = 4;
+    broken.arm = held.s.x[3] - held.s.x[4];
     CHECK(held.contact.detect(held.s.bars, true, held.s.motion(), 1e-5, 0.1e-3) == 2);
-    CHECK(held.contact.ties().back().side.z() == Approx(1));
+    CHECK(held.contact.ties().back().normal.z() == Approx(1));
 }
 
 // --------------------------------------------------------------------------------------------------------------

@@ -125,12 +125,12 @@ TEST_CASE("contact: eq 17 is six times the tetrahedron's volume, as printed and 
             ((i1.y() - c2.y()) * (i2.z() - c2.z()) - (i2.y() - c2.y()) * (i1.z() - c2.z())) * (c1.x() - c2.x()) +
             ((i2.x() - c2.x()) * (i1.z() - c2.z()) - (i1.x() - c2.x()) * (i2.z() - c2.z())) * (c1.y() - c2.y()) +
             ((i1.x() - c2.x()) * (i2.y() - c2.y()) - (i2.x() - c2.x()) * (i1.y() - c2.y())) * (c1.z() - c2.z());
-        CHECK(flatness(two) == Approx(printed).margin(1e-13));
+        CHECK(coplanarity(two) == Approx(printed).margin(1e-13));
         const Vec3 p = c1 + dice(-1, 2) * (c2 - c1), q = i1 + dice(-1, 2) * (i2 - i1);
-        CHECK(flatness(two) == Approx((q - p).dot((c2 - c1).cross(i2 - i1))).margin(1e-12));
+        CHECK(coplanarity(two) == Approx((q - p).dot((c2 - c1).cross(i2 - i1))).margin(1e-12));
     }
     const Two corner{{{1, 0, 0}, {0, 0, 0}}, {{0, 1, 0}, {0, 0, 1}}};  // volume 1/6
-    CHECK(flatness(corner) == 1);
+    CHECK(coplanarity(corner) == 1);
 }
 
 TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
@@ -138,23 +138,23 @@ TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
     const double h = std::sqrt(1.8 * 1.8 - 2);
     const auto cross = [](double z) { return Two{{{-1, 0, 0}, {1, 0, 0}}, {{0, -1, z}, {0, 1, z}}}; };
     CHECK(spread(cross(0.5)) == Approx(4 * std::sqrt(2.25)));
-    CHECK(within_reach(cross(h * (1 - 1e-9)), 1.8));
-    CHECK_FALSE(within_reach(cross(h * (1 + 1e-9)), 1.8));
-    CHECK(within_reach(cross(1e6), infinite));
+    CHECK(within_contact_length(cross(h * (1 - 1e-9)), 1.8));
+    CHECK_FALSE(within_contact_length(cross(h * (1 + 1e-9)), 1.8));
+    CHECK(within_contact_length(cross(1e6), infinite));
     // f = 4 z.
-    CHECK(flatness(cross(0.1)) == Approx(0.4));
-    CHECK(flat(cross(0.74e-4), 3e-4));
-    CHECK(flat(cross(-0.74e-4), 3e-4));
-    CHECK_FALSE(flat(cross(0.76e-4), 3e-4));
-    CHECK_FALSE(flat(cross(-0.76e-4), 3e-4));
+    CHECK(coplanarity(cross(0.1)) == Approx(0.4));
+    CHECK(coplanar(cross(0.74e-4), 3e-4));
+    CHECK(coplanar(cross(-0.74e-4), 3e-4));
+    CHECK_FALSE(coplanar(cross(0.76e-4), 3e-4));
+    CHECK_FALSE(coplanar(cross(-0.76e-4), 3e-4));
     // Rounding must not keep parallel bars from being flat, even with no tolerance at all.
-    CHECK(flat({{{0.1, 0.2, 0.3}, {1.1, 2.2, 3.3}}, {{0.7, 0.9, 0.4}, {1.7, 2.9, 3.4}}}, 0));
+    CHECK(coplanar({{{0.1, 0.2, 0.3}, {1.1, 2.2, 3.3}}, {{0.7, 0.9, 0.4}, {1.7, 2.9, 3.4}}}, 0));
     // End on, two bars of length 1 reach eq 18 only when they overlap by a tenth of their lengths' sum.
     const auto end_on = [](double overlap) {
         return Two{{{0, 0, 0}, {1, 0, 0}}, {{1 - overlap, 0, 0}, {2 - overlap, 0, 0}}};
     };
-    CHECK_FALSE(within_reach(end_on(0.199), 1.8));
-    CHECK(within_reach(end_on(0.201), 1.8));
+    CHECK_FALSE(within_contact_length(end_on(0.199), 1.8));
+    CHECK(within_contact_length(end_on(0.201), 1.8));
 }
 
 TEST_CASE("contact: f over a step is the cubic", "[contact]") {
@@ -162,9 +162,9 @@ TEST_CASE("contact: f over a step is the cubic", "[contact]") {
     for (int i = 0; i < 50; ++i) {
         const Moving m{{{dice.vector(2), dice.vector(2)}, {dice.vector(2), dice.vector(2)}},
                        {{dice.vector(1), dice.vector(1)}, {dice.vector(1), dice.vector(1)}}};
-        const Cubic f = flatness_over(m);
+        const Cubic f = coplanarity_over(m);
         const double tau = dice(0, 1), h = 1e-5;
-        CHECK(f(tau) == Approx(flatness(m.at(tau))).margin(1e-12));
+        CHECK(f(tau) == Approx(coplanarity(m.at(tau))).margin(1e-12));
         CHECK(f.slope(tau) == Approx((f(tau + h) - f(tau - h)) / (2 * h)).margin(1e-7));
         CHECK(m.closing_bound() >= std::abs(distance(m.at(0).a[0], m.at(0).a[1], m.at(0).b[0], m.at(0).b[1]) -
                                             distance(m.at(1).a[0], m.at(1).a[1], m.at(1).b[0], m.at(1).b[1])));
@@ -212,32 +212,33 @@ struct Instant {
     double f, distance, beyond, rate;
 };
 
-Instant instant(const Moving& m, double tau, const Vec3& side, double reach) {
+Instant instant(const Moving& m, double tau, const Vec3& normal, double contact_length) {
     const Two now = m.at(tau);
     const Closest c = closest_points(now);
     const double lengths = (now.a[1] - now.a[0]).norm() + (now.b[1] - now.b[0]).norm();
     const Vec3 w = (1 - c.t) * m.move.b[0] + c.t * m.move.b[1] - (1 - c.s) * m.move.a[0] - c.s * m.move.a[1];
-    const Vec3 way = c.distance > 1e-7 && c.between.dot(side) >= 0 ? Vec3(c.between / c.distance) : side;
-    return {flatness(now), c.distance, std::isinf(reach) ? -1 : spread(now) - reach * lengths, -w.dot(way)};
+    const Vec3 way = c.distance > 1e-7 && c.between.dot(normal) >= 0 ? Vec3(c.between / c.distance) : normal;
+    return {coplanarity(now), c.distance, std::isinf(contact_length) ? -1 : spread(now) - contact_length * lengths,
+            -w.dot(way)};
 }
 
 /// A meeting found must be one by the definitions.
-bool sound(const Moving& m, const Meeting& meeting, const Vec3& side, const RuleNumbers& r) {
-    const Instant now = instant(m, meeting.tau, side, r.reach);
-    return std::abs(now.f) <= r.alpha * (1 + 1e-6) + 1e-12 && now.distance <= r.touch * (1 + 1e-6) &&
+bool sound(const Moving& m, const Meeting& meeting, const Vec3& normal, const RuleNumbers& r) {
+    const Instant now = instant(m, meeting.tau, normal, r.contact_length);
+    return std::abs(now.f) <= r.alpha * (1 + 1e-6) + 1e-12 && now.distance <= r.contact_distance * (1 + 1e-6) &&
            now.beyond <= 1e-9 && now.rate > 0;
 }
 
 /// The first instant of many that is clearly a meeting; 2 if there is none. Grazes do not count.
-double sampled(const Moving& m, const Vec3& side, const RuleNumbers& r, int samples) {
+double sampled(const Moving& m, const Vec3& normal, const RuleNumbers& r, int samples) {
     const double bound = m.closing_bound();
-    Instant before = instant(m, 0, side, r.reach);
+    Instant before = instant(m, 0, normal, r.contact_length);
     for (int k = 0; k <= samples; ++k) {
         const double tau = static_cast<double>(k) / samples;
-        const Instant now = instant(m, tau, side, r.reach);
+        const Instant now = instant(m, tau, normal, r.contact_length);
         const bool flat_now = std::abs(now.f) <= r.alpha * (1 - 1e-6) || (now.f < 0) != (before.f < 0);
         for (const Instant& at : {before, now})
-            if (flat_now && at.distance <= 0.97 * r.touch - bound / samples &&
+            if (flat_now && at.distance <= 0.97 * r.contact_distance - bound / samples &&
                 at.beyond <= -1e-6 - 8 * bound / samples && at.rate > 1e-2 * bound)
                 return tau;
         before = now;
@@ -273,13 +274,13 @@ TEST_CASE("contact: bars that pass through each other within a step are found ev
                         m.start.b[e] = at + (e - t) * db - when * m.move.b[e];
                     }
                     const Closest begin = closest_points(m.start);
-                    const Vec3 side = begin.between.normalized();
+                    const Vec3 normal = begin.between.normalized();
                     const RuleNumbers numbers{infinite, 3e-4, 2 * radius};
-                    const Meeting meeting = first_meeting(m, begin, side, numbers);
+                    const Meeting meeting = first_meeting(m, begin, normal, numbers);
                     INFO("angle " << angle << " speed " << speed << " dt " << dt << " case " << k);
                     REQUIRE(meeting.found);
                     CHECK(meeting.tau <= when + 1e-9);
-                    CHECK(sound(m, meeting, side, numbers));
+                    CHECK(sound(m, meeting, normal, numbers));
                     ++count;
                 }
     CHECK(count == 2400);
@@ -307,12 +308,12 @@ TEST_CASE("contact: the sweep agrees with fine sub-sampling of the step", "[cont
         }
         const Closest begin = closest_points(m.start);
         if (begin.distance < 2.01 * radius) continue;
-        const Vec3 side = begin.between / begin.distance;
+        const Vec3 normal = begin.between / begin.distance;
         const RuleNumbers numbers{k % 3 ? 1.8 : infinite, k % 4 ? 3e-4 : 3e-2, 2 * radius};
-        const Meeting meeting = first_meeting(m, begin, side, numbers);
-        const double first = sampled(m, side, numbers, 2000);
+        const Meeting meeting = first_meeting(m, begin, normal, numbers);
+        const double first = sampled(m, normal, numbers, 2000);
         INFO("case " << k);
-        if (meeting.found) CHECK(sound(m, meeting, side, numbers));
+        if (meeting.found) CHECK(sound(m, meeting, normal, numbers));
         if (first <= 1) {
             CHECK(meeting.found);
             CHECK(meeting.tau <= first + 1.0 / 128);  // the least stride of the sweep, twice
@@ -326,12 +327,12 @@ TEST_CASE("contact: the sweep agrees with fine sub-sampling of the step", "[cont
 }
 
 TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
-    const auto meet = [](const Two& start, const Vec3& down, double reach = 1.8) {
+    const auto meet = [](const Two& start, const Vec3& down, double contact_length = 1.8) {
         const Moving m{start, {{Vec3::Zero(), Vec3::Zero()}, {down, down}}};
         const Closest begin = closest_points(start);
-        return first_meeting(m, begin, begin.between.normalized(), {reach, 3e-4, 0.05});
+        return first_meeting(m, begin, begin.between.normalized(), {contact_length, 3e-4, 0.05});
     };
-    SECTION("parallel, abreast: touch decides, since f is always zero") {
+    SECTION("parallel, abreast: the half depths decide, since f is always zero") {
         const Meeting hit = meet({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0.25}, {1, 0, 0.25}}}, {0, 0, -0.5});
         REQUIRE(hit.found);
         CHECK(hit.tau == Approx(0.4).epsilon(1e-9));
@@ -350,14 +351,14 @@ TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
         CHECK(hit.tau == Approx(0.5).epsilon(1e-9));
         CHECK(hit.t == 0);
     }
-    SECTION("end on: eq 18 waits for an overlap of a tenth of the lengths, without eq 18 touch decides") {
+    SECTION("end on: eq 18 waits for an overlap of a tenth of the lengths, without eq 18 the half depths decide") {
         const Two rods{{{0, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {2.1, 0, 0}}};
         const Meeting late = meet(rods, {-0.5, 0, 0});
         REQUIRE(late.found);
         CHECK(late.tau == Approx(0.6).margin(1.0 / 128));
-        const Meeting touch = meet(rods, {-0.5, 0, 0}, infinite);
-        REQUIRE(touch.found);
-        CHECK(touch.tau == Approx(0.1).epsilon(1e-9));
+        const Meeting contact = meet(rods, {-0.5, 0, 0}, infinite);
+        REQUIRE(contact.found);
+        CHECK(contact.tau == Approx(0.1).epsilon(1e-9));
     }
     SECTION("a bar of no length") {
         const Two dot{{{0, 0, 0}, {1, 0, 0}}, {{0.5, 0, 0.1}, {0.5, 0, 0.1}}};
@@ -373,13 +374,13 @@ TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
     }
 }
 
-TEST_CASE("contact: to the letter, a step that jumps over the window misses", "[contact]") {
+TEST_CASE("contact: as printed, a step that jumps over the window misses", "[contact]") {
     // |f| changes by l1 l2 v dt = 0.25 m^2 * 0.5 mm a step; the window is 2 * 1.2 mm wide at 50 m/s, and 0.5 m/s steps
     // land in it.
-    const auto steps_to_bind = [](double speed, double dt, bool letter) {
+    const auto steps_to_bind = [](double speed, double dt, bool as_printed) {
         Scene s = crossing(speed, 0.25);
         ContactSettings settings;
-        settings.letter = letter;
+        settings.as_printed = as_printed;
         Contact contact(settings);
         for (int i = 0; i * speed * dt < 0.5; ++i) {
             if (contact.detect(s.bars, false, s.motion(), dt, i * dt) > 0) return i;

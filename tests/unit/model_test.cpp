@@ -106,7 +106,7 @@ TEST_CASE("model: of contact rules that overlap the last one that applies to bot
     CHECK(both_ways(in_a, in_a) == 0);
     CHECK(both_ways(in_a, in_b) == 0);
     CHECK(both_ways(in_a, in_c) == -1);
-    CHECK_FALSE(frame.model->can_touch(in_c));
+    CHECK_FALSE(frame.model->can_collide(in_c));
     add({1}, false);  // 1: within b, part of the one before
     CHECK(both_ways(in_b, in_ab) == 1);
     CHECK(both_ways(in_a, in_b) == 0);
@@ -116,8 +116,8 @@ TEST_CASE("model: of contact rules that overlap the last one that applies to bot
     CHECK(both_ways(in_a, in_ab) == 0);
     CHECK(both_ways(in_b, in_b) == 1);
     CHECK(both_ways(in_b, in_c) == -1);
-    CHECK(frame.model->can_touch(in_c));
-    CHECK_FALSE(frame.model->can_touch(in_none));
+    CHECK(frame.model->can_collide(in_c));
+    CHECK_FALSE(frame.model->can_collide(in_none));
     add({}, false);  // 3: all, so that nothing declared before counts
     for (const int m : {in_a, in_b, in_ab, in_c, in_none})
         for (const int n : {in_a, in_b, in_ab, in_c, in_none}) CHECK(both_ways(m, n) == 3);

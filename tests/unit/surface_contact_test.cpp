@@ -11,13 +11,13 @@ using namespace hinge::test;
 
 namespace {
 
-/// Two bars that press on each other, in a position of the kind asked for; one may be a stub that hangs on one node.
+/// Two bars that press on each other, in a position of the kind asked for; one may be broken and follow one node.
 struct Pressed {
     std::vector<Vec3> x;
     std::vector<Quat> q;
-    SurfaceContact touch;
+    SurfaceContact contact;
 
-    Pressed(Dice& dice, Nearness kind, bool stub, double friction = 0) {
+    Pressed(Dice& dice, Nearness kind, bool broken, double friction = 0) {
         const Quat all = dice.turn();
         const double angle = kind == Nearness::crossing ? dice(0.3, 1.2) : dice(0.7, 1.2),
                      at = kind == Nearness::crossing ? 0.2 : 1.0;
@@ -27,24 +27,24 @@ struct Pressed {
         for (int i = 0; i < 4; ++i) {
             x.push_back(all * place[i]);
             q.push_back(dice.turn());
-            touch.end[i].node = i;
+            contact.end[i].node = i;
         }
-        if (stub) {  // b hangs on node 2; node 3 is left alone
-            touch.end[3] = {2, q[2].conjugate() * (x[3] - x[2])};
+        if (broken) {  // b follows node 2; node 3 is left alone
+            contact.end[3] = {2, q[2].conjugate() * (x[3] - x[2])};
             x[3] += dice.vector(1);
         }
-        touch.radius[0] = 0.03;
-        touch.radius[1] = 0.02;
-        touch.stiffness = 1e6;
-        touch.friction = friction;
-        touch.side_before = (all * Vec3(0.1, -0.2, 1)).normalized();
+        contact.radius[0] = 0.03;
+        contact.radius[1] = 0.02;
+        contact.stiffness = 1e6;
+        contact.friction = friction;
+        contact.normal_before = (all * Vec3(0.1, -0.2, 1)).normalized();
         look();
     }
-    void look() { contact::look(touch, x, q); }
+    void look() { contact::look(contact, x, q); }
     std::vector<Vec6> forces() {
         look();
         std::vector<Vec6> f(4, Vec6::Zero());
-        add_contact_forces(touch, q, f);
+        add_contact_forces(contact, q, f);
         return f;
     }
     Pressed nudged(int n, int c, double h) const {
@@ -60,55 +60,56 @@ constexpr Nearness kinds[] = {Nearness::crossing, Nearness::end_on_side};
 
 }  // namespace
 
-TEST_CASE("touch: forces are the derivative of the energy", "[touch]") {
+TEST_CASE("surface contact: forces are the derivative of the energy", "[surface_contact]") {
     Dice dice(1);
     for (int i = 0; i < 12; ++i) {
         Pressed p(dice, kinds[i % 2], i % 3 == 0);
         const std::vector<Vec6> f = p.forces();
-        REQUIRE(p.touch.overlap > 0);
-        const double scale = p.touch.stiffness * p.touch.overlap, h = 1e-7;
+        REQUIRE(p.contact.penetration > 0);
+        const double scale = p.contact.stiffness * p.contact.penetration, h = 1e-7;
         double worst = 0;
         for (int n = 0; n < 4; ++n)
             for (int c = 0; c < 6; ++c) {
-                const double slope = (p.nudged(n, c, h).touch.energy - p.nudged(n, c, -h).touch.energy) / (2 * h);
+                const double slope = (p.nudged(n, c, h).contact.energy - p.nudged(n, c, -h).contact.energy) / (2 * h);
                 worst = largest_of(worst, std::abs(slope - f[n][c]) / scale);
             }
         CHECK_FIGURE("force against the energy's slope", worst, 1e-5);
     }
 }
 
-TEST_CASE("touch: forces and moments balance, with and without friction", "[touch]") {
+TEST_CASE("surface contact: forces and moments balance, with and without friction", "[surface_contact]") {
     Dice dice(2);
     for (int i = 0; i < 24; ++i) {
         Pressed p(dice, kinds[i % 2], i % 3 == 0, i % 4 < 2 ? 0.0 : i % 4 == 2 ? 0.01 : 10.0);
-        settle(p.touch, p.x, p.q);
+        settle(p.contact, p.x, p.q);
         for (int n = 0; n < 4; ++n) p.x[n] += dice.vector(1e-3), p.q[n] = exponential(dice.vector(0.02)) * p.q[n];
         const std::vector<Vec6> f = p.forces();
-        if (p.touch.friction > 0) REQUIRE(p.touch.slip.norm() > 0);
-        if (p.touch.friction > 0) CHECK(p.touch.slides == (p.touch.friction < 1));
+        if (p.contact.friction > 0) REQUIRE(p.contact.slip.norm() > 0);
+        if (p.contact.friction > 0) CHECK(p.contact.slides == (p.contact.friction < 1));
         Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
         for (int n = 0; n < 4; ++n) {
             force += f[n].head<3>();
             moment += f[n].tail<3>() + p.x[n].cross(f[n].head<3>());
         }
-        const double scale = p.touch.stiffness * p.touch.overlap;
+        const double scale = p.contact.stiffness * p.contact.penetration;
         CHECK_FIGURE("sum of forces", force.norm() / scale, 1e-13);
         CHECK_FIGURE("sum of moments", moment.norm() / scale, 1e-13);
     }
 }
 
-TEST_CASE("touch: the tangent is what the force's derivative is without the turning of n", "[touch]") {
+TEST_CASE("surface contact: the tangent is what the force's derivative is without the turning of n",
+          "[surface_contact]") {
     Dice dice(3);
     for (int i = 0; i < 12; ++i) {
         const bool sticks = i % 2;
         Pressed p(dice, kinds[i / 2 % 2], i % 3 == 0, sticks ? 10.0 : 0.0);
-        // all but no overlap: n turns by g / (h_a + h_b) of what it is left out for
-        const Vec3 lift = (p.touch.overlap - 1e-7) * p.touch.side;
+        // all but no penetration: n rotates by g / (h_a + h_b) of what it is left out for
+        const Vec3 lift = (p.contact.penetration - 1e-7) * p.contact.normal;
         for (int n : {2, 3}) p.x[n] += lift;
         p.look();
-        settle(p.touch, p.x, p.q);
+        settle(p.contact, p.x, p.q);
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
-        add_contact_stiffness(p.touch, p.q, [&](int a, int b, const Mat12& m) {
+        add_contact_stiffness(p.contact, p.q, [&](int a, int b, const Mat12& m) {
             CHECK(a != b);
             CHECK(largest_entry(m - m.transpose()) == 0);
             const int node[2] = {a, b};
@@ -125,24 +126,26 @@ TEST_CASE("touch: the tangent is what the force's derivative is without the turn
     }
 }
 
-TEST_CASE("touch: bars whose axes have passed each other are pushed back to their sides", "[touch]") {
+TEST_CASE("surface contact: bars whose axes have passed each other are pushed back to their sides",
+          "[surface_contact]") {
     Dice dice(4);
     Pressed p(dice, Nearness::crossing, false);
-    settle(p.touch, p.x, p.q);
-    const Vec3 side = p.touch.side;
-    double last = p.touch.overlap;
+    settle(p.contact, p.x, p.q);
+    const Vec3 normal = p.contact.normal;
+    double last = p.contact.penetration;
     for (int i = 0; i < 30; ++i) {
-        for (int n : {2, 3}) p.x[n] -= 3e-3 * side;
+        for (int n : {2, 3}) p.x[n] -= 3e-3 * normal;
         const std::vector<Vec6> f = p.forces();
-        CHECK(p.touch.overlap == Approx(last + 3e-3));
-        CHECK((f[2] + f[3]).head<3>().dot(side) < 0);  // what resists; it pushes b along the side
-        last = p.touch.overlap;
-        settle(p.touch, p.x, p.q);
+        CHECK(p.contact.penetration == Approx(last + 3e-3));
+        CHECK((f[2] + f[3]).head<3>().dot(normal) < 0);  // what resists; it pushes b along the normal
+        last = p.contact.penetration;
+        settle(p.contact, p.x, p.q);
     }
-    CHECK(last > p.touch.radius[0] + p.touch.radius[1]);
+    CHECK(last > p.contact.radius[0] + p.contact.radius[1]);
 }
 
-TEST_CASE("touch: axes that meet, at distance zero, are pushed apart to the side from which they came", "[touch]") {
+TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart to the side from which they came",
+          "[surface_contact]") {
     const Vec3 a[2] = {{-0.5, 0, 0}, {0.5, 0, 0}};
     const struct {
         Nearness kind;
@@ -158,44 +161,44 @@ TEST_CASE("touch: axes that meet, at distance zero, are pushed apart to the side
     for (const auto& c : cases)
         for (int i = 0; i < 8; ++i) {  // as it stands, where the distance is zero to the bit, and turned
             const Quat all = i < 2 ? Quat::Identity() : dice.turn();
-            const Vec3 side = all * Vec3::UnitZ();
-            SurfaceContact touch;
-            touch.radius[0] = 0.03, touch.radius[1] = 0.02;
-            touch.stiffness = 1e6;
-            touch.side_before = side;
+            const Vec3 normal = all * Vec3::UnitZ();
+            SurfaceContact contact;
+            contact.radius[0] = 0.03, contact.radius[1] = 0.02;
+            contact.stiffness = 1e6;
+            contact.normal_before = normal;
             std::vector<Quat> q(4, Quat::Identity());
             std::vector<Vec3> x;
             const int first = i % 2;  // the bar's other end first: the normal of the two axes points the other way
             for (const Vec3& end : {a[0], a[1], c.b[first], c.b[1 - first]}) x.push_back(all * end);
-            for (int n = 0; n < 4; ++n) touch.end[n].node = n;
+            for (int n = 0; n < 4; ++n) contact.end[n].node = n;
             for (const double lift : {1e-3, 0.0, -1e-3}) {  // coming, meeting, passed
                 INFO("kind " << int(c.kind) << ", " << lift << " m above");
                 std::vector<Vec3> now = x;
-                for (int n : {2, 3}) now[n] += lift * side;
+                for (int n : {2, 3}) now[n] += lift * normal;
                 const Vec3 points[4] = {now[0], now[1], now[2], now[3]};
                 Closest closest;
-                Vec3 found = touch.side_before;
+                Vec3 found = contact.normal_before;
                 signed_distance(points, closest, found);
                 if (i == 0) CHECK(closest.kind == c.kind);
-                look(touch, now, q);
-                CHECK_FIGURE("overlap", std::abs(touch.overlap - (0.05 - lift)), 1e-14);
-                CHECK_FIGURE("side", (touch.side - side).norm(), 1e-12);
+                look(contact, now, q);
+                CHECK_FIGURE("penetration", std::abs(contact.penetration - (0.05 - lift)), 1e-14);
+                CHECK_FIGURE("normal", (contact.normal - normal).norm(), 1e-12);
                 std::vector<Vec6> f(4, Vec6::Zero());
-                add_contact_forces(touch, q, f);
-                const Vec3 wanted = -touch.stiffness * (0.05 - lift) * side;  // on b, what resists
+                add_contact_forces(contact, q, f);
+                const Vec3 wanted = -contact.stiffness * (0.05 - lift) * normal;  // on b, what resists
                 CHECK_FIGURE("force on b", ((f[2] + f[3]).head<3>() - wanted).norm() / wanted.norm(), 1e-12);
                 CHECK_FIGURE("force on a", ((f[0] + f[1]).head<3>() + wanted).norm() / wanted.norm(), 1e-12);
-                settle(touch, now, q);
+                settle(contact, now, q);
             }
         }
 }
 
-TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back", "[touch]") {
+TEST_CASE("surface contact: the impulse that a step misses gives a bounce its speed back", "[surface_contact]") {
     // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it
     // does not
     const double m = 2, k = 1e6, v0 = 3, dt = 0.4 / std::sqrt(k / m);
     const auto bounce = [&](double start, bool mend) {
-        double x = start, v = -v0, f = 0;  // overlap g = -x
+        double x = start, v = -v0, f = 0;  // penetration g = -x
         for (int step = 0; step < 40; ++step) {
             // average acceleration, linear in the new force
             const bool press = x + dt * v < 0;
@@ -203,15 +206,15 @@ TEST_CASE("touch: the impulse that a step misses gives a bounce its speed back",
                                     : x + dt * v + 0.25 * dt * dt / m * f;
             const double force = press ? -k * to : 0;
             v += 0.5 * dt / m * (f + force);
-            SurfaceContact touch;
-            touch.stiffness = k;
-            touch.overlap_before = -x;
-            touch.overlap = -to;
-            touch.side = Vec3::UnitZ();
-            for (int i = 0; i < 4; ++i) touch.end[i].node = i;
+            SurfaceContact contact;
+            contact.stiffness = k;
+            contact.penetration_before = -x;
+            contact.penetration = -to;
+            contact.normal = Vec3::UnitZ();
+            for (int i = 0; i < 4; ++i) contact.end[i].node = i;
             std::vector<Vec6> impulse(4, Vec6::Zero());
             std::vector<Quat> q(4, Quat::Identity());
-            missed_impulse(touch, dt, q, impulse);
+            missed_impulse(contact, dt, q, impulse);
             if (mend) v += (impulse[2] + impulse[3])[2] / m;
             x = to;
             f = force;

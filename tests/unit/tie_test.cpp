@@ -11,7 +11,7 @@ using namespace hinge::contact;
 
 namespace {
 
-/// A tie of two bars in general position, one of them a stub with arms, everything turned since it was bound.
+/// A tie of two bars in general position, one of them broken, with arms, everything turned since it was bound.
 struct Bound {
     std::vector<Vec3> x;
     std::vector<Quat> q;
@@ -34,11 +34,11 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
         out.tie.gap[g].rest = point(gap_b(g)) - point(gap_a(g));
         out.tie.gap[g].stiffness = 1e3 * (1 + g);
     }
-    out.tie.side = Vec3::UnitZ();
+    out.tie.normal = Vec3::UnitZ();
     out.tie.at[0] = 0.3;
     out.tie.at[1] = 0.6;
     const Quat all = dice.turn(turn_all);
-    out.tie.turn = all;  // as a tie has that followed the whole so far
+    out.tie.rotation = all;  // as a tie has that followed the whole so far
     const Vec3 shift = dice.vector(3);
     for (int i = 0; i < 4; ++i) {
         out.x[i] = all * out.x[i] + shift + dice.vector(stretch);
@@ -112,7 +112,7 @@ TEST_CASE("contact: a tie resists the same way whether or not the bars have pass
     const std::vector<Vec3> start{{-0.5, 0, 0}, {0.4, 0, 0}, {0, -0.3, 2e-4}, {0, 0.6, 2e-4}};
     for (int i = 0; i < 4; ++i) tie.end[i].node = i;
     for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
-    tie.side = Vec3::UnitZ();
+    tie.normal = Vec3::UnitZ();
     tie.at[0] = 5.0 / 9;
     tie.at[1] = 1.0 / 3;
     // A node that spins does not loosen the tie.
@@ -178,9 +178,9 @@ TEST_CASE("contact: ties in degenerate positions", "[contact]") {
 
 TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
     for (unsigned seed = 0; seed < 16; ++seed) {
-        const bool arms = seed % 2, stub = seed >= 12;  // a stub: both ends of a bar on one node
-        Bound b = bound_pair(seed, 0.05, 0.3, 2.0, arms || stub);
-        if (stub) {
+        const bool arms = seed % 2, broken = seed >= 12;  // both ends of a bar on one node
+        Bound b = bound_pair(seed, 0.05, 0.3, 2.0, arms || broken);
+        if (broken) {
             // The end keeps its place; node 1, or node 3, is left alone.
             const int from = seed < 14 ? 1 : 3, to = from - 1;
             End& end = b.tie.end[from];
@@ -203,7 +203,7 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
                 for (int i = 0; i < 4; ++i) d.block<6, 1>(6 * i, 6 * n + c) = (fu[i] - fd[i]) / (2 * h);
             }
         // Moments about fixed axes make the derivative of an arm's moment lopsided; its symmetric part is the tangent.
-        if (!arms && !stub) CHECK(largest_entry(d - d.transpose()) < 1e-6 * largest_entry(k));
+        if (!arms && !broken) CHECK(largest_entry(d - d.transpose()) < 1e-6 * largest_entry(k));
         const double error = largest_entry(k - 0.5 * (d + d.transpose()));
         INFO("seed " << seed << " error " << error << " of " << largest_entry(k));
         CHECK(error <= 1e-6 * largest_entry(k));
