@@ -224,16 +224,14 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
     const State state = initial_state(structure);
     ThreadPool alone;
     EffectiveStiffness op(structure, alone, mass_factor, stiffness_factor, false, Keeping::direct);
-    std::vector<int> all;
-    for (std::size_t i = 0; i < structure.elements().size(); ++i) all.push_back(int(i));
-    op.build(all, state, pose_of(state), {});
     const int n = 6 * int(structure.position().size());
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
-    for (int i : all) {
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
+        const Mat12 part = op.part(int(i), state, pose_of(state), nullptr);
         for (int a = 0; a < 2; ++a)
             for (int b = 0; b < 2; ++b)
-                whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += op.element_part(i).block<6, 6>(6 * a, 6 * b);
+                whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += part.block<6, 6>(6 * a, 6 * b);
     }
     std::vector<int> free;
     for (int i = 0; i < n; ++i)

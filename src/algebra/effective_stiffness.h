@@ -63,7 +63,6 @@ public:
 
     /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
     Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
-    Mat12 element_part(int element) const { return matrices_.whole(element); }
 
     struct Counts {
         long built = 0, iterations = 0, solves = 0, factorisations = 0;

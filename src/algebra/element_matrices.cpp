@@ -68,19 +68,6 @@ Mat6 ElementMatrices::across_of(const Number* part, int end) const {
     return m.transpose();
 }
 
-Mat12 ElementMatrices::whole(int element) const {
-    Mat12 A;
-    const auto fill = [&](const auto* part) {
-        for (int end : {0, 1}) {
-            A.block<6, 6>(6 * end, 6 * end) = own_of(part, end);
-            A.block<6, 6>(6 * end, 6 * (1 - end)) = across_of(part, end);
-        }
-    };
-    if (narrow_) fill(&narrow_part_[stride_ * std::size_t(element)]);
-    else fill(&wide_part_[stride_ * std::size_t(element)]);
-    return A;
-}
-
 void ElementMatrices::set_offset_mass(int node, const Mat6& mass) {
     if (offset_mass_.empty()) offset_mass_.assign(held_.size(), Mat6::Zero());
     offset_mass_[node] = mass;

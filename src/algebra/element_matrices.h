@@ -18,7 +18,6 @@ public:
     void set(int element, const Mat12& A);
     void clear(int element);                                   ///< it broke
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
-    Mat12 whole(int element) const;
     void set_offset_mass(int node, const Mat6& mass);
     /// What effects add to nodes by themselves; several of one node add up. Replaces what was there.
     void set_node_blocks(std::vector<Blocks::Node> blocks) { node_blocks_ = std::move(blocks); }

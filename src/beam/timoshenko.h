@@ -67,33 +67,6 @@ inline Stiffness stiffness(const Rigidity& c, double L, double s) {
             -by + qx * n1 * n2, by + qx * n2 * n2,  c.EA / L,          c.GJ / L};
 }
 
-/// B(s) of eq 2, 6 x 12: generalised strains [kx ky ez kz gx gy] (1/m, 1/m, -, 1/m, -, -) from the nodal displacements
-/// [u v w tx ty tz] of node 1 and node 2 in local axes, s in -1..1.
-inline Eigen::Matrix<double, 6, 12> strain_displacement(double L, double s) {
-    Eigen::Matrix<double, 6, 12> B = Eigen::Matrix<double, 6, 12>::Zero();
-    const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
-    B(0, 3) = -1 / L;
-    B(0, 9) = 1 / L;
-    B(1, 4) = -1 / L;
-    B(1, 10) = 1 / L;
-    B(2, 2) = -1 / L;
-    B(2, 8) = 1 / L;
-    B(3, 5) = -1 / L;
-    B(3, 11) = 1 / L;
-    B(4, 0) = -1 / L;
-    B(4, 6) = 1 / L;
-    B(4, 4) = -n1;
-    B(4, 10) = -n2;
-    B(5, 1) = -1 / L;
-    B(5, 7) = 1 / L;
-    B(5, 3) = n1;
-    B(5, 9) = n2;
-    return B;
-}
-
-/// The stress-strain matrix [D_e] of eq 3 for the strains of strain_displacement.
-inline Vec6 elastic_moduli(const Rigidity& c) { return (Vec6() << c.EIx, c.EIy, c.EA, c.GJ, c.GAx, c.GAy).finished(); }
-
 /// d (6) from nodal displacements (12) in local axes, to first order: rotations relative to the chord.
 inline Eigen::Matrix<double, 6, 12> linear_deformation(double L) {
     Eigen::Matrix<double, 6, 12> T = Eigen::Matrix<double, 6, 12>::Zero();

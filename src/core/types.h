@@ -12,7 +12,6 @@ static_assert(
 namespace hinge {
 
 using Vec3 = Eigen::Vector3d;
-using Vec4 = Eigen::Vector4d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat3 = Eigen::Matrix3d;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/errors.h"
-
 namespace hinge::output {
 
 const std::array<Colour, n_classes> class_colours = {
@@ -22,29 +20,12 @@ int colour_class(const Bar& bar) {
     return bar.yield > 0 ? std::min(static_cast<int>(bar.yield * 5), hinge_class - 1) : 0;
 }
 
-std::vector<bool> wanted_groups(const Snapshot& snapshot, const View& view) {
-    std::vector<bool> wanted(snapshot.groups.size(), view.only_groups.empty());
-    for (const std::string& name : view.only_groups) {
-        const auto found = std::find(snapshot.groups.begin(), snapshot.groups.end(), name);
-        if (found == snapshot.groups.end()) {
-            std::string known;
-            for (const std::string& group : snapshot.groups) known += (known.empty() ? "" : ", ") + group;
-            throw InputError("no group \"" + name + "\" to draw; " +
-                             (known.empty() ? "there are no groups" : "groups are: " + known));
-        }
-        wanted[static_cast<std::size_t>(found - snapshot.groups.begin())] = true;
-    }
-    return wanted;
-}
-
 }  // namespace
 
 std::vector<DrawnBar> choose_bars(const Snapshot& snapshot, const View& view) {
-    const std::vector<bool> wanted = wanted_groups(snapshot, view);
     std::vector<DrawnBar> chosen;
     for (const Bar& bar : snapshot.bars) {
         if (view.leave_out_broken && bar.state == BarState::broken) continue;
-        if (bar.group < 0 ? !view.only_groups.empty() : !wanted[static_cast<std::size_t>(bar.group)]) continue;
         const Vec& a = snapshot.points[static_cast<std::size_t>(bar.point[0])];
         const Vec& b = snapshot.points[static_cast<std::size_t>(bar.point[1])];
         if (!finite(a) || !finite(b) || std::min(a[2], b[2]) < view.above) continue;

@@ -22,7 +22,6 @@ struct DrawnBar {
 };
 
 /// The bars of `still` that `view` asks for, without those whose ends are not finite.
-/// Throws InputError for a group that is not there, naming those that are.
 std::vector<DrawnBar> choose_bars(const Snapshot& snapshot, const View& view);
 
 std::vector<Vec> ends_of(std::span<const DrawnBar> bars);

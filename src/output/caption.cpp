@@ -24,11 +24,6 @@ std::string time_text(double seconds) {
 /// What the view leaves out, so that nobody takes a part for the whole.
 std::string left_out(const View& view) {
     std::vector<std::string> notes;
-    if (!view.only_groups.empty()) {
-        std::string names;
-        for (const std::string& group : view.only_groups) names += (names.empty() ? "" : ", ") + group;
-        notes.push_back("only " + names);
-    }
     if (view.above > -1e299) {
         char text[48];
         std::snprintf(text, sizeof text, "above %g m", view.above);

@@ -109,18 +109,4 @@ std::string draw_strip(int count, const Snapshot* const* snapshots, const View* 
     return encode_png(strip);
 }
 
-std::array<double, 6> frame_box(const Snapshot& snapshot, const View& view) {
-    check_snapshot(snapshot);
-    std::array<double, 6> box = {1, -1, 1, -1, 1, -1};
-    bool first = true;
-    for (const Vec& p : without_strays(ends_of(choose_bars(snapshot, view)))) {
-        for (int axis = 0; axis < 3; ++axis) {
-            box[2 * axis] = first ? p[axis] : std::min(box[2 * axis], p[axis]);
-            box[2 * axis + 1] = first ? p[axis] : std::max(box[2 * axis + 1], p[axis]);
-        }
-        first = false;
-    }
-    return box;
-}
-
 }  // namespace hinge::output

@@ -88,10 +88,6 @@ HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* con
     return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, snapshots, views, columns)); });
 }
 
-HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, double box[6], char* error, int room) {
-    return guarded(error, room, [&] { std::ranges::copy(frame_box(snapshot, view), box); });
-}
-
 HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
     return guarded(error, room, [&] { write_whole_file(given(path), draw_plot(plot, width, height)); });
 }

@@ -40,12 +40,11 @@ struct View {
     int width = 1600, height = 1200;                  ///< pixels
     std::array<double, 3> from = {-1.0, -1.4, 0.55};  ///< direction from the middle of the scene to the eye
     std::array<double, 3> up = {0, 0, 1};
-    bool leave_out_broken = false;         ///< as in fig 18 of the paper
-    double above = -1e300;                 ///< draw only bars with both ends above this height, m
-    std::vector<std::string> only_groups;  ///< empty: all groups
+    bool leave_out_broken = false;  ///< as in fig 18 of the paper
+    double above = -1e300;          ///< draw only bars with both ends above this height, m
     std::string title;
     /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this snapshot without its stray
-    /// fragments. A film needs one box for all its frames, or the camera moves: join those of hinge_frame_box.
+    /// fragments. A film needs one box for all its frames, or the camera moves.
     std::optional<std::array<double, 6>> box;
 };
 
@@ -68,7 +67,4 @@ using hinge_render = int (*)(const char* path, const hinge::output::Snapshot& sn
 /// Draws n snapshots side by side into one PNG, `columns` in a row, each of the first view's size.
 using hinge_render_strip = int (*)(const char* path, int n, const hinge::output::Snapshot* const* snapshots,
                                    const hinge::output::View* views, int columns, char* error, int room);
-/// The box hinge_render would fit to this snapshot: for View::box. An empty picture gives xmin > xmax.
-using hinge_frame_box = int (*)(const hinge::output::Snapshot& snapshot, const hinge::output::View& view, double box[6],
-                                char* error, int room);
 }

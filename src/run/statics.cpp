@@ -13,6 +13,9 @@ namespace {
 /// Keeps the tangent of a perfect hinge from being singular by itself; far below anything that shows in a result.
 constexpr double hinge_regularisation = 1e-4;
 
+/// Of the whole: a step halved below this ends the run, at the limit load.
+constexpr double smallest_step = 1e-5;
+
 double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].head<3>().dot(b[i].head<3>());
@@ -292,7 +295,7 @@ bool Statics::advance() {
     while (equilibrate(increment, true) != Outcome::converged &&
            (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
         increment /= 2;
-        if (increment < settings_.smallest_step) {
+        if (increment < smallest_step) {
             char text[200];
             std::snprintf(text, sizeof text,
                           "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a "

@@ -18,7 +18,6 @@ struct StaticSettings {
     int iterations = 30;           ///< Newton iterations before a step is halved
     double tolerance =
         1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
-    double smallest_step = 1e-5;     ///< of the whole: a step halved below this ends the run, at the limit load
     std::vector<std::uint8_t> held;  ///< extra supports for this run only (six bits a node), or empty
 };
 

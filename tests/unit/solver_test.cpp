@@ -135,7 +135,6 @@ struct Dense {
           const std::vector<int>& removed, int offset_node, const Mat6& hung) {
         ThreadPool alone;
         EffectiveStiffness parts(structure, alone, 1, k, false, Keeping::direct);
-        parts.build(all_elements(structure), state, pose_of(state), {});
         const int n = 6 * int(structure.position().size());
         A = Eigen::MatrixXd::Zero(n, n);
         const auto add = [&](int a, int b, const Mat12& m) {
@@ -145,7 +144,8 @@ struct Dense {
         };
         for (int i : all_elements(structure))
             if (std::find(removed.begin(), removed.end(), i) == removed.end())
-                add(structure.elements()[i].node[0], structure.elements()[i].node[1], parts.element_part(i));
+                add(structure.elements()[i].node[0], structure.elements()[i].node[1],
+                    parts.part(i, state, pose_of(state), nullptr));
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
         if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += hung;
         free = free_freedoms(state.held);

@@ -96,6 +96,33 @@ double difference(Mat6 a, Mat6 b, double length) {
     return worst;
 }
 
+/// B(s) of eq 2, 6 x 12: generalised strains [kx ky ez kz gx gy] (1/m, 1/m, -, 1/m, -, -) from the nodal displacements
+/// [u v w tx ty tz] of node 1 and node 2 in local axes, s in -1..1.
+Eigen::Matrix<double, 6, 12> strain_displacement(double L, double s) {
+    Eigen::Matrix<double, 6, 12> B = Eigen::Matrix<double, 6, 12>::Zero();
+    const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
+    B(0, 3) = -1 / L;
+    B(0, 9) = 1 / L;
+    B(1, 4) = -1 / L;
+    B(1, 10) = 1 / L;
+    B(2, 2) = -1 / L;
+    B(2, 8) = 1 / L;
+    B(3, 5) = -1 / L;
+    B(3, 11) = 1 / L;
+    B(4, 0) = -1 / L;
+    B(4, 6) = 1 / L;
+    B(4, 4) = -n1;
+    B(4, 10) = -n2;
+    B(5, 1) = -1 / L;
+    B(5, 7) = 1 / L;
+    B(5, 3) = n1;
+    B(5, 9) = n2;
+    return B;
+}
+
+/// The stress-strain matrix [D_e] of eq 3 for the strains of strain_displacement.
+Vec6 elastic_moduli(const beam::Rigidity& c) { return (Vec6() << c.EIx, c.EIy, c.EA, c.GJ, c.GAx, c.GAy).finished(); }
+
 }  // namespace
 
 TEST_CASE("K = L B(s)^T D B(s) is the stiffness seen from the chord, for any s (1e-13: rounding)") {
@@ -104,9 +131,9 @@ TEST_CASE("K = L B(s)^T D B(s) is the stiffness seen from the chord, for any s (
     for (int trial = 0; trial < 1000; ++trial) {
         const beam::Rigidity c = random_rigidity(dice);
         const double L = dice(0.2, 3), s = dice(-1, 1);
-        const auto B = beam::strain_displacement(L, s);
+        const auto B = strain_displacement(L, s);
         const auto T = beam::linear_deformation(L);
-        const Mat12 by_B = L * B.transpose() * beam::elastic_moduli(c).asDiagonal() * B;
+        const Mat12 by_B = L * B.transpose() * elastic_moduli(c).asDiagonal() * B;
         const Mat12 by_chord = T.transpose() * beam::stiffness(c, L, s).matrix() * T;
         worst = largest_of(worst, (by_B - by_chord).norm() / by_B.norm());
     }
@@ -114,7 +141,7 @@ TEST_CASE("K = L B(s)^T D B(s) is the stiffness seen from the chord, for any s (
 }
 
 TEST_CASE("only the shear rows of B depend on s, and k(s) differs from k(0)") {
-    const auto a = beam::strain_displacement(1.3, 0), b = beam::strain_displacement(1.3, 0.7);
+    const auto a = strain_displacement(1.3, 0), b = strain_displacement(1.3, 0.7);
     CHECK((a.topRows<4>() - b.topRows<4>()).norm() == 0);
     CHECK((a.bottomRows<2>() - b.bottomRows<2>()).norm() > 0.1);
     Dice dice(2);
