@@ -240,6 +240,15 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
     return whole(free, free);
 }
 
+/// Breaks `element` at `end` (1 or 2) in a state by itself, as a run does it at the end of a step.
+inline BreakReport break_element(const Structure& structure, State& state, int element, int end) {
+    std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
+    BreakReport report = break_off(structure, state, element, end, impulse);
+    Mass mass(structure, state);
+    report.kinetic += pass_on(state, mass, impulse);
+    return report;
+}
+
 /// Runs a body's free flight to its end: the largest deviations, as parts of what there was at the start.
 struct Flight {
     double energy = 0, linear = 0, angular = 0;

@@ -7,7 +7,7 @@
 
 #include "beam/mass.h"
 #include "algebra/blocks.h"
-#include "state/breaking.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -40,7 +40,7 @@ Part part_of(const Structure& structure, int index, const State& state, const Po
     if (state.broken[index]) return part;
     const Element& e = structure.elements()[index];
     const Mat3 axes = axes_of(place_element(structure, index, pose));
-    part.mass = e.rigidity.rhoA * e.length / 6;
+    part.mass = e.mass() / 6;
     part.rotary = e.length / 6 * (axes * beam::rotary_inertia(e.rigidity).asDiagonal() * axes.transpose());
     return part;
 }
@@ -153,19 +153,11 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
     heavy_.clear();
     for (std::size_t i = 0; i < stale.size(); ++i) {
         if (!stale[i] && !has_offset_mass(state, int(i))) continue;
-        double mass = 0, rotary = 0;
-        for (int index : structure_.elements_at(int(i))) {
-            if (state.broken[index]) continue;
-            const beam::Inertia lumped = structure_.inertia(index);
-            mass += lumped.own[0];
-            rotary += lumped.rotary[0].x();
-        }
-        lumped_inverse_[i].setZero();
-        for (int c = 0; c < 6; ++c)
-            if (mass > 0 && !(state.held[i] >> c & 1)) lumped_inverse_[i][c] = 1 / (c < 3 ? mass : rotary);
+        const LumpedMass lumped = lumped_mass_at(structure_, state, int(i));
+        lumped_inverse_[i] = lumped.inverse(state.held[i]);
         if (!has_offset_mass(state, int(i))) continue;
         Heavy h{int(i), Mat6::Zero(), {}, {}};
-        h.elements.diagonal() << Vec3::Constant(mass), Vec3::Constant(rotary);
+        h.elements.diagonal() << Vec3::Constant(lumped.mass), Vec3::Constant(lumped.rotary);
         heavy_.push_back(h);
     }
     turn_offset_masses(state, pose);
@@ -229,6 +221,25 @@ void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, co
     SolverSettings sharp;
     sharp.tolerance = tolerance;
     blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
+}
+
+double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
+    for (std::size_t i = 0; i < impulse.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
+                state.accumulated["work"] -= impulse[i][c] * state.velocity[i][c];
+                state.accumulated["fracture_kinetic"] -= impulse[i][c] * state.velocity[i][c];
+                impulse[i][c] = 0;
+            }
+    std::vector<Vec6> change;
+    mass.solve(impulse, change, state, 1e-13);
+    double cost = 0;
+    for (std::size_t i = 0; i < impulse.size(); ++i) {
+        cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
+        state.velocity[i] += change[i];
+    }
+    state.accumulated["fracture_kinetic"] += cost;
+    return cost;
 }
 
 }  // namespace hinge

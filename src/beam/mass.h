@@ -11,6 +11,9 @@ namespace hinge::beam {
 /// Rotary inertia per length of the section in local axes, kg m: about x, about y, about z (polar).
 inline Vec3 rotary_inertia(const Rigidity& c) { return {c.rhoIx, c.rhoIy, c.rhoIx + c.rhoIy}; }
 
+/// kg, of an element of length L.
+inline double element_mass(const Rigidity& c, double L) { return c.rhoA * L; }
+
 /// What an element weighs on its two nodes. Translation resists alike in all directions; rotary inertia is about the
 /// local axes.
 struct Inertia {
@@ -54,7 +57,7 @@ inline Inertia linear_inertia(const Rigidity& c, double L) {
 /// position. Not in the paper.
 inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
     Inertia i = linear_inertia(c, L);
-    const double m = c.rhoA * L, root = 1 / std::sqrt(3.0), turning = m * L * L / 12;
+    const double m = element_mass(c, L), root = 1 / std::sqrt(3.0), turning = m * L * L / 12;
     i.own[1 - middle] = 0.25 * m;
     i.own[middle] = (0.25 + root) * m;
     i.across = (0.25 - 0.5 * root) * m;
@@ -64,7 +67,7 @@ inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
 
 /// Lumped: half on each node, the rotary part about every axis the section's polar inertia.
 inline Inertia lumped_inertia(const Rigidity& c, double L) {
-    const double m = 0.5 * c.rhoA * L;
+    const double m = 0.5 * element_mass(c, L);
     const Vec3 J = Vec3::Constant(0.5 * (c.rhoIx + c.rhoIy) * L);
     return {{m, m}, 0, {J, J}, Vec3::Zero()};
 }
@@ -77,7 +80,7 @@ struct RigidOffset {
     Mat3 inertia;  ///< about the node, kg m^2
 };
 inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3& axes) {
-    const double L = span.norm(), m = c.rhoA * L;
+    const double L = span.norm(), m = element_mass(c, L);
     const Mat3 J = L * (axes * rotary_inertia(c).asDiagonal() * axes.transpose());
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
@@ -85,7 +88,7 @@ inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3&
 /// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's
 /// masses did would gain energy as it takes over their angular momentum.
 inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
-    const double L = span.norm(), m = c.rhoA * L;
+    const double L = span.norm(), m = element_mass(c, L);
     return {m, 0.5 * m * span,
             (c.rhoIx + c.rhoIy) * L * Mat3::Identity() +
                 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};

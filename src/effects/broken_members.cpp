@@ -71,8 +71,7 @@ public:
             const Vec3 met = step.dt * ((1 - gamma) * rate_[i] + gamma * next_rate_[i]);
             double mass = h.mass;
             for (int e : w_.structure.elements_at(int(i)))
-                if (!w_.state.broken[e])
-                    mass += 0.5 * w_.structure.elements()[e].rigidity.rhoA * w_.structure.elements()[e].length;
+                if (!w_.state.broken[e]) mass += 0.5 * w_.structure.elements()[e].mass();
             const Vec3 missed =
                 (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - met) / mass;
             for (int c = 0; c < 3; ++c)

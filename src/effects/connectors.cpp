@@ -298,16 +298,7 @@ private:
     }
 
     Vec6 inverse_mass(int node) const {
-        double mass = 0, rotary = 0;
-        for (const int e : w_.structure.elements_at(node)) {
-            if (w_.state.broken[e]) continue;
-            const beam::Inertia m = w_.structure.inertia(e);
-            mass += m.own[0], rotary += m.rotary[0].x();
-        }
-        Vec6 inverse = Vec6::Zero();
-        for (int c = 0; c < 6; ++c)
-            if (!(w_.state.held[node] >> c & 1)) inverse[c] = 1 / (c < 3 ? mass : rotary);
-        return inverse;
+        return lumped_mass_at(w_.structure, w_.state, node).inverse(w_.state.held[node]);
     }
 
     /// Of rotations that differ by whole turns the one next to where it was counts.

@@ -12,12 +12,7 @@ public:
 
     /// Offset masses resist with their weight themselves (broken_members.cpp), since it turns with them.
     void add_steady_loads(std::vector<Vec6>& external) const override {
-        for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
-            const Element& e = w_.structure.elements()[i];
-            if (w_.state.broken[i]) continue;
-            const beam::Inertia m = w_.structure.inertia(int(i));
-            for (int end : {0, 1}) external[e.node[end]].head<3>() += m.weight(end) * g_;
-        }
+        for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }
     bool has_potential() const override { return true; }
 
@@ -39,13 +34,9 @@ private:
     double potential(const State& state) const {
         const Structure& s = w_.structure;
         Vec3 moment = Vec3::Zero();  // of mass about the origin
-        for (std::size_t i = 0; i < s.elements().size(); ++i) {
-            if (state.broken[i]) continue;
-            const Element& e = s.elements()[i];
-            const beam::Inertia m = s.inertia(int(i));
-            for (int end : {0, 1})
-                moment += m.weight(end) * (s.position()[e.node[end]] + state.displacement[e.node[end]]);
-        }
+        for_each_weight(s, state, [&](int node, double mass) {
+            moment += mass * (s.position()[node] + state.displacement[node]);
+        });
         for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
             if (state.offset_mass[i].mass > 0)
                 moment += state.offset_mass[i].mass * (s.position()[i] + state.displacement[i]) +

@@ -313,7 +313,7 @@ private:
         p.radius = e.radius;
         const double given = declared()[plane].stiffness;
         p.stiffness = given > 0 ? given : normal_part * e.rigidity.EA / e.length;
-        p.mass = 0.5 * e.rigidity.rhoA * e.length;
+        p.mass = 0.5 * e.mass();
         begin_at(p, state);
         return p;
     }
@@ -330,7 +330,7 @@ private:
                     const Element& e = s.elements()[element];
                     p.radius = std::max(p.radius, e.radius);
                     p.stiffness += normal_part * e.rigidity.EA / e.length;
-                    p.mass += 0.5 * e.rigidity.rhoA * e.length;
+                    p.mass += 0.5 * e.mass();
                 }
                 if (p.stiffness == 0 || w_.state.gone[n]) continue;
                 if (declared()[i].stiffness > 0) p.stiffness = declared()[i].stiffness;

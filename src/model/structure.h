@@ -29,6 +29,7 @@ struct Element {
     double radius;  ///< half the smaller side of the section, m
     int fracture;   ///< index of its rule, -1 for none
     bool collides;  ///< takes part in contact
+    double mass() const { return beam::element_mass(rigidity, length); }  ///< kg
 };
 
 enum class MassKind : std::uint8_t { consistent, lumped };

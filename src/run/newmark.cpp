@@ -82,7 +82,7 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
     in_rebuild_.assign(w.structure.elements().size(), 0);
     lumped_.assign(nodes, 0);
     for (const Element& e : w.structure.elements())
-        for (int n : e.node) lumped_[n] += 0.5 * e.rigidity.rhoA * e.length;
+        for (int n : e.node) lumped_[n] += 0.5 * e.mass();
 }
 
 void Newmark::begin(const EffectList& effects) {

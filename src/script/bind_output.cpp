@@ -288,11 +288,7 @@ int pieces(lua_State* L) {
     const Structure& structure = run.structure();
     const output::Snapshot snapshot = make_snapshot(run);
     std::vector<double> mass(snapshot.points.size(), 0);
-    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
-        const Element& e = structure.elements()[i];
-        for (int end : {0, 1})
-            if (!run.state().broken[i]) mass[e.node[end]] += structure.inertia(int(i)).weight(end);
-    }
+    for_each_weight(structure, run.state(), [&](int node, double weight) { mass[node] += weight; });
     for (std::size_t i = 0; i < run.state().offset_mass.size(); ++i) mass[i] += run.state().offset_mass[i].mass;
     const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };
     const auto number = [&](const char* name, double v) { lua_pushnumber(L, v), lua_setfield(L, -2, name); };

@@ -70,7 +70,7 @@ std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& add
     for (const MemberData& m : structure.model().members()) ++bodies[found.of_node[m.node[0]]].members;
     for (const Element& e : structure.elements()) {
         Piece& body = bodies[found.of_node[e.node[0]]];
-        body.mass += e.rigidity.rhoA * e.length;
+        body.mass += e.mass();
         body.heavy &= e.rigidity.rhoA > 0;
     }
     for (const Blocks::Node& n : added.mass)
@@ -149,7 +149,7 @@ std::string periods(const Structure& structure, const Piece& body, int rigid, co
 std::string checked_run(const RunRecord& record) {
     const Structure& s = record.run->structure();
     double mass = 0;
-    for (const Element& e : s.elements()) mass += e.rigidity.rhoA * e.length;
+    for (const Element& e : s.elements()) mass += e.mass();
     for (const Blocks::Node& n : added_by_effects(*record.run).mass) mass += n.K(0, 0);
     return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
            count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +

@@ -32,13 +32,6 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
 
 }  // namespace
 
-Mat6 offset_mass_in_space(const OffsetMass& h, const Quat& rotation) {
-    const Mat3 R = rotation.toRotationMatrix();
-    return beam::offset_mass_matrix(h.mass, R * h.moment, R * h.inertia * R.transpose());
-}
-
-Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
-
 double kinetic_energy(const Structure& structure, const State& state, int index, const Mat3& axes) {
     const Element& e = structure.elements()[index];
     const Mat3 back = axes.transpose();
@@ -76,7 +69,7 @@ Momentum momentum(const Structure& structure, const State& state) {
         h +=
             momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
-        total.mass += e.rigidity.rhoA * e.length;
+        total.mass += e.mass();
     }
     for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
         if (state.offset_mass[i].mass == 0) continue;
@@ -144,33 +137,6 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     }
     state.accumulated["fracture_elastic"] += report.elastic;
     state.accumulated["fracture_kinetic"] += report.kinetic;
-    return report;
-}
-
-double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
-    for (std::size_t i = 0; i < impulse.size(); ++i)
-        for (int c = 0; c < 6; ++c)
-            if (state.held[i] >> c & 1) {  // the support takes it, and one that moves does work on it
-                state.accumulated["work"] -= impulse[i][c] * state.velocity[i][c];
-                state.accumulated["fracture_kinetic"] -= impulse[i][c] * state.velocity[i][c];
-                impulse[i][c] = 0;
-            }
-    std::vector<Vec6> change;
-    mass.solve(impulse, change, state, 1e-13);
-    double cost = 0;
-    for (std::size_t i = 0; i < impulse.size(); ++i) {
-        cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);
-        state.velocity[i] += change[i];
-    }
-    state.accumulated["fracture_kinetic"] += cost;
-    return cost;
-}
-
-BreakReport break_element(const Structure& structure, State& state, int index, int end) {
-    std::vector<Vec6> impulse(structure.position().size(), Vec6::Zero());
-    BreakReport report = break_off(structure, state, index, end, impulse);
-    Mass mass(structure, state);
-    report.kinetic += pass_on(state, mass, impulse);
     return report;
 }
 

@@ -16,6 +16,8 @@ using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
 
+Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
+
 /// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
     int node[2][lane_count];
@@ -116,7 +118,7 @@ const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
         for (int c = 0; c < 8; ++c) kind.k[c][i] = ks[c];
         const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
         for (int c = 0; c < 4; ++c) kind.yield[c][i] = w[c];
-        kind.mass[i] = e.rigidity.rhoA * e.length / 6;
+        kind.mass[i] = e.mass() / 6;
         const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
         for (int c = 0; c < 3; ++c) kind.rotary[c][i] = rotary[c];
         const beam::Inertia linear = beam::linear_inertia(e.rigidity, e.length), whole = structure_.inertia(index[i]);

@@ -19,6 +19,9 @@ struct Pose {
     std::vector<Vec6> velocity, acceleration;
 };
 
+/// A state's nodes as a pose.
+Pose pose_of(const State& state);
+
 /// What one element did on the way to the pose.
 struct Yielding {
     int element;

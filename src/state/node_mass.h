@@ -1,0 +1,30 @@
+// What elements and offset masses weigh on their nodes. Eight elements at a time the sweep does it itself (sweep.cpp).
+#pragma once
+
+#include "state/state.h"
+
+namespace hinge {
+
+/// Calls f(node, kg) for both nodes of each whole element: what the element asks of the node in an even acceleration.
+template <class F>
+void for_each_weight(const Structure& structure, const State& state, F f) {
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const beam::Inertia m = structure.inertia(int(i));
+        for (int end : {0, 1}) f(structure.elements()[i].node[end], m.weight(end));
+    }
+}
+
+/// Lumped masses of the whole elements at a node.
+struct LumpedMass {
+    double mass = 0;    ///< kg
+    double rotary = 0;  ///< kg m^2, about every axis
+    /// Of each freedom, 1/kg and 1/(kg m^2); zero where `held` has it or nothing is left.
+    Vec6 inverse(std::uint8_t held) const;
+};
+LumpedMass lumped_mass_at(const Structure& structure, const State& state, int node);
+
+/// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
+Mat6 offset_mass_in_space(const OffsetMass& hung, const Quat& rotation);
+
+}  // namespace hinge
