@@ -48,13 +48,26 @@ struct Stiffness {
         m(5, 5) = twist;
         return m;
     }
+    /// Determinants of the two bending blocks, (N m)^2.
+    double determinant_x() const { return x11 * x22 - x12 * x12; }
+    double determinant_y() const { return y11 * y22 - y12 * y12; }
     /// d for given p: the elastic deformation.
     Vec6 solve(const Vec6& p) const {
-        const double x = x11 * x22 - x12 * x12, y = y11 * y22 - y12 * y12;
+        const double x = determinant_x(), y = determinant_y();
         Vec6 d;
         d << (x22 * p[0] - x12 * p[1]) / x, (x11 * p[1] - x12 * p[0]) / x, (y22 * p[2] - y12 * p[3]) / y,
             (y11 * p[3] - y12 * p[2]) / y, p[4] / axial, p[5] / twist;
         return d;
+    }
+    /// The matrix of that: the inverse of matrix(). Its products round otherwise than solve.
+    Mat6 flexibility() const {
+        const double x = determinant_x(), y = determinant_y();
+        Mat6 F = Mat6::Zero();
+        F.block<2, 2>(0, 0) << x22 / x, -x12 / x, -x12 / x, x11 / x;
+        F.block<2, 2>(2, 2) << y22 / y, -y12 / y, -y12 / y, y11 / y;
+        F(4, 4) = 1 / axial;
+        F(5, 5) = 1 / twist;
+        return F;
     }
 };
 

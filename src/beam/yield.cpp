@@ -43,26 +43,26 @@ double one_multiplier(const Vec6& trial, const Stiffness& k, double r, const Yie
     return lambda;
 }
 
-/// p for given multipliers: (F + 2 sum lambda A) p = F trial, decoupled into bending about x, about y, N and Mz.
-Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const double* lambda, int n) {
+/// F + 2 sum lambda A: what the forces' return to the surface adds to the flexibility.
+Mat6 softened(const Mat6& F, const Mat6* A, const double* lambda, int n) {
     Mat6 S = F;
     for (int i = 0; i < n; ++i) S += 2 * lambda[i] * A[i];
+    return S;
+}
+
+/// S^-1 d, decoupled into bending about x, about y, N and Mz.
+Vec6 solve_in_blocks(const Mat6& S, const Vec6& d) {
     Vec6 p;
-    p.segment<2>(0) = S.block<2, 2>(0, 0).inverse() * d_trial.segment<2>(0);
-    p.segment<2>(2) = S.block<2, 2>(2, 2).inverse() * d_trial.segment<2>(2);
-    p[4] = d_trial[4] / S(4, 4);
-    p[5] = d_trial[5] / S(5, 5);
+    p.segment<2>(0) = S.block<2, 2>(0, 0).inverse() * d.segment<2>(0);
+    p.segment<2>(2) = S.block<2, 2>(2, 2).inverse() * d.segment<2>(2);
+    p[4] = d[4] / S(4, 4);
+    p[5] = d[5] / S(5, 5);
     return p;
 }
 
-Mat6 compliance(const Stiffness& k) {
-    Mat6 F = Mat6::Zero();
-    const double x = k.x11 * k.x22 - k.x12 * k.x12, y = k.y11 * k.y22 - k.y12 * k.y12;
-    F.block<2, 2>(0, 0) << k.x22 / x, -k.x12 / x, -k.x12 / x, k.x11 / x;
-    F.block<2, 2>(2, 2) << k.y22 / y, -k.y12 / y, -k.y12 / y, k.y11 / y;
-    F(4, 4) = 1 / k.axial;
-    F(5, 5) = 1 / k.twist;
-    return F;
+/// p for given multipliers: (F + 2 sum lambda A) p = F trial.
+Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const double* lambda, int n) {
+    return solve_in_blocks(softened(F, A, lambda, n), d_trial);
 }
 
 /// Both ends at once: the multipliers maximise the concave dual
@@ -70,7 +70,7 @@ Mat6 compliance(const Stiffness& k) {
 /// by Newton's method on those that are free to move, each step shortened until g rises.
 void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
                      double* lambda) {
-    const Mat6 F = compliance(k);
+    const Mat6 F = k.flexibility();
     const Vec6 d_trial = F * trial;
     const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
     struct At {
@@ -89,13 +89,11 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
     for (int iteration = 0; iteration < 200; ++iteration) {
         const bool free[2] = {lambda[0] > 0 || now.f[0] > 0, lambda[1] > 0 || now.f[1] > 0};
         if ((!free[0] || std::abs(now.f[0]) < 1e-13) && (!free[1] || std::abs(now.f[1]) < 1e-13)) return;
-        Mat6 S = F;
-        for (int i = 0; i < 2; ++i) S += 2 * lambda[i] * A[i];
+        const Mat6 S = softened(F, A, lambda, 2);
         Vec6 a[2], Sa[2];
         for (int i = 0; i < 2; ++i) {
             a[i] = 2 * A[i] * now.p;
-            Sa[i] << S.block<2, 2>(0, 0).inverse() * a[i].segment<2>(0),
-                S.block<2, 2>(2, 2).inverse() * a[i].segment<2>(2), a[i][4] / S(4, 4), a[i][5] / S(5, 5);
+            Sa[i] = solve_in_blocks(S, a[i]);
         }
         const double h00 = a[0].dot(Sa[0]), h11 = a[1].dot(Sa[1]), h01 = a[0].dot(Sa[1]), det = h00 * h11 - h01 * h01;
         double step[2] = {0, 0};
@@ -144,7 +142,7 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
     const auto settle = [&] {
         Mat6 A[2];
         for (int i = 0; i < n; ++i) A[i] = yield_matrix(sections[i], w);
-        const Mat6 F = compliance(k);
+        const Mat6 F = k.flexibility();
         flow.p = relaxed(F * trial, F, A, flow.lambda, n);
     };
     settle();
@@ -160,7 +158,7 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
 
 Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
                      const double* lambda, const bool* active, int n) {
-    Mat6 S = compliance(k);
+    Mat6 S = k.flexibility();
     Eigen::Matrix<double, 6, 2> a;
     int count = 0;
     for (int i = 0; i < n; ++i) {

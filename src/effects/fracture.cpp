@@ -191,7 +191,7 @@ void Fracture::list_news() {
 Watched Fracture::watch_strains(int index) const {
     const Element& e = w_.structure.elements()[index];
     const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
-    const double x = (k.x11 * k.x22 - k.x12 * k.x12) * e.length, y = (k.y11 * k.y22 - k.y12 * k.y12) * e.length;
+    const double x = k.determinant_x() * e.length, y = k.determinant_y() * e.length;
     return {index,
             {-(k.x12 + k.x22) / x, (k.x11 + k.x12) / x},
             {-(k.y12 + k.y22) / y, (k.y11 + k.y12) / y},
