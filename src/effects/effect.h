@@ -232,9 +232,10 @@ public:
     virtual void matrix_built(int element, const Mat12& A) { (void)element, (void)A; }
     /// Bodies that it may move are not at rest.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
-    virtual double work_on_momentum(const std::vector<Vec6>& velocity) const { return (void)velocity, 0; }
-    /// The same where the step is tried to end.
-    virtual double work_on_response(const std::vector<Vec6>& change) const { return (void)change, 0; }
+    /// What supports that move with `supports` do, J, on the momentum that nodes have at `velocity`.
+    virtual double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const {
+        return (void)supports, (void)velocity, 0;
+    }
     /// Whether steps may be longer than the shortest: nothing happens that needs those.
     virtual bool calm() const { return true; }
     /// Whether what it prescribes changes at one of these times after now, s.

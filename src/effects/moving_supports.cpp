@@ -106,15 +106,10 @@ public:
         }
     }
 
-    double work_on_momentum(const std::vector<Vec6>& velocity) const override {
+    double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const override {
         double work = 0;
         for (const Moved& m : moved_)
-            if (!w_.state.gone[m.node]) work += w_.state.velocity[m.node][m.component] * momentum_at(m, velocity);
-        return work;
-    }
-    double work_on_response(const std::vector<Vec6>& change) const override {
-        double work = 0;
-        for (const Moved& m : moved_) work += w_.trial.velocity[m.node][m.component] * momentum_at(m, change);
+            if (!w_.state.gone[m.node]) work += supports[m.node][m.component] * momentum_at(m, velocity);
         return work;
     }
 

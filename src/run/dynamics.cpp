@@ -196,9 +196,9 @@ void Dynamics::break_elements() {
     }
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
     Mass& mass = mass_.renewed(pose_of(state_));
-    const double before = work_on_momentum(state_.velocity);
+    const double before = work_of_supports(state_.velocity, state_.velocity);
     pass_on(state_, mass, impulse);
-    state_.accumulated["work"] += work_on_momentum(state_.velocity) - before;
+    state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
     for (const auto& e : effects_) e->all_broke();
     anew_ = true;
 }
@@ -244,13 +244,13 @@ ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
     }
     mass_.renewed(w_.trial).solve(impulse, out.change, state_, 1e-10);  // nothing where it is held
     for (std::size_t i = 0; i < impulse.size(); ++i) out.square += 0.5 * impulse[i].dot(out.change[i]);
-    for (const auto& e : effects_) out.by_supports += e->work_on_response(out.change);
+    out.by_supports += work_of_supports(w_.trial.velocity, out.change);
     return out;
 }
 
-double Dynamics::work_on_momentum(const std::vector<Vec6>& velocity) const {
+double Dynamics::work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const {
     double work = 0;
-    for (const auto& e : effects_) work += e->work_on_momentum(velocity);
+    for (const auto& e : effects_) work += e->work_of_supports(supports, velocity);
     return work;
 }
 

@@ -74,7 +74,7 @@ private:
     bool again_shorter();
     void guard();
     void find_acceleration(std::vector<Vec6>& out_of_balance);
-    double work_on_momentum(const std::vector<Vec6>& velocity) const;
+    double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
     bool any_effect(bool (Effect::*asks)() const) const;
     void refuse_unstable() const;
