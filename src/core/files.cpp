@@ -13,68 +13,105 @@
 namespace hinge {
 namespace {
 
-/// Writes all of it, or returns errno.
-int write_all(int fd, const std::string& content) {
-    std::size_t done = 0;
-    while (done < content.size()) {
-        const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
+/// 0, or errno.
+int write_all(int fd, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t n = ::write(fd, content.data(), content.size());
         if (n < 0 && errno == EINTR) continue;
         if (n <= 0) return errno ? errno : EIO;
-        done += std::size_t(n);
+        content.remove_prefix(std::size_t(n));
     }
     return 0;
 }
 
-}  // namespace
-
-std::string file_trouble(const std::string& doing, const std::string& path, int error) {
-    std::string what = doing + " " + path + ": " + std::strerror(error);
-    if (error == EFBIG) return what + "; raise the limit on a file's size (ulimit -f)";
-    if (error == ENOSPC || error == EDQUOT) return what + "; free some space, or choose another folder with --out";
-    if (doing == "cannot read") return what;
-    if (error == EACCES || error == EROFS || error == EPERM)
-        return what + "; choose a folder you may write to with --out";
-    return what;
+std::string folder_of(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path();
+    return folder.empty() ? "." : folder;
 }
+
+const std::string another = "choose another folder with --out";
+
+std::string writing_advice(int error, const std::string& path) {
+    const std::string folder = folder_of(path);
+    switch (error) {
+        case EFBIG: return "raise the limit on a file's size (ulimit -f)";
+        case ENOSPC: return "free some space there, or " + another;
+        case EDQUOT: return "your quota is used up: delete something, or " + another;
+        case ENOENT: return "make the folder " + folder + " first";
+        case ENOTDIR: return "a part of the folder's name is a file: " + another;
+        case EACCES:
+        case EPERM: return "no right to write in the folder " + folder + ": " + another;
+        case EROFS: return "the folder " + folder + " can only be read: " + another;
+        case EEXIST: return "a file of that name is in the way: move it, or " + another;
+        case EISDIR: return "a folder of that name is in the way: move it, or choose another name";
+        case ENAMETOOLONG: return "choose a shorter name";
+        case EMFILE:
+        case ENFILE: return "too many files are open: close some, or raise the limit (ulimit -n)";
+        default: return "check the folder " + folder + " and its disk";
+    }
+}
+
+std::string reading_advice(int error) {
+    switch (error) {
+        case ENOENT: return "check the name";
+        case EACCES: return "no right to read it: ask its owner, or chmod it";
+        case EISDIR: return "it is a folder: name a file in it";
+        default: return "check its disk";
+    }
+}
+
+[[noreturn]] void fail(const std::string& doing, const std::string& path, int error, const std::string& advice) {
+    throw OutsideError(doing + " " + path + ": " + std::strerror(error) + "; " + advice);
+}
+[[noreturn]] void fail_to_write(const std::string& path, int error) {
+    fail("cannot write", path, error, writing_advice(error, path));
+}
+[[noreturn]] void fail_to_read(const std::string& path, int error) {
+    fail("cannot read", path, error, reading_advice(error));
+}
+
+}  // namespace
 
 void make_folder(const std::string& path) {
     std::error_code error;
     std::filesystem::create_directories(path, error);
-    if (error) throw OutsideError(file_trouble("cannot make folder", path, error.value()));
+    if (!error) return;
+    const bool no_such_place = error.value() == ENOENT;  // those above it are made too
+    fail("cannot make folder", path, error.value(), no_such_place ? another : writing_advice(error.value(), path));
 }
 
-void write_whole(const std::string& path, const std::string& content) {
-    const std::string aside = path + ".part";
-    const int fd = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) throw OutsideError(file_trouble("cannot write", path, errno));
-    int error = write_all(fd, content);
-    if (!error && ::fsync(fd) != 0 && errno != EINVAL) error = errno;
+void write_whole(const std::string& path, std::string_view content) {
+    // two runs may share a folder: the process id keeps their unfinished files apart
+    const std::string aside = path + "." + std::to_string(::getpid()) + ".part";
+    const int fd = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (fd < 0) fail_to_write(path, errno);
+    int error = write_all(fd, content);  // a network folder may report a full disk only when it is flushed or closed
+    if (!error && ::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
     if (::close(fd) != 0 && !error) error = errno;
     if (!error && std::rename(aside.c_str(), path.c_str()) != 0) error = errno;
     if (error) {
         ::unlink(aside.c_str());
-        throw OutsideError(file_trouble("cannot write", path, error));
+        fail_to_write(path, error);
     }
     // the new name too is to be there after a power cut; where a file system has no such thing, it is as good as it
     // gets
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    if (const int entry = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entry >= 0)
+    if (const int entry = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); entry >= 0)
         ::fsync(entry), ::close(entry);
 }
 
-void append(const std::string& path, const std::string& content) {
+void append(const std::string& path, std::string_view content) {
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (fd < 0) throw OutsideError(file_trouble("cannot write", path, errno));
+    if (fd < 0) fail_to_write(path, errno);
     const off_t before = ::lseek(fd, 0, SEEK_END);
     int error = write_all(fd, content);
     if (error && before >= 0 && ::ftruncate(fd, before) != 0) error = errno;  // no half of a row
     if (::close(fd) != 0 && !error) error = errno;
-    if (error) throw OutsideError(file_trouble("cannot write", path, error));
+    if (error) fail_to_write(path, error);
 }
 
 std::string read_whole(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (fd < 0) throw OutsideError(file_trouble("cannot read", path, errno));
+    if (fd < 0) fail_to_read(path, errno);
     std::string content;
     std::vector<char> some(1 << 16);
     ssize_t n;
@@ -82,7 +119,7 @@ std::string read_whole(const std::string& path) {
         if (n > 0) content.append(some.data(), std::size_t(n));
     const int error = n < 0 ? errno : 0;
     ::close(fd);
-    if (error) throw OutsideError(file_trouble("cannot read", path, error));
+    if (error) fail_to_read(path, error);
     return content;
 }
 

@@ -1,23 +1,22 @@
-// Files that are either whole or not there: written aside, flushed to the disk, then renamed.
+// Files that are either whole or not there: written aside, flushed to the disk, then renamed. All throw OutsideError,
+// which names what happened and what to do.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace hinge {
 
-/// Makes the folder and those above it. Throws OutsideError.
+/// Makes the folder and those above it.
 void make_folder(const std::string& path);
 
-/// Replaces `path` by `content`. Throws OutsideError naming what happened; the old file, if any, then stays as it was.
-void write_whole(const std::string& path, const std::string& content);
+/// Replaces `path` by `content`; where that fails the old file, if any, stays as it was.
+void write_whole(const std::string& path, std::string_view content);
 
-/// Appends and hands to the system: all of it or, with an OutsideError, nothing.
-void append(const std::string& path, const std::string& content);
+/// Appends and hands to the system: all of it or, with an error, nothing.
+void append(const std::string& path, std::string_view content);
 
-/// All bytes of the file. Throws OutsideError.
+/// All bytes of the file.
 std::string read_whole(const std::string& path);
-
-/// What errno says, and what to do about it.
-std::string file_trouble(const std::string& doing, const std::string& path, int error);
 
 }  // namespace hinge

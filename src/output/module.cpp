@@ -10,13 +10,13 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/files.h"
 #include "output/draw_plot.h"
 #include "output/draw_snapshot.h"
 #include "output/picture.h"
 #include "output/plot.h"
 #include "output/quiet_vtk.h"
 #include "output/snapshot_file.h"
-#include "output/whole_file.h"
 
 #define HINGE_EXPORT __attribute__((visibility("default")))
 
@@ -67,29 +67,29 @@ std::string given(const char* path) {
 extern "C" {
 
 HINGE_EXPORT int hinge_write_snapshot(const char* path, const Snapshot& snapshot, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), encode_snapshot(snapshot)); });
+    return guarded(error, room, [&] { write_whole(given(path), encode_snapshot(snapshot)); });
 }
 
 HINGE_EXPORT int hinge_write_collection(const char* path, int n, const double* times, const char* const* files,
                                         char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), encode_collection(n, times, files)); });
+    return guarded(error, room, [&] { write_whole(given(path), encode_collection(n, times, files)); });
 }
 
 HINGE_EXPORT int hinge_read_snapshot(const char* path, Snapshot& snapshot, char* error, int room) {
-    return guarded(error, room, [&] { snapshot = decode_snapshot(read_whole_file(given(path)), path); });
+    return guarded(error, room, [&] { snapshot = decode_snapshot(read_whole(given(path)), path); });
 }
 
 HINGE_EXPORT int hinge_render(const char* path, const Snapshot& snapshot, const View& view, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), draw_snapshot(snapshot, view)); });
+    return guarded(error, room, [&] { write_whole(given(path), draw_snapshot(snapshot, view)); });
 }
 
 HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* const* snapshots, const View* views,
                                     int columns, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), draw_strip(n, snapshots, views, columns)); });
+    return guarded(error, room, [&] { write_whole(given(path), draw_strip(n, snapshots, views, columns)); });
 }
 
 HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
-    return guarded(error, room, [&] { write_whole_file(given(path), draw_plot(plot, width, height)); });
+    return guarded(error, room, [&] { write_whole(given(path), draw_plot(plot, width, height)); });
 }
 }  // extern "C"
 
