@@ -30,42 +30,9 @@ function check.keys(map)
   return names
 end
 
---- Edit distance with neighbours swapped counted as one change (optimal string alignment).
-function check.distance(a, b)
-  local before, last = {}, {}
-  for j = 0, #b do last[j] = j end
-  for i = 1, #a do
-    local row = { [0] = i }
-    for j = 1, #b do
-      local same = a:byte(i) == b:byte(j)
-      row[j] = math.min(row[j - 1] + 1, last[j] + 1, last[j - 1] + (same and 0 or 1))
-      if i > 1 and j > 1 and a:byte(i) == b:byte(j - 1) and a:byte(i - 1) == b:byte(j) then
-        row[j] = math.min(row[j], before[j - 2] + 1)
-      end
-    end
-    before, last = last, row
-  end
-  return last[#b]
-end
-
-local function plain(word) return (tostring(word):lower():gsub("[%s_-]", "")) end
-
---- The name nearest to `word`, or nil when none is near enough to be what was meant.
-function check.nearest(word, names)
-  local best, least = nil, nil
-  for _, name in ipairs(names) do
-    local a, b = plain(word), plain(name)
-    local d = check.distance(a, b)
-    if d <= math.max(1, #a // 3) and d < #b and (not least or d < least) then best, least = name, d end
-  end
-  return best
-end
-
 --- Raises "... did you mean ...?" for a name that is not among `names`.
 function check.unknown(where, what, word, names)
-  local nearest = check.nearest(word, names)
-  check.fail("%s: unknown %s %s%s; %s", where, what, check.show(word),
-    nearest and (" (did you mean '%s'?)"):format(nearest) or "",
+  check.fail("%s: unknown %s %s%s; %s", where, what, check.show(word), core.did_you_mean(tostring(word), names),
     #names > 0 and "there are " .. table.concat(names, ", ") or "there is none")
 end
 
@@ -140,9 +107,8 @@ function check.value(where, field, value, rule)
   end
   if good(value, rule) then return value end
   local unit = type(value) == "number" and rule.unit and " " .. rule.unit or ""
-  local nearest = rule.one_of and check.nearest(value, rule.one_of)
   check.fail("%s: field '%s' is %s%s; must be %s%s", where, field, check.show(value), unit, allowed(rule),
-    nearest and (" (did you mean '%s'?)"):format(nearest) or "")
+    rule.one_of and core.did_you_mean(tostring(value), rule.one_of) or "")
 end
 
 --- The first argument of everything that adds to a model.

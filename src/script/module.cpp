@@ -26,6 +26,20 @@ int error_kind(lua_State* L) {
     return 2;
 }
 
+/// core.did_you_mean(word, names): " (did you mean 'x'?)", or "".
+int suggest(lua_State* L) {
+    const char* word = lua_tostring(L, 1);
+    if (!word || !lua_istable(L, 2)) throw InputError("did_you_mean: takes a word and a list of names");
+    std::vector<std::string> names;
+    for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {
+        lua_rawgeti(L, 2, i);
+        if (const char* name = lua_tostring(L, -1)) names.push_back(name);
+        lua_pop(L, 1);
+    }
+    lua_pushstring(L, did_you_mean(word, names).c_str());
+    return 1;
+}
+
 int open_core(lua_State* L) {
     prepare(L);
     lua_newtable(L);
@@ -38,8 +52,10 @@ int open_core(lua_State* L) {
     open_checkpoint(L, module);
     open_output(L, module);
     open_measure(L, module);
-    static const luaL_Reg functions[] = {
-        {"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
+                                         {"error_kind", guarded<error_kind>},
+                                         {"did_you_mean", guarded<suggest>},
+                                         {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
     lua_pushstring(L, HINGE_VERSION);
     lua_setfield(L, module, "version");

@@ -1,37 +1,9 @@
 -- The Lua library: sections against formulas found another way, checks and their messages,
 -- scenarios, and the models' counts.
 --
--- Run: lua5.4 tests/script/library_test.lua. Uses the real module where `require "hinge"` finds
--- it, else the small core below.
-if not pcall(require, "hinge") then
-  local here = debug.getinfo(1, "S").source:match("^@(.-)[^/]*$")
-  package.path = ("%s../../lua/?.lua;%s../../lua/?/init.lua;"):format(here, here) .. package.path
-  package.preload["hinge.core"] = function()
-    local Model = {}
-    Model.__index = Model
-    local function count(name) return function(self) self[name] = self[name] + 1 return self[name] end end
-    Model.node, Model.fix, Model.member = count "nodes", count "fixed", count "members"
-    function Model.group(_, name) return name end
-    function Model.velocity() end
-    function Model:counts()
-      local elements = self.members * self.per_member
-      local nodes = self.nodes + elements - self.members
-      return { members = self.members, elements = elements, nodes = nodes, free_dofs = 6 * (nodes - self.fixed) }
-    end
-    local function same(options) return options end
-    return {
-      version = "0", section = same, material = same, resume = same,
-      model = function(options)
-        return setmetatable({ nodes = 0, members = 0, fixed = 0, per_member = options.elements_per_member }, Model)
-      end,
-      input_error = function(message) error(message, 0) end,
-      error_kind = function() return "input" end,
-    }
-  end
-end
-
+-- Run: LUA_CPATH="build/?.so" lua5.4 tests/script/library_test.lua
 local hinge = require "hinge"
-local check = require "hinge.check"
+local core = require "hinge.core"
 local shapes = require "hinge.shapes"
 local values = require "hinge.values"
 local building = require "hinge.models.ten_storey"
@@ -147,10 +119,14 @@ complains(function() hinge.section.h { 0.4 } end, "stands without a name")
 complains(function() return hinge.section.bx end, "did you mean 'box'?")
 complains(function() return hinge.modell end, "did you mean 'model'?")
 complains(function() building.add() end, "the model is missing")
-expect(check.nearest("elements per member", { "elements_per_member", "dt" }) == "elements_per_member",
-  "names without blanks")
-expect(check.nearest("zzz", { "speed", "size" }) == nil, "nothing is near zzz")
-expect(check.distance("sizte", "size") == 1 and check.distance("szie", "size") == 1, "edit distance")
+for word, meant in pairs { ["elements per member"] = "elements_per_member", sizte = "size", szie = "size", SIZE = "size",
+  asi_gauss = "asi-gauss", vx = "vz" } do
+  local said = core.did_you_mean(word, { "dt", "elements_per_member", "size", "asi-gauss", "vz" })
+  expect(said == (" (did you mean '%s'?)"):format(meant), word .. said)
+end
+for _, word in ipairs { "zzz", "", "t", "speed" } do
+  expect(core.did_you_mean(word, { "size", "d", "asi-gauss" }) == "", "nothing is near '" .. word .. "'")
+end
 
 -- Values from the command line.
 for text, wanted in pairs { ["440/3.6"] = 440 / 3.6, ["2e-5"] = 2e-5, ["-2^2"] = -4, ["2*(3+4)-1"] = 13, ["8/2/2"] = 2,
