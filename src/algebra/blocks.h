@@ -2,18 +2,15 @@
 #pragma once
 
 #include <cstring>
-#ifdef __AVX512F__
-#include <immintrin.h>
-#endif
 
+#include "core/lanes.h"
 #include "core/types.h"
 
 namespace hinge::blocks {
 
 /// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are
 /// masked out. Arrays end with room for two more.
-using Wide __attribute__((vector_size(64), aligned(8), may_alias)) =
-    double;  // this order: clang passes over aligned() in the other
+using Wide = LanesAnywhere;
 constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 
 /// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight

@@ -5,9 +5,36 @@
 // quaternions. The forces are the exact gradient of the deformation's work (see tangent.h for their derivative).
 #pragma once
 
-#include "beam/lanes.h"
+#include "core/lanes.h"
 
 namespace hinge::beam {
+
+/// Kernels are templates over Real: `double` for one element, `Lanes` for a block of eight (core/lanes.h).
+template <class Real>
+struct Triple {
+    Real x, y, z;
+};
+
+template <class Real>
+inline Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class Real>
+inline Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class Real>
+inline Triple<Real> operator*(const Real& s, const Triple<Real>& a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+template <class Real>
+inline Real dot(const Triple<Real>& a, const Triple<Real>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class Real>
+inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 template <class Real>
 struct Quadruple {

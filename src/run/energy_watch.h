@@ -38,13 +38,10 @@ public:
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        bool good = s.good_.has_value();
+        bool good = s.good_.has_value();  // where it is read: make_room has been called
         a(s.looked_at_, good);
-        if constexpr (A::reading) {
-            if (!good) s.good_.reset();
-            else if (!s.good_) a.must(false);  // make_room comes first
-        }
         if (good) a(s.good_->state, s.good_->share);
+        else if constexpr (A::reading) s.good_.reset();
     }
     const State* good_state() const { return good_ ? &good_->state : nullptr; }
     /// Before its fields are read: room for a state with the same data of effects.

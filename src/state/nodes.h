@@ -1,13 +1,9 @@
 // Loops over nodes: how they are shared out, and a node's six numbers as one vector.
 #pragma once
 
-#include "beam/lanes.h"
+#include "core/lanes.h"
 
 namespace hinge {
-
-using beam::Lanes;
-using beam::load_row;
-using beam::store_row;
 
 /// Nodes that one thread takes at a time; a multiple of eight.
 inline constexpr int some_nodes = 1024;

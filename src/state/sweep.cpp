@@ -10,8 +10,6 @@
 
 namespace hinge {
 
-using beam::lane_count;
-using beam::Lanes;
 using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
@@ -169,13 +167,13 @@ namespace {
 template <class T>
 [[gnu::always_inline]] inline Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
     Lanes v[lane_count];
-    beam::pick_rows<3>(from.data()->data() + offset, node, sizeof(T) / sizeof(double), v);
+    pick_rows<3>(from.data()->data() + offset, node, sizeof(T) / sizeof(double), v);
     return {v[0], v[1], v[2]};
 }
 
 [[gnu::always_inline]] inline Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
     Lanes v[lane_count];
-    beam::pick_rows<4>(from.data()->coeffs().data(), node, 4, v);  // x y z w
+    pick_rows<4>(from.data()->coeffs().data(), node, 4, v);  // x y z w
     return {v[3], v[0], v[1], v[2]};
 }
 
@@ -184,13 +182,13 @@ struct Motion {
 };
 [[gnu::always_inline]] inline Motion gather_motion(const std::vector<Vec6>& from, const int* node) {
     Lanes v[lane_count];
-    beam::pick_rows<6>(from.data()->data(), node, 6, v);
+    pick_rows<6>(from.data()->data(), node, 6, v);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 /// Small displacement: the frame of the start, and the deformation to first order.
 Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& length) {
-    const Lanes zero = {}, one = beam::spread(1.0, length);
+    const Lanes zero = {}, one = spread(1.0, length);
     Placement<Lanes> p;
     p.frame = beam::turned_triad(axes, {one, zero, zero, zero});
     p.length = length;
@@ -240,7 +238,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
             place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
             beam::deformation(place, kind.length, d);
-            if (beam::any_not_below(Lanes{} - place.y_mean_y, -least_mean_y))
+            if (any_not_below(Lanes{} - place.y_mean_y, -least_mean_y))
                 for (int i = 0; i < lane_count; ++i)
                     if (b.whole >> i & 1 && place.y_mean_y[i] <= least_mean_y) found.twisted = element + i;
         } else {
@@ -250,8 +248,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
 
         // elastic forces, eqs 3, 7c and 12c: p = k (d - d_p)
         Lanes plastic[lane_count];
-        beam::turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element),
-                           plastic);
+        turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element), plastic);
         for (int c = 0; c < 6; ++c) d[c] -= plastic[c];
         Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1],
                       kind.k[1] * d[0] + kind.k[2] * d[1],
@@ -269,7 +266,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                             my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
                 f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
             }
-            if (beam::any_above(f[0], 1) || (section_count == 2 && beam::any_above(f[1], 1)))
+            if (any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
                 for (int i = 0; i < lane_count; ++i) {
                     if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
                     const Element& e = structure_.elements()[element + i];
@@ -287,7 +284,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);
 
         if constexpr (inertia) {
-            const Lanes two = beam::spread(2.0, kind.mass);
+            const Lanes two = spread(2.0, kind.mass);
             const Motion m1 = gather_motion(pose.acceleration, b.node[0]),
                          m2 = gather_motion(pose.acceleration, b.node[1]);
             const Triple<Lanes>&a1 = m1.linear, &a2 = m2.linear;
@@ -325,17 +322,17 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             by_end[2][lane_count] = {
                 {out.force[0].x, out.force[0].y, out.force[0].z, out.moment[0].x, out.moment[0].y, out.moment[0].z},
                 {out.force[1].x, out.force[1].y, out.force[1].z, out.moment[1].x, out.moment[1].y, out.moment[1].z}};
-        for (int e : {0, 1}) beam::transpose(by_end[e], row[e]);
+        for (int e : {0, 1}) transpose(by_end[e], row[e]);
         for (int i = 0; i < lane_count; ++i)
             for (int e = 0; e < 2 && b.whole >> i & 1; ++e) {
                 const int place = place_.empty() ? -1 : place_[2 * (element + i) + e];
-                if (place < 0) beam::add_six(nodal[b.node[e][i]].data(), row[e][i]);
-                else beam::store_row<6>(left_[place].data(), row[e][i]);
+                if (place < 0) add_six(nodal[b.node[e][i]].data(), row[e][i]);
+                else store_row<6>(left_[place].data(), row[e][i]);
             }
         const Lanes forces[lane_count] = {p[0], p[1], p[2], p[3], p[4], p[5]};
-        beam::transpose(forces, row[0]);
+        transpose(forces, row[0]);
         for (int i = 0; i < lane_count; ++i)
-            if (b.whole >> i & 1) beam::store_row<6>(force[element + i].data(), row[0][i]);
+            if (b.whole >> i & 1) store_row<6>(force[element + i].data(), row[0][i]);
         if (large && watching) {
             const Lanes* built = &built_[6 * std::size_t(block)];
             const auto square = [](const Triple<Lanes>& now, const Lanes* then) {
@@ -343,7 +340,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 return dot(way, way);
             };
             const Lanes turned = square(place.frame.z, built) + square(place.frame.y, built + 3);
-            if (beam::any_above(turned, turn_limit_))
+            if (any_above(turned, turn_limit_))
                 for (int i = 0; i < lane_count; ++i)
                     if (turned[i] > turn_limit_ && b.whole >> i & 1) found.turned.push_back(element + i);
         }

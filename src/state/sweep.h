@@ -101,7 +101,7 @@ private:
     std::vector<Shared> shared_;  ///< places in left_ of each such node, in the order of its elements
     std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
     std::vector<Vec6> left_;
-    std::vector<beam::Lanes> built_;  ///< six a block: frame z and y at the last build
+    std::vector<Lanes> built_;  ///< six a block: frame z and y at the last build
     std::vector<int> turned_;
     int twisted_ = -1;
     double turn_limit_ = 1e300;

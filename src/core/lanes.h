@@ -1,4 +1,4 @@
-// One element or eight at once: the scalar that the element kernels are written in, and triples of it.
+// One number or eight at once: the scalar that kernels are written in.
 //
 // A kernel is a template over Real: `double` for one element, `Lanes` for a block of eight (one vector register). Both
 // do the same operations in the same order, so an element's bits do not depend on the company it keeps.
@@ -9,10 +9,12 @@
 #include <immintrin.h>
 #endif
 
-namespace hinge::beam {
+namespace hinge {
 
 inline constexpr int lane_count = 8;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+/// The same in the middle of an array of doubles. (Attributes in this order: clang passes over aligned() in the other.)
+using LanesAnywhere __attribute__((vector_size(lane_count * sizeof(double)), aligned(8), may_alias)) = double;
 
 inline double square_root(double a) { return std::sqrt(a); }
 inline Lanes square_root(Lanes a) {
@@ -154,30 +156,4 @@ template <int n>
     transpose(row, out);
 }
 
-template <class Real>
-struct Triple {
-    Real x, y, z;
-};
-
-template <class Real>
-inline Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class Real>
-inline Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class Real>
-inline Triple<Real> operator*(const Real& s, const Triple<Real>& a) {
-    return {s * a.x, s * a.y, s * a.z};
-}
-template <class Real>
-inline Real dot(const Triple<Real>& a, const Triple<Real>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Real>
-inline Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-}  // namespace hinge::beam
+}  // namespace hinge
