@@ -1,0 +1,111 @@
+// What a run of dynamics says of itself: its plan and its counts to whoever asks, all that later steps depend on to a
+// checkpoint.
+#include <algorithm>
+
+#include "run/dynamics.h"
+
+namespace hinge {
+
+EffectiveStiffness::Counts Dynamics::solver_counts() const {
+    const EffectiveStiffness* effective = integrator_->effective();
+    return effective ? effective->counts() : EffectiveStiffness::Counts{};
+}
+
+double Dynamics::time_product(int repeats) const {
+    const EffectiveStiffness* effective = integrator_->effective();
+    return effective ? effective->time_product(repeats) : 0;
+}
+
+std::vector<PlanLine> Dynamics::effects() const {
+    std::vector<PlanLine> list = plan_of(*structure_, w_.kind);
+    char how[160];
+    std::snprintf(how, sizeof how,
+                  explicit_steps()      ? "explicit steps of %.3g us, lumped masses"
+                  : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens"
+                                        : "Newmark's method, steps of %.3g us",
+                  1e6 * shortest());
+    std::string because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
+    if (control_.on())
+        std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy",
+                      100 * settings_.step_control),
+            because += how;
+    if (settings_.alpha() != 0)
+        std::snprintf(how, sizeof how, ", of the highest frequencies %.3g is left after a step",
+                      settings_.rho_infinity),
+            because += how;
+    list.front().because = because;
+    stages_.add_to(list);
+    return list;
+}
+
+/// Parts of the effective stiffness, of M and of contact's list of pairs were made at one time or another and are
+/// renewed when something has turned or travelled far enough: they are kept as they are. What follows from the state
+/// and from them alone (blocks condensed to the joints, bars, which sections elements share) is found anew.
+template <class Self, class A>
+void Dynamics::fields(Self& s, A& a) {
+    Run::fields(s, a);
+    a(s.size_, s.control_, s.turnover_, s.stages_, s.w_.external, s.w_.force, s.w_.supported, s.w_.yielding,
+      s.w_.weighted, s.anew_, s.sleepers_);
+    if constexpr (A::reading) s.guard_.make_room(s.state_);
+    a(s.guard_);
+    for (const auto& e : s.effects_)
+        if constexpr (A::reading) e->restore(a);
+        else e->save(a);
+    if constexpr (A::reading) s.integrator_->restore(a);
+    else s.integrator_->save(a);
+    a(s.mass_);
+}
+
+void Dynamics::save(std::string& to) const {
+    Writer write(to);
+    fields(*this, write);
+    write(sweep_);
+}
+
+void Dynamics::restore(std::string_view saved) {
+    std::string now;
+    save(now);
+    try {
+        read(saved);
+    } catch (...) {
+        read(now);
+        throw;
+    }
+}
+
+void Dynamics::read(std::string_view saved) {
+    Reader reader(saved);
+    fields(*this, reader);
+    reader.must(makes_sense());
+    w_.trial = pose_of(state_);
+    std::vector<const State*> states{&state_};
+    if (const State* good = guard_.good_state()) states.push_back(good);
+    for (const auto& e : effects_) reader.must(e->restored(states));
+    sweep_.take_up(state_);
+    reader(sweep_);
+    reader.must(reader.rest().empty());
+}
+
+/// Whether what was read fits the structure and its settings.
+bool Dynamics::makes_sense() const {
+    const int nodes = int(structure_->position().size()), elements = int(structure_->elements().size());
+    const auto within = [](int n) { return [n](int i) { return i >= 0 && i < n; }; };
+    const auto all = [](const auto& list, auto good) { return std::all_of(list.begin(), list.end(), good); };
+    const bool states = hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
+                        (!guard_.good_state() ||
+                         (hinge::makes_sense(*guard_.good_state(), *structure_) && is_finite(*guard_.good_state())));
+    const bool lengths = int(w_.external.size()) == nodes && int(w_.force.size()) == elements &&
+                         int(w_.weighted.size()) == (settings_.alpha() == 0 ? 0 : nodes);
+    bool held = true;  // stay where they are, in explicit steps
+    for (int n = 0; states && mass_.now() && structure_->lumped() && n < nodes; ++n)
+        for (int c = 0; c < 6; ++c)
+            held = held && (!(state_.held[n] >> c & 1) || mass_.now()->lumped_inverse()[n][c] == 0);
+    std::size_t sleepers = 0;
+    for (const auto& e : effects_) sleepers += e->sleeps();
+    return states && lengths && held && size_.makes_sense() && sleepers_.size() == sleepers &&
+           verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
+           all(w_.yielding, [&](const Yielding& y) { return within(elements)(y.element); }) &&
+           all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;
+}
+
+}  // namespace hinge
