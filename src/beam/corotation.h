@@ -143,7 +143,7 @@ template <class Real>
     return p;
 }
 
-/// d = [tx1 tx2 ty1 ty2 e phi] (see timoshenko.h).
+/// d = [tx1 tx2 ty1 ty2 e phi] (see timoshenko.h), in the place of the strains of eqs 7b, 10b and 12b.
 template <class Real>
 inline void deformation(const Placement<Real>& p, const Real& L, Real d[6]) {
     d[0] = p.theta[0].x;

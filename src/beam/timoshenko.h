@@ -13,7 +13,7 @@
 namespace hinge::beam {
 
 /// Position of the integration point that puts the stress evaluation points of a pair of elements at the Gauss points
-/// of the member (section 2.2): |s_g| = 2/sqrt(3) - 1.
+/// of the member (eqs 11a and 11b): |s_g| = 2/sqrt(3) - 1.
 inline constexpr double gauss_point = 0.15470053837925152902;
 
 /// What a member is made of, as the element sees it. N m^2 for EI and GJ, N for EA and GA, kg/m for rhoA, kg m for
@@ -30,7 +30,7 @@ struct Stiffness {
     double axial;          ///< EA/L, N/m
     double twist;          ///< GJ/L, N m
 
-    Vec6 times(const Vec6& d) const {
+    Vec6 times(const Vec6& d) const {  // eqs 3, 7c and 12c
         Vec6 p;
         p << x11 * d[0] + x12 * d[1], x12 * d[0] + x22 * d[1], y11 * d[2] + y12 * d[3], y12 * d[2] + y22 * d[3],
             axial * d[4], twist * d[5];
@@ -71,8 +71,8 @@ struct Stiffness {
     }
 };
 
-/// Eq 5 in the frame of the chord: K = L B(s)^T D B(s). The curvature (t2 - t1)/L is constant in the element; the shear
-/// strain is the rotation interpolated at s, so only the shear rows of B depend on s.
+/// Eqs 5, 7a and 12a: K = L B(s)^T D B(s) in the frame of the chord, B of eq 2. The curvature (t2 - t1)/L is constant
+/// in the element; the shear strain is the rotation interpolated at s, so only the shear rows of B depend on s.
 inline Stiffness stiffness(const Rigidity& c, double L, double s) {
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
     const double bx = c.EIx / L, by = c.EIy / L, qy = c.GAy * L, qx = c.GAx * L;
@@ -102,7 +102,7 @@ inline Eigen::Matrix<double, 6, 12> linear_deformation(double L) {
     return T;
 }
 
-/// The bending moment, at section r in -1..1, of the components (m1, m2) of p (eqs 9, 13): linear between the ends.
+/// The bending moment, at section r in -1..1, of the components (m1, m2) of p (eqs 9a-b and 13a-b): linear in r.
 inline double moment_at(double m1, double m2, double r) { return -m1 * (1 - r) / 2 + m2 * (1 + r) / 2; }
 
 }  // namespace hinge::beam

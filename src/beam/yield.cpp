@@ -137,7 +137,7 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
     double f = yield_function(trial, sections[0], w);
     for (int i = 1; i < n; ++i)
         if (const double other = yield_function(trial, sections[i], w); other > f) f = other, worst = i;
-    if (f <= 1) return flow;
+    if (f <= 1) return flow;  // eq 4; beyond it eq 10c
     flow.lambda[worst] = one_multiplier(trial, k, sections[worst], w);
     const auto settle = [&] {
         Mat6 A[2];
@@ -166,6 +166,7 @@ Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, c
         S += 2 * lambda[i] * yield_matrix(sections[i], w);
         a.col(count++) = yield_gradient(p, sections[i], w);
     }
+    // eq 10a: D_p = X - X a (a^T X a)^-1 a^T X
     Mat6 X = Mat6::Zero();  // S^-1: bending about x, about y, N and Mz do not mix
     X.block<2, 2>(0, 0) = S.block<2, 2>(0, 0).inverse();
     X.block<2, 2>(2, 2) = S.block<2, 2>(2, 2).inverse();

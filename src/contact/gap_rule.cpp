@@ -8,7 +8,7 @@ namespace hinge::contact {
 
 double coplanarity(const Two& two) {
     const Vec3 &a1 = two.a[0], &a2 = two.a[1], &b1 = two.b[0], &b2 = two.b[1];
-    return (b1 - a2).cross(b2 - a2).dot(a1 - a2);
+    return (b1 - a2).cross(b2 - a2).dot(a1 - a2);  // eq 17
 }
 
 double spread(const Two& two) {
@@ -28,10 +28,12 @@ double coplanarity_noise(const Two& two) {
 
 }  // namespace
 
+// Eq 18.
 bool within_contact_length(const Two& two, double contact_length) {
     return std::isinf(contact_length) || spread(two) <= contact_length * lengths(two);
 }
 
+// Eq 19.
 bool coplanar(const Two& two, double alpha) { return std::abs(coplanarity(two)) <= alpha + coplanarity_noise(two); }
 
 Two Moving::at(double tau) const {

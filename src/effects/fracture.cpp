@@ -234,8 +234,8 @@ int Fracture::weaker_end(int index, const beam::Flow* flow) const {
     return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
 }
 
-/// Breaks the element if a limit is reached; else lists its sections that a rule of the script's is to be asked of.
-/// `news`: the element is strained as never before.
+/// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
+/// of. `news`: the element is strained as never before.
 void Fracture::judge(int index, const beam::Flow* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];

@@ -41,7 +41,7 @@ private:
             if (state.offset_mass[i].mass > 0)
                 moment += state.offset_mass[i].mass * (s.position()[i] + state.displacement[i]) +
                           state.rotation[i] * state.offset_mass[i].moment;
-        return -moment.dot(g_);
+        return -moment.dot(g_);  // eq 20b
     }
 
     Vec3 g_;           ///< m/s^2

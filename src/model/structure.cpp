@@ -22,8 +22,8 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
             inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
 }
 
-/// Paper, section 2.2 and fig 3: where the point stands while the element is elastic; `inner`: +1 when the pair's
-/// middle is at node 2.
+/// Where the point stands while the element is elastic (fig 3): in the middle (eq 7a) or at s_g = -r_g (eqs 11a-b and
+/// 12a). `inner`: +1 when the pair's middle is at node 2.
 double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
 
 }  // namespace

@@ -22,7 +22,7 @@ void CentralDifferences::predict(const Step& step) {
     });
 }
 
-/// a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
+/// Eq 15 without K: a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
 void CentralDifferences::accelerate(Step& step) {
     const double half = 0.5 * step.dt;
     Mass& mass = *mass_.now();

@@ -197,7 +197,7 @@ void Newmark::renew_effective_stiffness() {
     effective_->assemble();
 }
 
-/// (M + beta dt^2 K) da = F - R - M a.
+/// Eq 15: (M + beta dt^2 K) da = F - R - M a.
 void Newmark::solve_for_change(Step& step) {
     const int nodes = int(w_.resisting.size());
     const Vec6 *external = w_.external.data(), *resisting = w_.resisting.data();

@@ -97,6 +97,7 @@ SectionForces Run::section_forces(int element, double side) const {
     if (state_.broken[element]) return {};
     const Element& e = structure_->elements()[element];
     const Vec6& p = state_.force[element];
+    // N, Mx, My, Mz, then Qx and Qy: the slopes of the moments (eqs 8a-b)
     SectionForces forces{p[4], beam::moment_at(p[0], p[1], side), beam::moment_at(p[2], p[3], side),
                          p[5], -(p[2] + p[3]) / e.length,         (p[0] + p[1]) / e.length};
     for (const auto& effect : effects_) effect->add_section_forces(element, side, forces);

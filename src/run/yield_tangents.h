@@ -6,7 +6,7 @@
 
 namespace hinge {
 
-/// dp/dd of each element of `yielding`, consistent with the return to the yield surface.
+/// dp/dd of each element of `yielding`, [D_p] of eq 10a, consistent with the return to the yield surface.
 inline std::vector<Mat6> yield_tangents(const Structure& structure, const State& state, const Sweep& sweep,
                                         const std::vector<Yielding>& yielding) {
     std::vector<Mat6> tangents;

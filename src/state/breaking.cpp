@@ -37,7 +37,7 @@ double kinetic_energy(const Structure& structure, const State& state, int index,
     const Mat3 back = axes.transpose();
     const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
     const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = back * a.tail<3>(), wb = back * b.tail<3>();
-    const beam::Inertia m = structure.inertia(index);
+    const beam::Inertia m = structure.inertia(index);  // eq 20a with consistent mass
     return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
                   wb.dot(m.rotary[1].cwiseProduct(wb))) +
            m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));

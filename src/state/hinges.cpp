@@ -31,7 +31,7 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
     if (structure.model().options().shift != Shift::whole || structure.conventional()) return moved;
     const auto wanted = [&](int index) {
         const Element& e = structure.elements()[index];
-        if (const std::uint8_t bits = state.hinge[index]) return bits & hinge_at_1 ? 1.0 : -1.0;  // s = -r
+        if (const std::uint8_t bits = state.hinge[index]) return bits & hinge_at_1 ? 1.0 : -1.0;  // eqs 6a-b: s = -r
         const bool partner_flows = e.partner >= 0 && state.hinge[e.partner] && !state.broken[e.partner];
         return partner_flows && structure.model().options().formulation == Formulation::asi_gauss ? 0.0 : e.s;
     };

@@ -201,7 +201,7 @@ Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& leng
 
 void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& turn1,
                         const Triple<Lanes>& turn2, Lanes d[6]) {
-    const auto& f = p.frame;
+    const auto& f = p.frame;  // d in the place of the strains of eqs 7b, 10b and 12b
     const Lanes u = dot(f.x, relative) / p.length, v = dot(f.y, relative) / p.length;
     d[0] = dot(f.x, turn1) + v;
     d[1] = dot(f.x, turn2) + v;
@@ -257,7 +257,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                       kind.k[6] * d[4],
                       kind.k[7] * d[5]};
 
-        // yield, eqs 4 and 14: where the function is above 1, return to the surface (eqs 10b and 10c)
+        // yield, eqs 4 and 14: where the function is above 1, return to the surface (eq 10c)
         if (built::plasticity && kind.can_yield) {
             Lanes f[2];
             const Lanes shared = kind.yield[2] * p[4] * p[4] + kind.yield[3] * p[5] * p[5];
@@ -281,7 +281,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 }
         }
 
-        beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);
+        beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);  // eq 1: they do the work of p
 
         if constexpr (inertia) {
             const Lanes two = spread(2.0, kind.mass);

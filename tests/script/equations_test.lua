@@ -1,0 +1,82 @@
+-- The table of the paper's equations in src/README.md: every equation has a row, and where a row points to, the file
+-- has that function, with the equation's number in a comment.
+--
+-- Run: lua5.4 tests/script/equations_test.lua
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "equations"
+local expect = checks.expect
+
+local paper = "1, 2, 3, 4, 5, 6a-b, 7a-c, 8a-b, 9a-b, 10a-c, 11a-b, 12a-c, 13a-b, 14, 15, 16, 17, 18, 19, 20a-c"
+
+-- "6a-b, 14" -> { "6a", "6b", "14" }
+local function numbers(text)
+  local list = {}
+  for number, first, last in text:gmatch "(%d+)(%l?)%-?(%l?)" do
+    if first == "" then list[#list + 1] = number end
+    for letter = first:byte() or 1, (last ~= "" and last or first):byte() or 0 do
+      list[#list + 1] = number .. string.char(letter)
+    end
+  end
+  return list
+end
+
+-- Whether a text has the number after "eq", or in a list after "eqs": "eqs 7b, 10b and 12b", "eqs 11a-b and 12a".
+local function cites(text, wanted)
+  text = text:gsub("%s*\n%s*///?%s*", " ") -- a comment of several lines
+  for list in text:gmatch "%f[%a][Ee]qs?%s+([%dabc,%- and]+)" do
+    for _, number in ipairs(numbers(list)) do
+      if number == wanted then return true end
+    end
+  end
+end
+
+-- The comments at and in what a file says of a function or a constant: above each line that has its name, and up to
+-- the end of a body that begins there. Nil: the name is only in comments.
+local function comments_of(lines, name)
+  local found
+  for i, line in ipairs(lines) do
+    local code = line:gsub("//.*", "")
+    if code:find("%f[%w_]" .. name .. "%f[^%w_]") then
+      found = found or {}
+      local first, last = i, i
+      while (lines[first - 1] or ""):find "^%s*//" or (lines[first - 1] or ""):find "^%s*template" do
+        first = first - 1
+      end
+      while lines[last + 1] and not lines[last]:gsub("%s*//.*", ""):find "[;{}]$" do last = last + 1 end
+      if lines[last]:gsub("%s*//.*", ""):find "{$" then
+        local closing = "^" .. line:match "^%s*" .. "}"
+        while lines[last + 1] and not lines[last]:find(closing) do last = last + 1 end
+      end
+      for at = first, last do found[#found + 1] = lines[at]:match "//.*" end
+    end
+  end
+  return found and table.concat(found, "\n")
+end
+
+local readme = assert(support.read(support.root .. "src/README.md"))
+local rows = assert(readme:match "\n| eq | what | where |\n[|%-]+\n(.-)\n\n", "src/README.md has no table of equations")
+local listed = {}
+for row in rows:gmatch "[^\n]+" do
+  local equations, where = row:match "^| ([^|]+) | [^|]+ | (.+) |$"
+  assert(equations, "this row of the table has not three columns: " .. row)
+  local places = 0
+  for name, path in where:gmatch "`([%w_:]+)` %(`([%w_/]+%.%l+)`%)" do
+    places = places + 1
+    local text = support.read(support.root .. "src/" .. path)
+    if expect(text, "src/%s is not there; eq %s points to it", path, equations) then
+      local lines = {}
+      for line in text:gmatch "([^\n]*)\n" do lines[#lines + 1] = line end
+      local comments = comments_of(lines, name:match "[%w_]+$")
+      if expect(comments, "src/%s has no %s; eq %s points to it", path, name, equations) then
+        for _, number in ipairs(numbers(equations)) do
+          expect(cites(comments, number), "src/%s: no comment at %s has eq %s", path, name, number)
+        end
+      end
+    end
+  end
+  expect(places > 0, "eq %s points to no `function` (`file`)", equations)
+  for _, number in ipairs(numbers(equations)) do listed[number] = true end
+end
+for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
+checks.done()
