@@ -167,40 +167,44 @@ int main(int argc, char** argv) {
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     run_verb->add_option("--out", request.out,
                          "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
-    run_verb->add_flag("--resume", request.resume,
-                       "Go on where checkpoints are: of each run that names one and whose file is there");
+    run_verb->add_flag("--resume", request.resume, "Resume each run that names a checkpoint, where its file exists");
     run_verb->footer(
-        "Exit status: 0 done, 1 the run failed, 2 the script or its input is wrong, 3 interrupted with a checkpoint "
-        "written; 130 (Ctrl-C) and 143 (SIGTERM) without.");
+        "Exit status: 0 done; 1 the run failed; 2 the script or its input is wrong; 3 interrupted, and a checkpoint "
+        "was written; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no checkpoint was written.");
     add_sandbox(*run_verb, request);
     auto* plan_verb = app.add_subcommand(
-        "plan", "Say which effects a script would simulate, why, and which line asks for each; runs nothing");
+        "plan",
+        "List the effects that a script simulates, with the reason and the line of the script for each; runs nothing");
     plan_verb->add_option("script", request.script, "Lua script")->required();
     plan_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     plan_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*plan_verb, request);
     auto* check_verb = app.add_subcommand("check",
-                                          "Say what a script's runs would work on (counts, mass, natural periods) and "
-                                          "what in it looks like a slip; runs nothing");
+                                          "Print counts, mass and natural periods of the models that a script runs, "
+                                          "and warn of likely mistakes in them; runs nothing");
     check_verb->add_option("script", request.script, "Lua script")->required();
     check_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     check_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*check_verb, request);
-    check_verb->footer("Exit status: 0, warnings or not; 2 the script or its input is wrong.");
+    check_verb->footer("Exit status: 0 done, also with warnings; 2 the script or its input is wrong.");
     auto* cost_verb = app.add_subcommand(
         "cost",
         "Compare a scenario's accuracy settings: what each costs in time and how far it is from a finer reference");
     cost_verb->add_option("script", request.script, "Lua script that returns a hinge.scenario")->required();
-    cost_verb->add_option("settings", request.overrides,
-                          "Parameters of the script's scenario, key=value; one of the accuracy settings is then held");
-    cost_verb->add_option("--within", request.within, "Error that is good enough, as 1% or 0.01 (default 1%)");
-    cost_verb->add_option("--quantity", request.quantity, "Judge by this answer alone (default: by the worst)");
+    cost_verb->add_option(
+        "settings", request.overrides,
+        "Parameters of the script's scenario, key=value; an accuracy setting given here is not varied");
+    cost_verb->add_option("--within", request.within, "Largest error accepted, such as 1% or 0.01 (default 1%)");
+    cost_verb->add_option("--quantity", request.quantity,
+                          "Compare settings by this answer alone (default: by the worst of all)");
     cost_verb->add_option("--case", request.case_name, "One of the scenario's cases");
-    cost_verb->add_option("--budget", request.budget,
-                          "Stop in this time, as 60s, 5min, 1h; what is finished is kept, and a second call goes on");
-    cost_verb->add_flag("--effects", request.effects,
-                        "Leave out one effect at a time instead (contact, plasticity, ...): what each changes in the "
-                        "answers and costs in time");
+    cost_verb->add_option(
+        "--budget", request.budget,
+        "Time limit, such as 60s, 5min or 1h; finished runs are kept, and a second call goes on from them");
+    cost_verb->add_flag(
+        "--effects", request.effects,
+        "Leave out one effect at a time instead (contact, plasticity, ...), and print what each changes in "
+        "the answers and costs in time");
     cost_verb->add_option(
         "--out", request.out,
         "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost; with "
@@ -208,18 +212,19 @@ int main(int argc, char** argv) {
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* reference_verb = app.add_subcommand(
-        "reference", "Print what a script can say, as Markdown: all of it, or what speaks of one name");
+        "reference", "Print the reference of all that a script can call, as Markdown; or only the entries on one name");
     reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
     auto* do_verb = app.add_subcommand(
-        "do", "Run a line of Lua, in which 'hinge' is there, and print what it returns; 'hinge -e CODE' is the same");
+        "do", "Run a line of Lua, with 'hinge' loaded, and print what it returns; 'hinge -e CODE' is the same");
     do_verb->add_option("code", request.code, "Lua, an expression or statements")->required();
     do_verb->add_option("settings", request.overrides, "key=value, in a table, '...'");
     auto* prompt_verb = app.add_subcommand(
-        "prompt", "Type Lua and see what it does, after a script if one is given; 'hinge -i' is the same");
+        "prompt",
+        "Prompt for lines of Lua, which are run one by one; after a script, if one is given; 'hinge -i' is the same");
     prompt_verb->add_option("script", request.script, "Lua script to run first; its globals stay");
     prompt_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     prompt_verb->add_option("--case", request.case_name, "One of the scenario's cases");
-    prompt_verb->add_option("--out", request.out, "Folder for what is written (default: nothing is)");
+    prompt_verb->add_option("--out", request.out, "Folder for what is written (default: nothing is written)");
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);

@@ -218,9 +218,9 @@ inline StaticSettings driven(int node, int component, double value, int steps) {
     return s;
 }
 
-/// Stiffness or mass of the free freedoms as a dense matrix, put together from the engine's element matrices.
+/// Stiffness or mass of the free degrees of freedom as a dense matrix, put together from the engine's element matrices.
 inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, double stiffness_factor,
-                             std::vector<int>* freedoms = nullptr) {
+                             std::vector<int>* free_components = nullptr) {
     const State state = initial_state(structure);
     ThreadPool alone;
     EffectiveStiffness op(structure, alone, mass_factor, stiffness_factor, false, Keeping::direct);
@@ -236,7 +236,7 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
     std::vector<int> free;
     for (int i = 0; i < n; ++i)
         if (!(state.held[i / 6] >> (i % 6) & 1)) free.push_back(i);
-    if (freedoms) *freedoms = free;
+    if (free_components) *free_components = free;
     return whole(free, free);
 }
 
@@ -260,7 +260,7 @@ inline Flight worst_of_flight(Dynamics& run) {
         if (run.steps_done() % 10) continue;
         const Energy e = run.energy();
         const Momentum now = momentum(run.structure(), run.state());
-        worst.energy = largest_of(worst.energy, std::abs(e.remainder) / e.initial);
+        worst.energy = largest_of(worst.energy, std::abs(e.error) / e.initial);
         worst.linear = largest_of(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
         worst.angular = largest_of(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
     }

@@ -25,7 +25,8 @@ public:
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
     const std::vector<std::uint8_t>& held() const { return held_; }
 
-    /// The diagonal block of a node: of all its elements and what hangs on it; one for a freedom that is held.
+    /// The diagonal block of a node: of all its elements and what is attached to it; one for a degree of
+    /// freedom that is held.
     Mat6 own(int node) const;
     /// The block in the row of the element's node at `end` (0, 1) and the column of its other node.
     Mat6 across(int element, int end) const;

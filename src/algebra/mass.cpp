@@ -23,7 +23,7 @@ bool has_offset_mass(const State& state, int node) {
     return !state.offset_mass.empty() && state.offset_mass[node].mass > 0;
 }
 
-Mat6 inverse_of_free(Mat6 m, int held) {  // what is held takes no part: a stub on a pinned node turns about the pin
+Mat6 inverse_of_free(Mat6 m, int held) {  // held components take no part: a mass on a pinned node rotates about the pin
     for (int c = 0; c < 6; ++c)
         if (held >> c & 1) m.row(c).setZero(), m.col(c).setZero(), m(c, c) = 1;
     return blocks::inverse_by_halves(m);
@@ -63,14 +63,14 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
         int node;
         Mat6 mass, inverse;
     };
-    std::vector<RigidOffset> stubs;
+    std::vector<RigidOffset> offsets;
     for (std::size_t i = 0; i < n; ++i) {
         if (has_offset_mass(state, int(i))) {
             Mat6 own = offset_mass_in_space(state.offset_mass[i], pose.rotation[i]);
-            stubs.push_back({int(i), own, {}});
+            offsets.push_back({int(i), own, {}});
             own.topLeftCorner<3, 3>().diagonal().array() += own_mass[i];
             own.bottomRightCorner<3, 3>() += own_rotary[i];
-            stubs.back().inverse = inverse_of_free(own, state.held[i]);
+            offsets.back().inverse = inverse_of_free(own, state.held[i]);
         }
         if (own_mass[i] > 0) own_mass[i] = 1 / own_mass[i], own_rotary[i] = own_rotary[i].inverse().eval();
     }
@@ -86,12 +86,12 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
                 y[node].tail<3>() += part[i].rotary * to.tail<3>();
             }
         }
-        for (const RigidOffset& s : stubs) y[s.node] += s.mass * x[s.node];
+        for (const RigidOffset& s : offsets) y[s.node] += s.mass * x[s.node];
         hold(y, state);
     };
     const auto by_node = [&](const std::vector<Vec6>& from, std::vector<Vec6>& z) {
         for (std::size_t i = 0; i < n; ++i) z[i] << own_mass[i] * from[i].head<3>(), own_rotary[i] * from[i].tail<3>();
-        for (const RigidOffset& s : stubs) z[s.node] = s.inverse * from[s.node];
+        for (const RigidOffset& s : offsets) z[s.node] = s.inverse * from[s.node];
         hold(z, state);
     };
     const auto dot = [&](const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
@@ -188,7 +188,7 @@ void Mass::make_blocks() {
     for (int node = 0; node < nodes; ++node) mark(node);
 }
 
-/// Freedoms that are held since the last solution: of nodes that nothing is left of.
+/// Degrees of freedom that are held since the last solution: of nodes that nothing is left of.
 void Mass::take_up_held(const State& state) {
     const std::vector<std::uint8_t>& before = blocks_->parts.held();
     if (before == state.held) return;

@@ -16,23 +16,24 @@ namespace hinge {
 
 class Mass {
 public:
-    /// Of all whole elements and the stubs, where `state` has them.
+    /// Of all whole elements and the rigid offset masses, where `state` has them.
     Mass(const Structure& structure, const State& state);
 
-    /// Takes up what these elements have become at `pose`, and where the stubs are now; broken elements weigh nothing
-    /// but as stubs. Before the first call of it a solution takes the elements where `state` has them.
+    /// Computes anew the mass of these elements at `pose`, and that of the rigid offset masses. A broken element has no
+    /// mass but that of its offset mass. Before the first call of it a solution takes the elements where `state` has
+    /// them.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
-    /// RigidOffset alone: where `pose` has turned them.
+    /// Offset masses alone: where `pose` has rotated them.
     void turn_offset_masses(const State& state, const Pose& pose);
-    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), nothing where `state` holds a freedom. `tolerance`: of the
-    /// residual, relative; lumped masses need none.
+    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
+    /// `tolerance`: of the residual, relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
 
-    /// Lumped: of each node's elements, a number for each freedom, 1/kg and 1/(kg m^2); zero where it is held or
-    /// nothing is left.
+    /// Lumped: of each node's elements, a number for each degree of freedom, 1/kg and 1/(kg m^2); zero where it
+    /// is held or nothing is left.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Lumped, of the nodes with stubs: what their elements weigh, what their stubs weigh, and the inverse of both; 6x6
-    /// in space. The inverse is of the freedoms that are not held; one for those that are.
+    /// Lumped, of the nodes with offset masses: the mass of their elements, their offset mass, and the inverse of both;
+    /// 6x6 in space. The inverse is of the degrees of freedom that are not held; one for those that are.
     struct Heavy {
         int node;
         Mat6 elements, offsets, inverse;

@@ -15,7 +15,7 @@ namespace {
 /// Indices unlike those of direct_factors.h: what Eigen compiles for it is then another template (see there).
 using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::ptrdiff_t>;
 
-/// K and M of the elements at these nodes, their lower halves, on the freedoms that no support holds.
+/// K and M of the elements at these nodes, their lower halves, on the degrees of freedom that no support holds.
 struct Matrices {
     int size = 0;
     bool adds_stiffness = false;  ///< effects do
@@ -132,7 +132,7 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
     for (int n : nodes) centre += structure.position()[n] / double(nodes.size());
     double reach = 0;
     for (int n : nodes) reach = std::max(reach, (structure.position()[n] - centre).norm());
-    // what the supports see of a shift and of a turn that moves the farthest node by one
+    // what the supports see of a shift and of a rotation that moves the farthest node by one
     Mat6 seen = Mat6::Zero();
     for (int n : nodes) {
         Mat6 motion = Mat6::Identity();

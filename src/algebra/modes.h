@@ -9,8 +9,8 @@
 
 namespace hinge {
 
-/// A motion of a body as if it were rigid, that strains nothing and moves no support: the turn w (rad) about `centre`
-/// (m) and the shift v (m) of that point.
+/// A motion of a body as if it were rigid, that strains nothing and moves no support: the rotation w (rad) about
+/// `centre` (m) and the shift v (m) of that point.
 struct RigidMotion {
     Vec3 centre, v, w;
 };
@@ -21,7 +21,8 @@ struct RigidMotion {
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes);
 
 /// The lowest `count` circular frequencies (rad/s, rising) of the body that these nodes make up, after the zero ones of
-/// its `rigid` free motions. Fewer where it has fewer freedoms. Every element must have mass.
+/// its `rigid` free motions. Fewer where it has fewer degrees of freedom. Every element must
+/// have mass.
 ///
 /// By Spectra's Lanczos method, implicitly restarted, with K + a M in factors: a is 0 for a supported body, else 1e-9
 /// of the ratio of the sums of their diagonals. Lanczos' method starts from one vector and may miss copies of a

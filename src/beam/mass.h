@@ -14,7 +14,7 @@ inline Vec3 rotary_inertia(const Rigidity& c) { return {c.rhoIx, c.rhoIy, c.rhoI
 /// kg, of an element of length L.
 inline double element_mass(const Rigidity& c, double L) { return c.rhoA * L; }
 
-/// What an element weighs on its two nodes. Translation resists alike in all directions; rotary inertia is about the
+/// The mass of an element at its two nodes. Translation resists alike in all directions; rotary inertia is about the
 /// local axes.
 struct Inertia {
     double own[2], across;          ///< of each node, and between the two, kg
@@ -49,7 +49,7 @@ inline Inertia linear_inertia(const Rigidity& c, double L) {
 /// middle. The pair's stiffness is that of a cubic, but its middle node sags only 2 - 2/sqrt 3 = 0.85 of what the cubic
 /// does. Here
 ///   - a pair that bows has the momentum of the parabola: 2/3 of its mass at the true sag;
-///   - a part of its moment of inertia is the middle node's own, which turns ahead of the chord where the pair bends
+///   - a part of its moment of inertia is the middle node's own, which rotates ahead of the chord where the pair bends
 ///   like an S: so the
 ///     masses off the chord count there too. A pair that does not bend has its mass and moment of inertia as before.
 /// In parts of rho A l: 1/4 on the outer node, 1/4 + 1/sqrt 3 on the middle one, 1/4 - 1/(2 sqrt 3) between; and rho A
@@ -72,7 +72,7 @@ inline Inertia lumped_inertia(const Rigidity& c, double L) {
     return {{m, m}, 0, {J, J}, Vec3::Zero()};
 }
 
-/// A straight rigid bar hung on a node: `span` points from the node to its free end, in the frame wanted; `axes`
+/// A straight rigid bar attached to a node: `span` points from the node to its free end, in the frame wanted; `axes`
 /// likewise.
 struct RigidOffset {
     double mass;
@@ -85,8 +85,8 @@ inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3&
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// The same of an element with lumped mass: half of it at each end. A stub that turned more easily than the element's
-/// masses did would gain energy as it takes over their angular momentum.
+/// The same of an element with lumped mass: half of it at each end. An offset mass with less rotary inertia
+/// than the element's masses have would gain energy as it takes over their angular momentum.
 inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
     const double L = span.norm(), m = element_mass(c, L);
     return {m, 0.5 * m * span,
@@ -94,7 +94,7 @@ inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
                 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// Mass of a rigid body hung on a node, 6 x 6 in space, for first moment and inertia in space.
+/// Mass of a rigid body attached to a node, 6 x 6 in space, for first moment and inertia in space.
 inline Mat6 offset_mass_matrix(double mass, const Vec3& moment, const Mat3& inertia) {
     Mat6 M;
     M << mass * Mat3::Identity(), -skew(moment), skew(moment), inertia;

@@ -171,7 +171,7 @@ public:
     /// n things of at least that many bytes each lie ahead.
     void must_hold(std::uint64_t n, std::size_t each) const { must(n <= in_.size() / each); }
     void must(bool good) const {
-        if (!good) throw Damaged("its contents make no sense");
+        if (!good) throw Damaged("its contents are not valid");
     }
     std::string_view rest() const { return in_; }  ///< not yet read
 

@@ -12,7 +12,7 @@ inline Quat turned(const Vec3& turn, const Quat& q) {
     const double h =
         0.25 * (turn.x() * turn.x() + turn.y() * turn.y() + turn.z() * turn.z());  // square of the half angle
     double c, s;                                                                   // cos, sin(half)/(2 half)
-    if (h < 2e-4) {  // a step's turn: series to rounding, without a division
+    if (h < 2e-4) {  // a step's rotation: series to rounding, without a division
         c = 1 - h * (1.0 / 2 - h * (1.0 / 24 - h * (1.0 / 720)));
         s = 0.5 - h * (1.0 / 12 - h * (1.0 / 240 - h * (1.0 / 10080)));
     } else if (h < 0.01) {

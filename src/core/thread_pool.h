@@ -5,7 +5,7 @@
 // of the pieces, the same in every loop over as many, so its data stay near it; then it helps the others.
 //
 // OpenMP and oneTBB were measured in its place, with the same bits (us a step of frames of 1,300 and 20,202 elements on
-// two cores, medians of runs by turns):
+// two cores, medians of alternating runs):
 //
 //                        1,300 Newmark   1,300 explicit   20,202 Newmark   20,202 explicit
 //   one thread                137              52              2640               995

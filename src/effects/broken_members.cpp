@@ -1,5 +1,6 @@
 // What becomes of an element that breaks (figs 4 and 5): its forces are released and it hangs on its other node as a
-// rigid offset mass, which resists, turns and weighs with that node. state/breaking.h has the mechanics of the break.
+// rigid offset mass, which resists, rotates and has weight with that node. state/breaking.h has the mechanics of the
+// break.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +10,7 @@ namespace hinge {
 namespace {
 
 /// An offset mass's inertia about its own axis is a thousandth of that across: the effective stiffness must not lag
-/// behind its turning by more than 2 mrad, the cosine of whose half this is.
+/// behind its rotation by more than 2 mrad, the cosine of whose half this is.
 constexpr double lag_cosine = 1 - 5e-7;
 
 class BrokenMembers : public Effect {
@@ -38,7 +39,7 @@ public:
         }
     }
 
-    /// Weights at rest, where the nodes have turned them.
+    /// Weights at rest, where the nodes have rotated them.
     void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
         const Vec3 g = gravity();
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
@@ -55,9 +56,9 @@ public:
     }
     bool has_potential() const override { return true; }
 
-    /// An offset mass's part of the momentum, w x S, turns with it: over a step it changes by a little else than the
-    /// trapezium rule makes of the rates that the forces met. The node takes the difference, so that linear momentum
-    /// stays what it was. Called with the change of the acceleration since the stresses were recovered.
+    /// An offset mass's part of the momentum, w x S, rotates with it: over a step it changes by a little else than the
+    /// trapezium rule makes of the rates in the equation of motion. The node takes the difference, so that linear
+    /// momentum stays what it was. Called with the change of the acceleration since the stresses were recovered.
     void solved(const Step& step, const std::vector<Vec6>& change) override {
         const double alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
         next_rate_ = tried_rate_;
@@ -65,15 +66,16 @@ public:
             const OffsetMass& h = w_.state.offset_mass[i];
             if (h.mass == 0) continue;
             const Vec3 S = w_.state.rotation[i] * h.moment, next_S = w_.trial.rotation[i] * h.moment;
-            const Vec3 S_met = host_.has_effective_stiffness() ? Vec3(built_[i] * h.moment) : next_S;
+            const Vec3 built_S = host_.has_effective_stiffness() ? Vec3(built_[i] * h.moment) : next_S;
             next_rate_[i] =
-                (tried_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(S_met) - alpha * rate_[i]) / (1 - alpha);
-            const Vec3 met = step.dt * ((1 - gamma) * rate_[i] + gamma * next_rate_[i]);
+                (tried_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(built_S) - alpha * rate_[i]) / (1 - alpha);
+            const Vec3 integrated = step.dt * ((1 - gamma) * rate_[i] + gamma * next_rate_[i]);
             double mass = h.mass;
             for (int e : w_.structure.elements_at(int(i)))
                 if (!w_.state.broken[e]) mass += 0.5 * w_.structure.elements()[e].mass();
             const Vec3 missed =
-                (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - met) / mass;
+                (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - integrated) /
+                mass;
             for (int c = 0; c < 3; ++c)
                 if (!(w_.state.held[i] >> c & 1)) w_.trial.velocity[i][c] -= missed[c];
         }
@@ -127,7 +129,7 @@ private:
     }
 
     std::vector<Quat> built_;  ///< orientation that an offset mass has in the effective stiffness
-    /// Rate of change of w x S that a step's forces met: of the last step, of this one, and where stresses were
+    /// Rate of change of w x S in a step's equation of motion: of the last step, of this one, and where stresses were
     /// recovered.
     std::vector<Vec3> rate_, next_rate_, tried_rate_;
     int carrier_ = -1;

@@ -1,6 +1,6 @@
 // Connectors: springs, dashpots and laws of the script between two nodes, or between a node and the ground.
 //
-// Node a carries the connector on a rigid arm that reaches to node b. With r from a to b, A the axes (they turn with
+// Node a carries the connector on a rigid arm that reaches to node b. With r from a to b, A the axes (they rotate with
 // a) and w the relative rotation vector, the deformation is d = [A^T r - A0^T r0, A^T w], d' = B v, and the forces of
 // the nodes are B^T f: they are in balance, moments too, wherever the nodes have gone.
 #include "effects/connectors.h"
@@ -76,7 +76,7 @@ double steepest(const Curve& curve) {
     return most;
 }
 
-/// d(rotation vector)/d(turn on top of it).
+/// d(rotation vector)/d(rotation on top of it).
 Mat3 of_turn(const Vec3& vector) {
     const double angle = vector.norm();
     const double c =
@@ -154,7 +154,7 @@ public:
     }
 
     // ---- a step ---------------------------------------------------------------------------------------------------
-    /// By the trapezium rule, of what dashpots and laws met.
+    /// The work of dashpots and laws, by the trapezium rule.
     void add_up(const Step&, Accounts& sums) const override {
         double work = 0;
         for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -301,7 +301,7 @@ private:
         return lumped_mass_at(w_.structure, w_.state, node).inverse(w_.state.held[node]);
     }
 
-    /// Of rotations that differ by whole turns the one next to where it was counts.
+    /// Of rotations that differ by multiples of 2 pi the one next to where it was counts.
     Placed place(std::size_t i, const Places& at, const ConnectorNow& before) const {
         const Connector& c = declared()[i];
         const auto& X = w_.structure.position();
@@ -399,7 +399,7 @@ private:
         return end;
     }
 
-    /// What turning axes, arm and moments add to the stiffness; its symmetric part.
+    /// What the rotation of axes, arm and moments adds to the stiffness; its symmetric part.
     static void add_turning(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
         Mat12 G = Mat12::Zero();
         const Vec3 m = f.tail<3>();

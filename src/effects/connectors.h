@@ -21,7 +21,7 @@ using LawState = std::map<std::string, double>;
 using ConnectorLaw = std::function<double(double deformation, double rate, double dt, LawState& state)>;
 
 /// Springs, dashpots, curves and laws between node a and node b, along and about three axes: x y z rx ry rz. The
-/// deformation is how far b is from where it would be if a carried it on a rigid arm, in axes that turn with a.
+/// deformation is how far b is from where it would be if a carried it on a rigid arm, in axes that rotate with a.
 struct Connector {
     int a = -1, b = -1;             ///< a: -1 for the ground, where b is declared; its axes stay as they are
     Mat3 axes = Mat3::Identity();   ///< columns x y z

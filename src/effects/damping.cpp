@@ -2,9 +2,9 @@
 // effective stiffness has gamma dt C (algebra/effective_stiffness.cpp); here are the forces C v and what they
 // dissipate.
 //
-// The part of beta takes the rates of the element's own deformation: turning and flying as a whole is not damped by it,
-// however fast. The part of alpha takes the nodes' velocities in space, as Rayleigh's does. A yielding element keeps
-// its elastic K here; a broken one is not damped at all, nor is the mass that is left of it.
+// The part of beta takes the rates of the element's own deformation: rotating and flying as a whole is not damped by
+// it, however fast. The part of alpha takes the nodes' velocities in space, as Rayleigh's does. A yielding element
+// keeps its elastic K here; a broken one is not damped at all, nor is the mass that is left of it.
 #include "effects/damping.h"
 
 #include "effects/kinds.h"
@@ -47,7 +47,7 @@ public:
         for (std::size_t n = 0; n < now_.size(); ++n) resisting[n] += now_[n];
     }
 
-    /// Where the step ends. Explicit steps have met the forces of the predicted velocity, and those do the work.
+    /// Where the step ends. Explicit steps took the forces at the predicted velocity, and those do the work.
     void solved(const Step&, const std::vector<Vec6>&) override {
         if (!w_.kind.explicit_steps) find_forces();
     }

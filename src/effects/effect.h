@@ -39,7 +39,7 @@ struct RunKind {
 };
 
 /// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
-/// dt^2 ((1/2 - beta) a + beta a'). Forces meet (1 - alpha) a' + alpha a: Bossak's weighting, 0 for Newmark's method.
+/// dt^2 ((1/2 - beta) a + beta a'). Eq 15 takes (1 - alpha) a' + alpha a: Bossak's weighting, 0 for Newmark's method.
 struct Scheme {
     double beta = 0.25, gamma = 0.5, alpha = 0;
 };
@@ -61,8 +61,8 @@ struct Workspace {
     std::vector<Yielding> yielding;             ///< elements that flow on the way to the trial pose, rising
     std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
     std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
-    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: accelerations that the last step's forces
-                                                ///< met, and this one's
+    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
+                                                ///< last step and of this one
     std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
     bool points_moved = false;  ///< integration points have moved: the sweep takes them up when the step is kept
 };
@@ -175,7 +175,8 @@ public:
     virtual void begin(const Step& step) { (void)step; }
     /// Whether meet and end have something to do in this scene.
     virtual bool meets() const { return false; }
-    /// Who meets whom in the coming step. False: the step is too long for what comes, and a shorter one is begun.
+    /// Finds what comes into contact in the coming step. False: the step is too long for what comes, and a shorter one
+    /// is begun.
     virtual bool meet(const Step& step) { return (void)step, true; }
     /// The trial pose is predicted: what is prescribed is put in its place.
     virtual void predicted(const Step& step) { (void)step; }

@@ -22,8 +22,8 @@ int joint_at(const Structure& s, const Element& e, int end) {
 
 double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
 
-/// Whether limits alone could be met by elastic strain on top of the plastic one. (Elastic curvature is a mean of the
-/// two end moments over EI, and neither is above the fully plastic one.)
+/// Whether limits alone could be reached by elastic strain on top of the plastic one. (Elastic curvature is a mean of
+/// the two end moments over EI, and neither is above the fully plastic one.)
 bool within_reach(const FractureRule& rule, const Element& e, const beam::FractureStrains& plastic) {
     const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
     return e.yield.elastic() ||
@@ -73,7 +73,7 @@ public:
     void decide(Step& step) override;
     bool makes_forces_vanish() const override { return true; }
     void kept(const Step&) override {
-        for (const Yielding& y : w_.yielding) heed(y.element);
+        for (const Yielding& y : w_.yielding) take_up(y.element);
     }
     void broke(const Break& b) override { std::erase(candidates_, b.element); }
 
@@ -93,8 +93,8 @@ public:
 
 private:
     class Asked;
-    void heed(int element);
-    void judge(int element, const beam::Flow* flow, bool news);
+    void take_up(int element);
+    void check_element(int element, const beam::Flow* flow, bool news);
     Watched watch_strains(int element) const;
     void list_news();
     int weaker_end(int element, const beam::Flow* flow) const;
@@ -135,7 +135,7 @@ Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host) {
     if (const std::size_t kept = 2 * elements * kept_a_section_; w.state.kept.size() != kept)
         w.state.kept.assign(kept, 0);
     in_candidates_.assign(elements, 0);
-    for (std::size_t i = 0; i < elements; ++i) heed(int(i));
+    for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
 }
 
 bool Fracture::restored(std::span<const State* const> states) {
@@ -151,8 +151,8 @@ bool Fracture::restored(std::span<const State* const> states) {
     return true;
 }
 
-/// Eq 16 has to be asked of the element at every step, whether or not it flows.
-void Fracture::heed(int index) {
+/// Lists the element as one that eq 16 is checked for at every step, whether or not it flows.
+void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
@@ -199,7 +199,8 @@ Watched Fracture::watch_strains(int index) const {
             1 / e.length};
 }
 
-/// Eq 16, element by element, where it can be met: those that flow, and those that could break without.
+/// Eq 16, element by element, where a limit can be reached: in those that flow, and those that could break
+/// without.
 void Fracture::decide(Step& step) {
     step_ = &step;
     step.breaks.clear(), asked_.clear();
@@ -213,7 +214,7 @@ void Fracture::decide(Step& step) {
                   f = flowing != w_.yielding.end() ? flowing->element : none, e = std::min({c, n, f});
         if (e == none) break;
         if (!w_.state.broken[e] && w_.structure.elements()[e].fracture >= 0)
-            judge(e, f == e ? &flowing->flow : nullptr, n == e);
+            check_element(e, f == e ? &flowing->flow : nullptr, n == e);
         candidate += c == e, news += n == e, flowing += f == e;
     }
     ask_sections();
@@ -236,7 +237,7 @@ int Fracture::weaker_end(int index, const beam::Flow* flow) const {
 
 /// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
 /// of. `news`: the element is strained as never before.
-void Fracture::judge(int index, const beam::Flow* flow, bool news) {
+void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
     const Vec6 elastic = stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);

@@ -10,7 +10,7 @@ public:
         at_start_ = potential(w.state);
     }
 
-    /// Offset masses resist with their weight themselves (broken_members.cpp), since it turns with them.
+    /// Offset masses resist with their weight themselves (broken_members.cpp), since it rotates with them.
     void add_steady_loads(std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }

@@ -24,7 +24,7 @@ namespace {
 /// falls flat stays straight, and raises the square of the highest frequency by a fifth at most: explicit steps of 0.9
 /// of what stability allows stay stable.
 constexpr double normal_part = 0.4;
-/// k_t / k. A point of the surface also turns with its node, which makes it up to 2.5 times as easy to move.
+/// k_t / k. A point of the surface also rotates with its node, which makes it up to 2.5 times as easy to move.
 constexpr double tangential_part = 0.4;
 /// Part of the half depth: nodes that begin further than this below the plane are no part of what stands on it.
 constexpr double buried = 0.01;
@@ -99,7 +99,7 @@ public:
             resisting[p.node].tail<3>() += t.arm.cross(push) + surface(p, t.arm).cross(drag);
         }
     }
-    /// Left out: the slope of a friction that slides, which has no symmetry, and how the arms turn.
+    /// Left out: the slope of a friction that slides, which has no symmetry, and how the arms rotate.
     void add_blocks(const Places&, Blocks& blocks) const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
@@ -227,7 +227,7 @@ private:
         return declared()[plane].group < 0 || w_.structure.in_group(element, declared()[plane].group);
     }
     static double tangential(const Point& p) { return tangential_part * p.stiffness; }
-    /// From the node to the point of the surface that touches: in small displacement nodes have no turn to follow.
+    /// From the node to the point of the surface that touches: in small displacement nodes have no rotation to follow.
     Vec3 surface(const Point& p, const Vec3& arm) const {
         return w_.structure.large() ? Vec3(arm - p.radius * plane(p).normal) : arm;
     }

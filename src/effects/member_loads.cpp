@@ -6,7 +6,7 @@
 // displacements of joints as exact as the stiffness between them is: closed form with pairs of asi-gauss elements.
 //
 // Large displacement: forces that are given in space keep their direction. The correction is that of the load's
-// components in the axes that the member has now (chord from end to end) and turns with them. A member with a broken
+// components in the axes that the member has now (chord from end to end) and rotates with them. A member with a broken
 // element has no correction, and the broken element's part of the load goes with it.
 #include "effects/member_loads.h"
 
@@ -20,8 +20,8 @@ namespace hinge {
 namespace {
 
 /// The closed form of a Timoshenko beam that bends in one plane, shear flexibility phi = 12 EI/(GA L^2): where end 1 or
-/// 2 alone turns by one, the deflection over the length and the section's rotation at xi (0 to 1). By Betti's law they
-/// are the fixed-end moments of a unit force or moment that acts there.
+/// 2 alone rotates by one, the deflection over the length and the section's rotation at xi (0 to 1). By Betti's law
+/// they are the fixed-end moments of a unit force or moment that acts there.
 double deflection(int end, double xi, double phi) {
     const double bow = 0.5 * phi * (xi - xi * xi);
     return (end == 0 ? xi * (1 - xi) * (1 - xi) + bow : -xi * xi * (1 - xi) - bow) / (1 + phi);
@@ -244,7 +244,7 @@ private:
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
         const Clamped clamped(w_.structure, first, end);
-        // bending about x deflects along -y where it turns, bending about y along x
+        // bending about x deflects along -y where it rotates, bending about y along x
         const double phi[2] = {12 * e.rigidity.EIx / (e.rigidity.GAy * length * length),
                                12 * e.rigidity.EIy / (e.rigidity.GAx * length * length)};
         const double sign[2] = {-1, 1};

@@ -11,7 +11,7 @@ inline constexpr const char* member_loads_effect = "member loads";
 enum class LoadAxes : std::uint8_t {
     global,     ///< in space, per length of the member; keeps its direction
     projected,  ///< in space, per length of the member's projection on the plane across the load, at the start
-    local       ///< in the element's axes, with which it turns
+    local       ///< in the element's axes, with which it rotates
 };
 
 struct MemberLoad {

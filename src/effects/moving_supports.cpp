@@ -50,7 +50,8 @@ public:
         }
     }
 
-    /// The force by which a support is moved: what was met where the step was solved from, and what the solution added.
+    /// The force by which a support is moved: that at the pose from which the step was solved, and what the solution
+    /// added.
     void corrected(const Step& step, const std::vector<Vec6>& change) override {
         if (w_.kind.explicit_steps) predicted(step);
         for (Moved& m : moved_) {
@@ -74,8 +75,7 @@ public:
 
     /// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what
     /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
-    /// velocity, dv_N as Newmark has it and b the mean acceleration that the forces met: j (M V) + j/2 (M dv_N) - k (M
-    /// b).
+    /// velocity, dv_N as Newmark has it and b the mean Bossak-weighted acceleration: j (M V) + j/2 (M dv_N) - k (M b).
     void add_up(const Step& step, Accounts& sums) const override {
         const double dt = step.dt, beta = w_.scheme.beta, gamma = w_.scheme.gamma;
         const bool damped = w_.scheme.alpha != 0;
@@ -158,7 +158,7 @@ private:
     }
 
     /// The row of M of a support's degree of freedom, times such a value of each node; with or without the masses that
-    /// hang on it.
+    /// are attached to it.
     double momentum_at(const Moved& m, const std::vector<Vec6>& of, bool offsets = true) const {
         const int c = m.component;
         const State& s = w_.state;

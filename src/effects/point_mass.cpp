@@ -21,8 +21,9 @@ struct Added {
     }
 };
 
-/// A mass that flies alone turns about any axis: what it lacks of rotary inertia about one is set to this part of that
-/// about another, as an offset mass that was a member has it, or follows from this part of the last member's length.
+/// A mass that flies alone rotates about any axis: what it lacks of rotary inertia about one is set to this part of
+/// that about another, as an offset mass that was a member has it, or follows from this part of the last member's
+/// length.
 constexpr double slender = 1e-3, small_radius = 1e-2;
 
 class PointMasses : public Effect {
@@ -73,7 +74,7 @@ private:
     }
 
     /// Spin about an axis through the centre of mass without rotary inertia is neither momentum nor energy: it ends,
-    /// and an inertia takes its place. Where a support holds the node, it turns about that.
+    /// and an inertia takes its place. Where a support holds the node, it rotates about that.
     void make_turnable(int node, double length) {
         State& s = w_.state;
         OffsetMass& h = s.offset_mass[node];

@@ -7,7 +7,7 @@ namespace hinge {
 
 inline constexpr const char* point_mass_effect = "point masses";
 
-/// Hangs rigidly on a node and turns with it. Offset and axes are those of space before anything has moved.
+/// Attached rigidly to a node, with which it rotates. Offset and axes are those of space before anything has moved.
 struct PointMass {
     int node;
     double mass;                  ///< kg, positive

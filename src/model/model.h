@@ -43,10 +43,12 @@ struct Section {
 enum class Formulation : std::uint8_t { conventional, asi, asi_gauss };
 enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF and ULF
 
-/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
-/// stays that of the Gauss points and the pair stays exact. `whole`: the paper's letter, elastic and plastic together.
 /// The elements' mass: the paper's linear one, or that of the cubic shape which two elements of asi-gauss stand for.
 enum class MassShape : std::uint8_t { linear, cubic };
+
+/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
+/// stays that of the Gauss points and the pair stays exact. `whole`: elastic and plastic together, as the paper prints
+/// it.
 enum class Shift : std::uint8_t { plastic, whole };
 
 struct NodeData {
@@ -77,8 +79,8 @@ struct NodalLoad {
     bool follows_state() const { return force_rule || moment_rule; }
 };
 
-/// A freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where the run
-/// begins.
+/// A degree of freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where
+/// the run begins.
 struct SupportMotion {
     int node, component;
     History displacement;

@@ -1,4 +1,4 @@
-// What in a model is allowed but looks like a slip: units, members and nodes that are not joined as they seem to be.
+// What in a model is allowed but a likely mistake: units, members and nodes that are not joined as they seem to be.
 #pragma once
 
 #include <string>

@@ -39,7 +39,7 @@ void survive_loss(Display*, void*) { server_gone = true; }
 /// A display on another machine may hang for minutes, and most forwarded ones cannot do OpenGL 3.2.
 bool is_local(std::string_view name) { return name.starts_with(":") || name.starts_with("unix:"); }
 
-/// xcb stays silent where Xlib prints why it was turned away.
+/// xcb stays silent where Xlib prints why it was refused.
 bool answers(const char* name) {
     xcb_connection_t* probe = ::xcb_connect(name, nullptr);
     const bool good = ::xcb_connection_has_error(probe) == 0;

@@ -24,7 +24,7 @@ struct TextStyle {
     bool bold = false, italic = false;
     double across = 0;     ///< where the given point lies in the text: 0 left, 0.5 middle, 1 right
     double upright = 0.5;  ///< 0 foot, 0.5 middle, 1 top
-    bool upwards = false;  ///< turned to be read from the right
+    bool upwards = false;  ///< rotated to be read from the right
 };
 
 /// What a drawing function draws with.

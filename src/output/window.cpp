@@ -96,7 +96,7 @@ Pixels take_pixels(int width, int height, std::span<vtkRenderer* const> layers) 
         window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0);
     }
     const std::string complaint = take_vtk_complaint();
-    if (!display_alive()) throw OutsideError("the display went away while a picture was drawn; draw it again");
+    if (!display_alive()) throw OutsideError("the display was lost while a picture was drawn; draw it again");
     if (!complaint.empty()) throw OutsideError("cannot draw the picture: " + complaint);
     if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height)
         throw OutsideError("cannot draw the picture: the display gave no pixels");

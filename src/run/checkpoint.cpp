@@ -83,7 +83,7 @@ Checkpoint open_checkpoint(std::string_view bytes, const std::string& path) {
 
 void resume(Dynamics& run, const Checkpoint& from, const std::string& path) {
     if (const std::string other = difference(from.model, fingerprint(run)); !other.empty())
-        throw InputError("checkpoint " + path + " is of another run, with not the same " + other +
+        throw InputError("checkpoint " + path + " is of another run, which differs in " + other +
                          "; give the script and parameters that it was written with, or start the run anew");
     try {
         run.restore(from.run);

@@ -36,7 +36,7 @@ std::string checkpoint_of(const Dynamics& run, std::string beside = {});
 Checkpoint open_checkpoint(std::string_view bytes, const std::string& path);
 
 /// The run goes on from there. Throws InputError, naming the parts, where the checkpoint is of another model or other
-/// settings, and OutsideError where its contents make no sense; the run is then as it was.
+/// settings, and OutsideError where its contents are not valid; the run is then as it was.
 void resume(Dynamics& run, const Checkpoint& from, const std::string& path);
 
 }  // namespace hinge

@@ -22,7 +22,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       settings_(settings),
       size_(settings.dt, settings.duration, settings.automatic, settings.controlled(), state_.time),
       mass_(w_),
-      turnover_(*structure_),
+      largest_energy_(*structure_),
       guard_(settings.energy_tolerance.value_or(structure_->model().options().shift == Shift::whole ? 0 : 0.1),
              size_.whole()),
       control_(settings.step_control) {
@@ -90,7 +90,7 @@ void Dynamics::take_step() {
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
     stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
-    if (meets_) stage(at_.contact, [&] { meet(); });    // [who meets whom: eqs 17 to 19]
+    if (meets_) stage(at_.contact, [&] { meet(); });    // [which elements come into contact: eqs 17 to 19]
     if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
     stage(at_.predict, [&] { integrator_->predict(step_), all(&Effect::predicted); });  // the motion that is known
     bool more = true;
@@ -101,7 +101,7 @@ void Dynamics::take_step() {
     }
     stage(at_.recover, [&] { settle(); });                    // stresses where a long step has led
     if (meets_) stage(at_.ends, [&] { all(&Effect::end); });  // [ties that are due, contacts that began or ended]
-    if (control_.on()) stage(at_.control, [&] { weigh(); });  // [whether the step is kept]
+    if (control_.on()) stage(at_.control, [&] { control_step(); });  // [whether the step is kept]
     if (decides_) stage(at_.decide, [&] { all(&Effect::decide); });  // [eq 16; the script is told]
     stage(at_.commit, [&] { commit(); });                            // what was tried becomes the state
 }
@@ -174,7 +174,7 @@ void Dynamics::commit() {
     for (const auto& e : effects_) e->kept(step_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
-    if (control_.on() && anew_) control_.start_from(energy().remainder);
+    if (control_.on() && anew_) control_.start_from(energy().error);
     watch_effects();
     ++state_.step;
     size_.count_step();
@@ -414,16 +414,18 @@ Energy Dynamics::energy_of_trial() {
 }
 
 /// Step control: whether the step is kept.
-void Dynamics::weigh() {
+void Dynamics::control_step() {
     if (structure_->large())
         for (std::size_t i = 0; i < w_.turned.size(); ++i)
             if (const double turn = w_.turned[i].norm(); !(turn <= most_turn)) {
                 char what[120];
-                std::snprintf(what, sizeof what, " would turn by %.3g rad in a step, more than %.2g", turn, most_turn);
+                std::snprintf(what, sizeof what, " would rotate by %.3g rad in a step, more than %.2g", turn,
+                              most_turn);
                 step_.failure = structure_->node_name(int(i)) + what;
                 return;
             }
-    if (auto why = control_.refuse(energy_of_trial(), accounts_, turnover_, size_)) step_.failure = std::move(*why);
+    if (auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_))
+        step_.failure = std::move(*why);
 }
 
 /// After a step that went well, or one that failed: whether the energy balance still closes.
@@ -434,7 +436,7 @@ void Dynamics::guard() {
     if (const Fastest& fast = fastest(); fast.node >= 0)
         std::snprintf(what, sizeof what, "; fastest was %s with %.3g m/s at t = %.6g s",
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
-    const auto lost = guard_.look(state_, turnover_.share(energy(), accounts_), running, what);
+    const auto lost = guard_.look(state_, largest_energy_.share(energy(), accounts_), running, what);
     if (!lost) return;
     std::string why = failed ? reason_ + "; before it, " + *lost : *lost;
     why += "; a shorter dt";

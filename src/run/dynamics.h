@@ -61,7 +61,7 @@ private:
     void recover(double time);
     bool correct();
     void settle();
-    void weigh();
+    void control_step();
     void commit();
     void break_elements();
     void watch_effects();
@@ -92,7 +92,7 @@ private:
     StepSize size_;
     KeptMass mass_;
     std::unique_ptr<Integrator> integrator_;
-    Turnover turnover_;
+    LargestEnergy largest_energy_;
     Guard guard_;
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false;  ///< what effects of this scene do in a step

@@ -8,11 +8,11 @@
 
 namespace hinge {
 
-/// The energy turned over: the most that any one account of the balance has had so far.
-class Turnover {
+/// The largest energy: the largest value that any account of the balance has had so far.
+class LargestEnergy {
 public:
-    explicit Turnover(const Structure& structure);
-    /// The energy balance error as a part of the energy turned over; not finite where an account is not. Below the
+    explicit LargestEnergy(const Structure& structure);
+    /// The energy balance error as a part of the largest energy; not finite where an account is not. Below the
     /// floor all is rounding, and the part 0.
     double share(const Energy& energy, const AccountList& accounts);
     double most() const { return most_; }
@@ -32,7 +32,7 @@ class Guard {
 public:
     Guard(double tolerance, long steps) : tolerance_(tolerance), steps_(steps) {}
     bool due(const State& state, bool running) const;
-    /// `share`: Turnover's. Null while the balance closes: the state is kept as good. Else what happened; `state`
+    /// `share`: LargestEnergy's. Null while the balance closes: the state is kept as good. Else what happened; `state`
     /// becomes the last good one, if there is one.
     std::optional<std::string> look(State& state, double share, bool running, const std::string& fastest);
 
@@ -64,7 +64,7 @@ public:
     explicit StepControl(double tolerance) : tolerance_(tolerance) {}
     bool on() const { return tolerance_ > 0; }
     /// Why the step that was tried is not kept, or null.
-    std::optional<std::string> refuse(const Energy& energy, const AccountList& accounts, Turnover& turnover,
+    std::optional<std::string> refuse(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
                                       StepSize& size);
     void start_from(double error) { kept_error_ = error; }  ///< what a break left in the balance is no step's
     template <class Self, class A>
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    double tolerance_;       ///< part of the energy turned over that the run may lose
+    double tolerance_;       ///< part of the largest energy that the run may lose
     double kept_error_ = 0;  ///< J, of the last step that was kept
 };
 

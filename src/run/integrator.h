@@ -8,7 +8,7 @@
 
 namespace hinge {
 
-/// M by itself, kept as elements turn and break, for accelerations and impulses.
+/// M by itself, updated as elements rotate and break, for accelerations and impulses.
 class KeptMass {
 public:
     explicit KeptMass(const Workspace& w) : w_(w), is_stale_(w.state.broken.size(), 0) {}

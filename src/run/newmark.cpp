@@ -111,7 +111,7 @@ void Newmark::begin(const EffectList& effects) {
 }
 
 /// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
-/// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 to the letter.
+/// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 as printed.
 void Newmark::predict(const Step& step) {
     const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
     const State& s = w_.state;
@@ -172,7 +172,7 @@ void Newmark::mark_yielding() {
     }
 }
 
-/// Rebuilds M + beta dt^2 K for the elements that turned, yielded or broke.
+/// Rebuilds M + beta dt^2 K for the elements that rotated, yielded or broke.
 void Newmark::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
@@ -254,7 +254,7 @@ bool Newmark::correct(Step& step) {
             for (Vec6& c : change_) c *= damping_;
     }
     const bool by_spin = displacement_predictor_ && w_.structure.large();
-    if (by_spin)  // a long step turns far: what was solved for is a spin on top of the rotation so far, not a part of
+    if (by_spin)  // a long step rotates far: what was solved for is a spin on top of the rotation so far, not a part of
                   // it
         for (std::size_t i = 0; i < change_.size(); ++i) {
             const Vec3 before = w_.turned[i];
@@ -294,7 +294,7 @@ bool Newmark::correct(Step& step) {
     return step.iteration < iterations_ && size > tolerance_ * tolerance_ * first_change_;
 }
 
-/// Bossak: while a step is tried its acceleration is the blend (1 - alpha) a' + alpha a that forces meet; it becomes
+/// Bossak: while a step is tried its acceleration is the weighted one of eq 15, (1 - alpha) a' + alpha a; it becomes
 /// the one at the end of the step.
 void Newmark::solved(const Step&) {
     const double alpha = w_.scheme.alpha;
@@ -304,20 +304,20 @@ void Newmark::solved(const Step&) {
         w_.trial.acceleration[i] = (w_.next_weighted[i] - alpha * w_.state.acceleration[i]) / (1 - alpha);
 }
 
-/// The work by the trapezium rule of what the forces met, less the change of the kinetic energy. With b and b' met,
-/// V = v + dv/2, dv = dt ((1 - gamma) a + gamma a') and du = dt V + dt^2 (beta - gamma/2) (a' - a) that is
-/// dt V . M ((b + b')/2 - (1 - gamma) a - gamma a') + dt^2 (beta - gamma/2) (b + b')/2 . M (a' - a).
+/// The work of the forces by the trapezium rule, less the change of the kinetic energy. With b and b' the weighted
+/// accelerations, V = v + dv/2, dv = dt ((1 - gamma) a + gamma a') and du = dt V + dt^2 (beta - gamma/2) (a' - a) that
+/// is dt V . M ((b + b')/2 - (1 - gamma) a - gamma a') + dt^2 (beta - gamma/2) (b + b')/2 . M (a' - a).
 double Newmark::dissipated(const Step& step) const {
     if (w_.scheme.alpha == 0) return 0;
     const double dt = step.dt, gamma = w_.scheme.gamma, c = dt * dt * (w_.scheme.beta - 0.5 * gamma);
     struct AtNode {
-        Vec6 mean_velocity, lag, mean_met, rise;
+        Vec6 mean_velocity, lag, mean_weighted, rise;
     };
     const auto at = [&](int n) {
         const Vec6 &a = w_.state.acceleration[n], &next = w_.trial.acceleration[n];
-        const Vec6 met = 0.5 * (w_.weighted[n] + w_.next_weighted[n]);
+        const Vec6 weighted = 0.5 * (w_.weighted[n] + w_.next_weighted[n]);
         const Vec6 rate = (1 - gamma) * a + gamma * next;
-        return AtNode{dt * (w_.state.velocity[n] + 0.5 * dt * rate), met - rate, c * met, next - a};
+        return AtNode{dt * (w_.state.velocity[n] + 0.5 * dt * rate), weighted - rate, c * weighted, next - a};
     };
     double sum = 0;
     for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
@@ -325,16 +325,16 @@ double Newmark::dissipated(const Step& step) const {
         const Element& e = w_.structure.elements()[i];
         const AtNode one = at(e.node[0]), two = at(e.node[1]);
         const Vec6 v[2] = {one.mean_velocity, two.mean_velocity}, lag[2] = {one.lag, two.lag},
-                   met[2] = {one.mean_met, two.mean_met}, rise[2] = {one.rise, two.rise};
+                   weighted[2] = {one.mean_weighted, two.mean_weighted}, rise[2] = {one.rise, two.rise};
         const Mat3 to_element = axes_of(place_element(w_.structure, int(i), w_.trial)).transpose();
         const beam::Inertia m = w_.structure.inertia(int(i));
-        sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, met, rise);
+        sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, weighted, rise);
     }
     for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
         if (w_.state.offset_mass[i].mass == 0) continue;
         const AtNode n = at(int(i));
         const Mat6 m = offset_mass_in_space(w_.state.offset_mass[i], w_.trial.rotation[i]);
-        sum += n.mean_velocity.dot(m * n.lag) + n.mean_met.dot(m * n.rise);
+        sum += n.mean_velocity.dot(m * n.lag) + n.mean_weighted.dot(m * n.rise);
     }
     return sum;
 }

@@ -3,9 +3,9 @@
 // Eq 15 has M a' + K du = F - R_t with du = dt v + dt^2 ((1/2 - beta) a + beta a'). Here the part of du that is known
 // when the step begins, dt v + dt^2 a / 2, is applied first and the stresses are recovered there, exactly; what is left
 // to solve for is the change of the acceleration, (M + beta dt^2 K) da = F - R(predicted) - M a. For a linear structure
-// this is eq 15 to the letter; for one that turns and yields, the force out of balance is not carried to the next step
-// but met in this one. Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is written
-// (displacement predictor).
+// this is eq 15 as printed; for one that rotates and yields, the force out of balance is not carried to the next step
+// but balanced in this one. Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is
+// written (displacement predictor).
 #pragma once
 
 #include <unordered_map>
@@ -61,7 +61,7 @@ private:
     std::unique_ptr<EffectiveStiffness> effective_;
     std::vector<Vec6> right_;     ///< F - R - M a: the right side of eq 15
     std::vector<Vec6> change_;    ///< of the acceleration
-    std::vector<double> lumped_;  ///< kg, of each node, to weigh velocities and changes
+    std::vector<double> lumped_;  ///< kg, of each node: the weights of velocities and changes
     std::vector<int> rebuild_;    ///< elements whose effective stiffness is to be built anew
     std::vector<char> in_rebuild_;
     std::vector<Mat6> tangents_;  ///< of the elements that flow

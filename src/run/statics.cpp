@@ -123,8 +123,8 @@ void Statics::refuse_mechanism() {
     renew_and_factorise();
     const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
     if (loose < 0) return;
-    static const char* way[] = {"move along x", "move along y", "move along z",
-                                "turn about x", "turn about y", "turn about z"};
+    static const char* way[] = {"move along x",   "move along y",   "move along z",
+                                "rotate about x", "rotate about y", "rotate about z"};
     bool supported = false;
     for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
     throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +

@@ -22,10 +22,10 @@ double axial_courant_number(const Structure& structure, double dt) {
 }
 
 double shortest_step(const Structure& structure, double duration) {
-    double waves = 0;  // crossings a second
+    double courant = 0;  // largest axial Courant number of a step of 1 s
     for (const Element& e : structure.elements())
-        waves = std::max(waves, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
-    return duration / std::ceil(duration * std::max(12 * waves, axial_courant_number(structure, 1) / 0.9));
+        courant = std::max(courant, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    return duration / std::ceil(duration * std::max(12 * courant, axial_courant_number(structure, 1) / 0.9));
 }
 
 StepSize::StepSize(double dt, double duration, bool automatic, bool controlled, double start)

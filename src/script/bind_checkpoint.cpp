@@ -80,7 +80,7 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
     if (!good)
         throw OutsideError(
             "checkpoint " + path +
-            " is damaged: its contents make no sense; go on from an older copy of it, or start the run anew");
+            " is damaged: its contents are not valid; go on from an older copy of it, or start the run anew");
     const auto same = [](const std::shared_ptr<Probe>& here, const Probe& there) {
         return here->name == there.name && here->node == there.node && here->quantity == there.quantity &&
                here->component == there.component;

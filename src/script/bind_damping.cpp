@@ -54,7 +54,7 @@ Damping read_ratios(Options& o) {
     if (d.alpha < 0 || d.beta < 0)
         o.complain("ratio", "{ " + show(ratio[0]) + ", " + show(ratio[1]) + " }",
                    "at these periods they ask for alpha = " + with(d.alpha, "1/s") + ", beta = " + with(d.beta, "s") +
-                       ", and a negative one would feed motion; bring the ratios or the periods closer to another");
+                       ", and a negative one would add energy; bring the ratios or the periods closer to each other");
     return d;
 }
 

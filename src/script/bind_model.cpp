@@ -7,7 +7,7 @@ namespace hinge::script {
 
 namespace {
 
-std::uint8_t parse_freedoms(const std::string& what, const std::string& text) {
+std::uint8_t parse_degrees_of_freedom(const std::string& what, const std::string& text) {
     if (text == "all") return 63;
     std::uint8_t mask = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -73,7 +73,7 @@ int fix(lua_State* L) {
     if (lua_type(L, 3) != LUA_TSTRING && !lua_isnoneornil(L, 3))
         throw InputError("model:fix: what to fix is " + show(L, 3) + "; give a string such as \"all\" or \"xyz\"");
     const std::uint8_t mask =
-        parse_freedoms("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
+        parse_degrees_of_freedom("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
     if (lua_istable(L, 2)) {
         std::vector<int> nodes;
         for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {

@@ -97,8 +97,8 @@ std::string show(const Vec3& v) {
     return "{" + script::show(v.x()) + ", " + script::show(v.y()) + ", " + script::show(v.z()) + "}";
 }
 
-/// What model:fix takes to fix these freedoms.
-std::string freedoms(std::uint8_t fixed) {
+/// What model:fix takes to fix these degrees of freedom.
+std::string degrees_of_freedom(std::uint8_t fixed) {
     if (fixed == 63) return "all";
     std::string text;
     for (int i = 0; i < 6; ++i)
@@ -169,7 +169,7 @@ int node_fields(lua_State* L) {
     const NodeData& data = n.model->nodes()[n.index];
     if (key == "x" || key == "y" || key == "z") lua_pushnumber(L, data.position[key[0] - 'x']);
     else if (key == "index") lua_pushinteger(L, n.index + 1);
-    else if (key == "fixed") data.fixed ? (void)push_text(L, freedoms(data.fixed)) : lua_pushnil(L);
+    else if (key == "fixed") data.fixed ? (void)push_text(L, degrees_of_freedom(data.fixed)) : lua_pushnil(L);
     else refuse_field(L, "node", key);
     return 1;
 }
@@ -179,7 +179,7 @@ int node_text(lua_State* L) {
     if (!gone(n).empty()) return push_text(L, name_of(n) + gone(n));
     const NodeData& data = n.model->nodes()[n.index];
     std::string text = name_of(n) + " at " + show(data.position) + " m";
-    if (data.fixed) text += ", fixed: " + freedoms(data.fixed);
+    if (data.fixed) text += ", fixed: " + degrees_of_freedom(data.fixed);
     if (const auto r = latest_run(L, *n.model);
         r && n.index < int(r->left_at.size()) && !std::isnan(r->left_at[n.index]))
         text += ", left by its last member " + (std::isinf(r->left_at[n.index])

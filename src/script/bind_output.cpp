@@ -367,7 +367,7 @@ Json energy_json(const Run& run) {
     const Energy e = run.energy();
     Json j = {{"initial", e.initial}};
     for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
-    j["remainder"] = e.remainder;
+    j["remainder"] = e.error;
     return j;
 }
 
@@ -419,7 +419,7 @@ int write_summary(lua_State* L) {
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run);
-        j["worst_remainder"] = r->worst_remainder;
+        j["worst_remainder"] = r->worst_energy_error;
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
             j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)

@@ -180,7 +180,7 @@ void push_energy(lua_State* L, const Run& run) {
     };
     put("initial", e.initial);
     for (const AccountInfo& account : run.accounts()) put(account.name, e[account.name]);
-    put("remainder", e.remainder);
+    put("remainder", e.error);
 }
 
 int fields(lua_State* L) {
@@ -198,7 +198,7 @@ int fields(lua_State* L) {
     else if (key == "reason") lua_pushstring(L, run.reason().c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
     else if (key == "energy") push_energy(L, run);
-    else if (key == "worst_remainder") lua_pushnumber(L, r.worst_remainder);
+    else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
     else if (key == "hash")
         lua_pushstring(L,

@@ -214,11 +214,12 @@ int dynamic_run(lua_State* L) {
         o.number("step_control", "", Range::not_negative, s.automatic && m->options().shift != Shift::whole ? 0.01 : 0);
     if (s.step_control > 0 && m->options().shift == Shift::whole)
         throw InputError(
-            "model:dynamic: field 'step_control' needs a ledger that closes, and that of a model with shift = 'whole' "
+            "model:dynamic: field 'step_control' needs an energy balance that closes, and that of a model with shift = "
+            "'whole' "
             "cannot; leave it out");
     if (s.step_control >= 1)
         o.complain("step_control", show(s.step_control),
-                   "must be below 1: the part of the energy turned over that the run may lose, such as 0.01");
+                   "must be below 1: the part of the largest energy that the run may lose, such as 0.01");
     s.iterations = o.integer("iterations", 0, 0);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
     const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");

@@ -101,12 +101,12 @@ std::string ways(const Structure& structure, const Piece& body, const std::vecto
         RigidMotion m{structure.position()[support], Vec3::Zero(), Vec3::Zero()};
         (c < 3 ? m.v : m.w)[c % 3] = 1;
         if (!moves_a_support(structure, body, m))
-            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "turn about ") + "xyz"[c % 3];
+            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "rotate about ") + "xyz"[c % 3];
     }
-    if (!text.empty()) return text + (text.find("turn") == std::string::npos ? "" : " through that node");
+    if (!text.empty()) return text + (text.find("rotate") == std::string::npos ? "" : " through that node");
     const RigidMotion& m = motions[0];
     if (m.w.norm() < 1e-9 * m.v.norm()) return "move along " + triple(m.v.normalized());
-    return "turn about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +
+    return "rotate about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +
            triple(m.w.normalized());
 }
 
@@ -153,8 +153,8 @@ std::string checked_run(const RunRecord& record) {
     for (const Blocks::Node& n : added_by_effects(*record.run).mass) mass += n.K(0, 0);
     return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
            count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +
-           count(s.position().size(), "node") + ", " + count(s.free_dofs(), "free freedom") + ", " + digits(mass, 6) +
-           " kg\n";
+           count(s.position().size(), "node") + ", " + std::to_string(s.free_dofs()) +
+           (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom" + ", " + digits(mass, 6) + " kg\n";
 }
 
 std::string checked_model(const RunRecord& record) {
@@ -190,11 +190,11 @@ std::string checked_model(const RunRecord& record) {
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
         const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
         if (d && !d->explicit_steps() && !d->settings().automatic && d->settings().dt > waves.member)
-            list.push_back({"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
-                                std::to_string(s.elements()[waves.in_member].member + 1) + " in " +
-                                digits(waves.member) + " s",
-                            "a blow is smeared over more than a member; give dt = 'auto', or less, where that matters",
-                            record.asked_at});
+            list.push_back(
+                {"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
+                     std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
+                 "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
+                 record.asked_at});
     }
     for (const Warning& d : list) text += told(d);
     return text + (list.empty() ? "  no warnings\n" : "");

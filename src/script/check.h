@@ -1,4 +1,4 @@
-// hinge check: what a run would work on, and what in it looks like a slip, without a step.
+// hinge check: what a run would work on, and what in it is a likely mistake, without a step.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ enum class Tag : std::uint8_t {
     number,
     text,
     table
-};  ///< a table: keys and values by turns, then end
+};  ///< a table: keys and values alternate, then end
 constexpr int deepest = 100;
 
 void pack(Writer& write, lua_State* L, int index, const std::string& what, int depth) {

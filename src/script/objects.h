@@ -117,12 +117,12 @@ struct Recorded {
     std::vector<double> broken_at,
         left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     double wall = 0;  ///< s in steps
-    double worst_remainder = 0, last_remainder = 0, initial = 0;
+    double worst_energy_error = 0, last_energy_error = 0, initial = 0;
     long row_of = -1;  ///< the step of the last row
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_remainder, s.last_remainder,
-          s.initial, s.row_of);
+        a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
+          s.last_energy_error, s.initial, s.row_of);
     }
 };
 

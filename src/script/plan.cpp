@@ -18,7 +18,7 @@ std::string plan_of(const RunRecord& record) {
     std::string text = std::string(run.kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) +
                        ": " + std::to_string(s.model().members().size()) + " members, " +
                        std::to_string(s.elements().size()) + " elements, " + std::to_string(s.free_dofs()) +
-                       " free freedoms, " + std::to_string(run.planned_steps()) + " steps\n";
+                       " degrees of freedom, " + std::to_string(run.planned_steps()) + " steps\n";
     const std::vector<PlanLine> list = effects_of(record);
     std::size_t name = 0, why = 0;
     for (const PlanLine& e : list) name = std::max(name, e.name.size()), why = std::max(why, e.because.size());

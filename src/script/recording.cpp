@@ -66,9 +66,9 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
 void add_row(RunRecord& r) {
     const Energy e = r.run->energy();
     r.initial = e.initial;
-    r.last_remainder = e.remainder;
-    if (!std::isnan(r.worst_remainder) && !(std::abs(e.remainder) <= r.worst_remainder))
-        r.worst_remainder = std::abs(e.remainder);  // a remainder that is not a number stays
+    r.last_energy_error = e.error;
+    if (!std::isnan(r.worst_energy_error) && !(std::abs(e.error) <= r.worst_energy_error))
+        r.worst_energy_error = std::abs(e.error);  // an error that is not a number stays
     const long step = r.run->state().step;
     if (r.history_path.empty() || step < r.row_of)
         return;  // a run that failed may have gone back to its last good step
@@ -82,7 +82,7 @@ void add_row(RunRecord& r) {
     };
     for (const AccountInfo& account : r.run->accounts())
         if (account.part_of.empty()) add(e[account.name]);
-    add(e.remainder);
+    add(e.error);
     for (const auto& p : r.probes) {
         std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));
         r.rows += text;
@@ -115,13 +115,13 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
     const double left = now > 0 ? wall * double(std::max(0L, all - done)) / double(now) : 0;
     std::string bar(24, '-');
     for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
-    char remainder[48] = "";
+    char energy_error[48] = "";
     if (r.initial != 0)
-        std::snprintf(remainder, sizeof remainder, "  remainder %+.2g %%",
-                      100 * r.last_remainder / std::abs(r.initial));
+        std::snprintf(energy_error, sizeof energy_error, "  energy error %+.2g %%",
+                      100 * r.last_energy_error / std::abs(r.initial));
     std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "",
                  r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
-                 last ? "took " : "left ", last ? wall : left, remainder, screen && !last ? "" : "\n");
+                 last ? "took " : "left ", last ? wall : left, energy_error, screen && !last ? "" : "\n");
     std::fflush(stderr);
 }
 

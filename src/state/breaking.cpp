@@ -108,12 +108,12 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     same_mass.rhoA *= stretch;
     same_mass.rhoIx *= stretch;
     same_mass.rhoIy *= stretch;
-    const beam::RigidOffset stub =
+    const beam::RigidOffset offset =
         structure.lumped() ? beam::lumped_rigid_offset(same_mass, span) : beam::rigid_offset(same_mass, span, axes);
-    const Mat6 offset_mass = beam::offset_mass_matrix(stub.mass, stub.moment, stub.inertia);
+    const Mat6 offset_mass = beam::offset_mass_matrix(offset.mass, offset.moment, offset.inertia);
 
-    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the stub has at the carrier's
-    // velocity
+    // T^T M v of the element, T making its far node follow the carrier rigidly, less what the offset mass has at the
+    // carrier's velocity
     const Vec6 at_carrier = offset_mass * state.velocity[carrier];
     impulse[carrier] += carried - at_carrier;
     report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);
@@ -122,9 +122,9 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
     if (state.offset_arm.empty()) state.offset_arm.assign(structure.elements().size(), Vec3::Zero());
     state.offset_arm[index] = back * span;
-    h.mass += stub.mass;
-    h.moment += back * stub.moment;
-    h.inertia += back * stub.inertia * back.transpose();
+    h.mass += offset.mass;
+    h.moment += back * offset.moment;
+    h.inertia += back * offset.inertia * back.transpose();
 
     bool alone = state.offset_mass[freed].mass == 0;
     for (int other : structure.elements_at(freed)) alone &= state.broken[other] != 0;

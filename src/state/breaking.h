@@ -1,5 +1,5 @@
 // What happens when an element breaks (paper, section 2.3, figs 4 and 5): its forces go to zero, it becomes a rigid
-// stub on its other node, and the mass is rebuilt so that linear and angular momentum stay what they were.
+// offset mass on its other node, and the mass is rebuilt so that linear and angular momentum stay what they were.
 #pragma once
 
 #include "state/node_mass.h"
@@ -9,8 +9,8 @@ namespace hinge {
 
 struct BreakReport {
     double elastic = 0;     ///< strain energy released, J
-    double kinetic = 0;     ///< kinetic energy lost as the stub is made to move as one with that node, J
-    int carrier = -1;       ///< that node
+    double kinetic = 0;     ///< kinetic energy lost as that mass is made to move as one with the node, J
+    int carrier = -1;       ///< the node at the end that holds
     bool orphaned = false;  ///< the node at the broken end has nothing left and leaves the solve
 };
 

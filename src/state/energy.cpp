@@ -17,7 +17,7 @@ double Accounts::operator[](std::string_view name) const {
 }
 
 double Energy::operator[](std::string_view name) const {
-    return name == "initial" ? initial : name == "remainder" ? remainder : accounts[name];
+    return name == "initial" ? initial : name == "remainder" ? error : accounts[name];
 }
 
 Energy balance(const AccountList& list, double initial, const Accounts& sums) {
@@ -29,7 +29,7 @@ Energy balance(const AccountList& list, double initial, const Accounts& sums) {
     double held = 0;
     for (const AccountInfo& info : list)
         if (info.part_of.empty() && info.name != supplied_account) held += e.accounts[info.name];
-    e.remainder = initial + e.accounts[supplied_account] - held;
+    e.error = initial + e.accounts[supplied_account] - held;
     return e;
 }
 

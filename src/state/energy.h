@@ -1,5 +1,5 @@
 // The energy balance (eq 20 and what it leaves out) as a list of named accounts, J. Effects register them; whoever
-// prints, sums up or judges them reads the list.
+// prints, sums up or checks them reads the list.
 #pragma once
 
 #include <string>
@@ -39,10 +39,10 @@ inline constexpr std::string_view supplied_account = "work";
 
 /// The balance of a state: error = initial + work - (all other accounts), which is what the numerics made or lost.
 struct Energy {
-    double initial = 0;    ///< kinetic + elastic at the start of the run
-    Accounts accounts;     ///< those registered, parts included; an account with parts is their sum
-    double remainder = 0;  ///< the energy balance error
-    /// An account, or "initial" or "remainder".
+    double initial = 0;  ///< kinetic + elastic at the start of the run
+    Accounts accounts;   ///< those registered, parts included; an account with parts is their sum
+    double error = 0;    ///< of the energy balance, J
+    /// An account, or "initial"; "remainder": the error, by the name that it has in files and scripts.
     double operator[](std::string_view name) const;
 };
 

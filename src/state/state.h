@@ -14,7 +14,7 @@
 
 namespace hinge {
 
-/// Mass hung rigidly on a node: the stubs of broken elements (paper, fig 5). In the node's own frame.
+/// Mass attached rigidly to a node: what is left of broken elements (paper, fig 5). In the node's own frame.
 struct OffsetMass {
     double mass = 0;              ///< kg
     Vec3 moment = Vec3::Zero();   ///< first moment about the node, kg m

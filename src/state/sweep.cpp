@@ -396,7 +396,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
 
 std::string Sweep::twisted_reason() const {
     return "the two ends of " + structure_.element_name(twisted_) +
-           " have twisted by 160 degrees against each other, and at half a turn an element's frame jumps; more "
+           " have twisted by 160 degrees against each other, and at 180 degrees an element's frame jumps; more "
            "elements a member, or fracture, may help";
 }
 

@@ -49,11 +49,11 @@ public:
     void run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
              std::vector<Yielding>& yielding);
 
-    /// Elements whose frame has turned by more than `tolerance` (rad) since they were last marked. Filled by run.
+    /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked. Filled by run.
     const std::vector<int>& turned() const { return turned_; }
     void watch_turning(double tolerance);
-    /// An element whose ends have twisted against each other by more than 160 degrees, near the half turn at which its
-    /// frame jumps; -1 when there is none. Filled by run; large displacement.
+    /// An element whose ends have twisted against each other by more than 160 degrees, near the 180 degrees at which
+    /// its frame jumps; -1 when there is none. Filled by run; large displacement.
     int twisted() const { return twisted_; }
     std::string twisted_reason() const;  ///< why a run cannot go on with it
     /// Marks the present frame of the element at `pose` as the one its stiffness was built for.

@@ -89,7 +89,7 @@ Frame breaking_crash() {
 }
 
 /// Breaks by a rule of the script's that keeps a number of each section.
-Frame judged_crash() {
+Frame fracturing_crash() {
     Frame frame = crash(contact::ContactRuleKind::gap);
     FractureRule rule;
     rule.keep = {"times"};
@@ -129,7 +129,7 @@ std::vector<Scene> scenes() {
     return {scene(breaking_crash(), 2e-5, 1000),
             scene(breaking_crash(), 1e-5, 2000, explicit_steps),
             scene(crash(contact::ContactRuleKind::gap, true, infinite), 2e-5, 300, paper),
-            scene(judged_crash(), 2e-5, 400),
+            scene(fracturing_crash(), 2e-5, 400),
             scene(crash(contact::ContactRuleKind::surface, false), 2e-5, 300, automatic),
             scene(shaken(cubic, 2), 2e-5, 800),
             scene(shaken(small_displacement(), 2), 2e-4, 100, direct)};
@@ -142,7 +142,7 @@ const std::vector<Scene>& all_scenes() {
 // ---- who reads
 // ---------------------------------------------------------------------------------------------------------
 
-constexpr int until_a_look = 110;  ///< steps; by then the energy ledger was looked at (run/dynamics_guard.cpp)
+constexpr int until_a_look = 110;  ///< steps; by then the energy balance was checked (run/energy_watch.cpp)
 
 void go_on(const Scene& scene, std::string_view bytes) {
     Dynamics run = scene.start();

@@ -1,5 +1,5 @@
 // Two beams that collide (paper 3.3, figs 13-15), by the paper's gap elements and by their surfaces: momenta, and the
-// ledger over time.
+// balance over time.
 #include "helpers.h"
 #include "state/breaking.h"
 
@@ -37,7 +37,7 @@ DynamicSettings settings(double dt, double duration, double beta, double toleran
 }
 
 ContactRule gap() { return {}; }
-ContactRule letting_go() {
+ContactRule releasing() {
     ContactRule rule;
     rule.settings.hold_until_parting = false;
     return rule;
@@ -64,7 +64,7 @@ Outcome collide(ContactRule rule, const double (&c)[3], double speed, double dt,
     while (run.advance()) {
         if (run.steps_done() % 10) continue;
         const Energy e = run.energy();
-        out.worst = largest_of(out.worst, std::abs(e.remainder) / e.initial);
+        out.worst = largest_of(out.worst, std::abs(e.error) / e.initial);
     }
     CHECK(run.verdict() == Verdict::completed);
     const Energy e = run.energy();
@@ -105,13 +105,13 @@ TEST_CASE("collision, gap: found at every angle and offset, 1 % of the energy un
     for (const auto& c : crossings) {
         const Outcome o = collide(gap(), c, 50, 1e-5, 0.4);
         CHECK(o.bound > 0);
-        CHECK_FIGURE(label("gap: remainder", c), o.worst, 1e-2);
+        CHECK_FIGURE(label("gap: energy error", c), o.worst, 1e-2);
         CHECK_FIGURE(label("gap: released", c), std::abs(o.released), 2e-2);
     }
 }
 
 TEST_CASE("collision, gap: cut at the binding time as the paper has it, much of the energy is gone", "[collision]") {
-    const Outcome o = collide(letting_go(), crossings[0], 50, 1e-5, 0.4);
+    const Outcome o = collide(releasing(), crossings[0], 50, 1e-5, 0.4);
     CHECK(o.released > 0.1);
     CHECK(o.worst < 1e-2);
 }
@@ -123,22 +123,23 @@ TEST_CASE("collision, surface: found at every angle, offset and speed, 0.5 % una
             const Outcome o = collide(surface(), c, speed, 1e-5, 0.4);
             CHECK(o.bound > 0);
             CHECK(o.released == 0);
-            CHECK_FIGURE(label("surface: remainder", c) + ", " + std::to_string(int(speed)) + " m/s", o.worst, 5e-3);
+            CHECK_FIGURE(label("surface: energy error", c) + ", " + std::to_string(int(speed)) + " m/s", o.worst, 5e-3);
         }
 }
 
-TEST_CASE("collision, surface: the remainder falls with the square of the step", "[collision]") {
+TEST_CASE("collision, surface: the energy error falls with the square of the step", "[collision]") {
     const Outcome coarse = collide(surface(), crossings[0], 50, 1e-5, 0.4),
                   fine = collide(surface(), crossings[0], 50, 2.5e-6, 0.4);
-    CHECK_FIGURE("surface: remainder of a quarter of the step, of the remainder", fine.worst / coarse.worst, 1.0 / 8);
-    CHECK_FIGURE("surface: remainder with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 1e-4);
+    CHECK_FIGURE("surface: energy error of a quarter of the step, of the energy error", fine.worst / coarse.worst,
+                 1.0 / 8);
+    CHECK_FIGURE("surface: energy error with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 1e-4);
 }
 
-TEST_CASE("collision, surface: friction turns motion into heat that the ledger has", "[collision]") {
+TEST_CASE("collision, surface: friction makes heat of motion, which is in the energy balance", "[collision]") {
     for (const auto& c : crossings) {
         const Outcome o = collide(surface(0.3), c, 50, 1e-5, 0.4);
         CHECK(o.released > -1e-4);
-        CHECK_FIGURE(label("friction: remainder", c), o.worst, 5e-3);
+        CHECK_FIGURE(label("friction: energy error", c), o.worst, 5e-3);
     }
     CHECK(collide(surface(0.3), crossings[6], 50, 1e-5, 0.4).released > 0.05);
 }
@@ -163,10 +164,10 @@ TEST_CASE("collision, surface: a bar that slides over two rails rolls in the end
     const double speed = momentum(*structure, run.state()).linear.x() / (0.0025 * 7850);
     CHECK_FIGURE("speed of rolling", off(speed, 0.6), 1e-2);
     CHECK_FIGURE("heat of sliding", off(run.energy()["contact_released"], 0.4 * start), 2e-2);
-    CHECK_FIGURE("remainder", std::abs(run.energy().remainder) / start, 5e-3);
+    CHECK_FIGURE("energy error", std::abs(run.energy().error) / start, 5e-3);
 }
 
-TEST_CASE("collision, surface: a touch goes on with the stub when its element breaks", "[collision]") {
+TEST_CASE("collision, surface: a contact goes on with what is left of an element that breaks", "[collision]") {
     Frame frame;
     frame.model->add_contact(surface());
     FractureRule rule;
@@ -187,11 +188,11 @@ TEST_CASE("collision, surface: a touch goes on with the stub when its element br
         const Energy e = run.energy();
         if (now > broken && e["contact_stored"] > 1e-3 * e.initial) touching_at_break = true;
         broken = now;
-        worst = largest_of(worst, std::abs(e.remainder) / e.initial);
+        worst = largest_of(worst, std::abs(e.error) / e.initial);
     }
     CHECK(broken > 0);
     CHECK(touching_at_break);
     CHECK(run.verdict() == Verdict::completed);
     CHECK(run.energy()["contact_released"] == 0);
-    CHECK_FIGURE("remainder through breaks under contact", worst, 5e-3);
+    CHECK_FIGURE("energy error through breaks under contact", worst, 5e-3);
 }

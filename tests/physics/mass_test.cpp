@@ -24,7 +24,7 @@ double lowest(const Frame& frame) {
     return natural_frequencies(*structure, nodes, 0, 1)[0];
 }
 
-constexpr std::uint8_t clamped = 63, in_plane = 0b101010;  // in_plane: moves along x and z, turns about y
+constexpr std::uint8_t clamped = 63, in_plane = 0b101010;  // in_plane: moves along x and z, rotates about y
 
 /// Members in a row along x, in the plane x-z.
 Frame row(MassShape mass, int members, int elements, std::uint8_t left, std::uint8_t right) {
@@ -80,7 +80,7 @@ TEST_CASE("cubic mass: frames of two elements a member against a fine mesh", "[m
     }
 }
 
-TEST_CASE("cubic mass: a pair weighs and turns as before when it does not bend (1e-14: rounding)", "[mass]") {
+TEST_CASE("cubic mass: a pair translates and rotates as before when it does not bend (1e-14: rounding)", "[mass]") {
     Frame linear(with_mass(MassShape::linear)), cubic(with_mass(MassShape::cubic));
     Dice dice(1);
     for (Frame* f : {&linear, &cubic}) straight(*f, {1, -2, 0.5}, {2, 0.5, 1.5}, 2);

@@ -57,7 +57,7 @@ end
 local _ -- a result that is not looked at
 local status, printed, complaint = check(scene {})
 equal(status, 0, "status " .. complaint)
-expect(printed:find("dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 free freedoms, 785 kg\n"
+expect(printed:find("dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 degrees of freedom, 785 kg\n"
   .. "  3 members on 2 supported nodes, 785 kg: natural periods ", 1, true)
   and printed:find "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1%-2\n  no warnings\n",
   "a plain frame:\n%s", printed)
@@ -152,15 +152,15 @@ suspicious("a member that passes through a node", { more = "member(a, joint(2, 0
   { more = "member(a, joint(2, 0, 2.99))" })
 suspicious("a tiny member", { make = "dynamic { dt = 'auto', duration = 1 }", more = "member(c, joint(4.03, 0, 3))" },
   "member 4 is 0.03 m long, one that it is joined to 4 m", "{4.03", { more = "member(c, joint(4.2, 0, 3))" })
-suspicious("feet that turn about the line through them", { feet = '"xyz"' },
-  "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can turn about x "
+suspicious("feet that rotate about the line through them", { feet = '"xyz"' },
+  "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can rotate about x "
     .. "through that node without resistance", "model:fix", { feet = '"xyz,rx"' })
 suspicious("a foot that slides", { feet = '"y,z,rx,ry,rz"' },
   "mechanism: the body of 3 members held at node 1 at {0, 0, 0} m and 1 more node can move along x without resistance",
   "model:fix", { feet = '"x,y,z,rx"' })
 local oblique = "local e, f, g = joint(9, 0, 0), joint(10, 1, 0), joint(9, 0, 1) member(e, f) member(e, g) "
 suspicious("an oblique axis", { more = oblique .. "model:fix({ e, f }, 'xyz')" },
-  "mechanism: the body of 2 members held at node 5 at {9, 0, 0} m and 1 more node can turn about the line through",
+  "mechanism: the body of 2 members held at node 5 at {9, 0, 0} m and 1 more node can rotate about the line through",
   "model:fix({ e, f }", { more = oblique .. "model:fix({ e, f, g }, 'xyz')" })
 
 -- A projectile is not a mechanism; one of a static run is refused as ever, at its line.

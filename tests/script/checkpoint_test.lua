@@ -234,10 +234,10 @@ refused("another version",
 
 support.write(file, bytes)
 refused("other dt",
-  "...checkpoint " .. file .. " is of another run, with not the same dt...; give the script and parameters ...",
+  "...checkpoint " .. file .. " is of another run, which differs in dt...; give the script and parameters ...",
   function() small(5e-5):resume(file) end)
 refused("another model",
-  "...is of another run, with not the same nodes (2 there, 3 here), members (1 there, 2 here), "
+  "...is of another run, which differs in nodes (2 there, 3 here), members (1 there, 2 here), "
     .. "materials (1 there, 2 here), " ..
   "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...",
   function() small(1e-4, true):resume(file) end)

@@ -273,7 +273,7 @@ wrong("model:static: ... can ... without resistance: the model has no supports, 
 wrong("model:static: ... m can ... without resistance: the structure, or a part of it, "
   .. "is a mechanism or not supported against it; ...",
   function(s) s.model:static {} end, loose_part)
-wrong("model:static: ... can turn about x without resistance: ...", function(s) s.model:static {} end, free_to_roll)
+wrong("model:static: ... can rotate about x without resistance: ...", function(s) s.model:static {} end, free_to_roll)
 wrong("model:static: the model has no members; add at least one with model:member",
   function() hinge.model():static {} end)
 wrong("model:static: a load acts on node 4 at {2, 0, 0} m, which has no element left",
@@ -338,9 +338,9 @@ wrong(
   "model:dynamic: field 'rho_infinity' has no meaning with integrator = 'explicit', which solves nothing; leave it out",
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, rho_infinity = 0.8 } end)
 wrong("model:dynamic: field 'step_control' is 1; must be below 1: "
-  .. "the part of the energy turned over that the run may lose, such as 0.01",
+  .. "the part of the largest energy that the run may lose, such as 0.01",
   function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = 1 } end)
-wrong("model:dynamic: field 'step_control' needs a ledger that closes, "
+wrong("model:dynamic: field 'step_control' needs an energy balance that closes, "
   .. "and that of a model with shift = 'whole' cannot; leave it out",
   function()
     local model = hinge.model { shift = "whole" }

@@ -11,7 +11,7 @@ local bar, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.mat
 
 local function share(run) return math.abs(run.energy.remainder) / run.energy.initial end
 
--- A bar that turns by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
+-- A bar that rotates by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
 local function bar_in_flight()
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
@@ -32,8 +32,8 @@ run:on_step(function(r)
   last, told = r.time, told + 1
 end)
 run:finish()
-equal(run.verdict, "completed", "a bar that turns: " .. run.reason)
-expect(share(run) <= 0.01, "remainder %g", share(run))
+equal(run.verdict, "completed", "a bar that rotates: " .. run.reason)
+expect(share(run) <= 0.01, "energy error %g", share(run))
 expect(run.counts.rejected_steps > 0 and run.dt < dt, "%d steps taken back, dt %g", run.counts.rejected_steps, run.dt)
 equal(told, run.index, "steps told to the script")
 expect(math.abs(run.time - 0.05) < 1e-15, "it ends at %.17g s", run.time)
@@ -49,9 +49,9 @@ local never = turning { step_control = 1e-15 }
 never:finish()
 equal(never.verdict, "failed", "step_control = 1e-15")
 expect(support.says(never.reason,
-  "step ..., t = ... s: the step would lose ... % of the energy turned over, its share of step_control is ... %; "
+  "step ..., t = ... s: the step would lose ... % of the largest energy, its share of step_control is ... %; "
   .. "dt was halved down to 9.77e-08 s, and no shorter step is tried"), "reason: %s", never.reason)
-expect(share(never) < 1e-3 and not never:step(), "the state before it, remainder %g", share(never))
+expect(share(never) < 1e-3 and not never:step(), "the state before it, energy error %g", share(never))
 
 -- Impact by surfaces at eight times the step that it needs: what the script is told of belongs to steps that were kept.
 local function crash(options)
@@ -77,10 +77,10 @@ local function crash(options)
   return crashed, touched, released, asked, math.abs(crashed:momentum().linear[3] / before - 1)
 end
 local long = crash { dt = 4e-5, energy_tolerance = 0 }
-expect(share(long) > 0.02, "without control the ledger is off by %g", share(long))
+expect(share(long) > 0.02, "without control the energy balance is off by %g", share(long))
 local held, touched, released, asked, lost = crash { dt = 4e-5, step_control = 0.01 }
 equal(held.verdict, "completed", "impact: " .. held.reason)
-expect(share(held) <= 0.01 and lost < 1e-6, "impact: remainder %g, momentum %g", share(held), lost)
+expect(share(held) <= 0.01 and lost < 1e-6, "impact: energy error %g, momentum %g", share(held), lost)
 expect(held.counts.rejected_steps > 0, "impact: steps taken back")
 equal(held.contacts.bound, touched, "touches told")
 equal(held.contacts.released, released, "releases told")

@@ -71,14 +71,14 @@ TEST_CASE("checkpoint: goes on with the same bits at every step of a crash", "[c
             CHECK(saved(other).size() == saved(taken).size());
             while (other.advance()) {}
             CHECK(hash(other.state()) == hash(whole.state()));
-            CHECK(other.energy().remainder == whole.energy().remainder);
+            CHECK(other.energy().error == whole.energy().error);
         }
         CHECK(resumed > 9);
         CHECK(hash(taken.state()) == hash(whole.state()));
     }
 }
 
-TEST_CASE("checkpoint: contents that make no sense are refused, and the run is as it was", "[checkpoint]") {
+TEST_CASE("checkpoint: contents that are not valid are refused, and the run is as it was", "[checkpoint]") {
     for (bool in_explicit_steps : {false, true}) {
         const Crash crash(in_explicit_steps);
         Dynamics run = crash.start();
@@ -167,15 +167,14 @@ TEST_CASE("checkpoint: one of another model or other settings is told by its par
     const Checkpoint found = open_checkpoint(bytes, "file");
     Dynamics other = faster.start();
     const std::string before = saved(other);
-    CHECK_THROWS_WITH(resume(other, found, "file"),
-                      Catch::Contains("is of another run, with not the same velocities;"));
+    CHECK_THROWS_WITH(resume(other, found, "file"), Catch::Contains("is of another run, which differs in velocities;"));
     CHECK((saved(other) == before));
     Crash longer(false);
     longer.settings.duration = 0.03;
     longer.settings.rebuild_angle = 0.02;
     Dynamics third = longer.start();
     CHECK_THROWS_WITH(resume(third, found, "file"),
-                      Catch::Contains("with not the same duration and settings of the run;"));
+                      Catch::Contains("which differs in duration and settings of the run;"));
     CHECK_THROWS_AS(open_checkpoint(bytes.substr(0, 30), "file"), OutsideError);
     CHECK_THROWS_AS(open_checkpoint("", "file"), OutsideError);
 }

@@ -76,7 +76,7 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
     CHECK(turned_by > 1);
 }
 
-TEST_CASE("a structure flown through 1000 rigid turns by its state has no forces (1e-12 of EA, issue)") {
+TEST_CASE("a structure flown through 1000 rigid rotations by its state has no forces (1e-12 of EA, issue)") {
     Frame frame;
     const int a = frame.node(0, 0, 0), b = frame.node(1, 0, 0.2), c = frame.node(0.4, 1, -0.5);
     frame.member(a, b);
@@ -100,7 +100,7 @@ TEST_CASE("a structure flown through 1000 rigid turns by its state has no forces
     const double EA = structure->elements()[0].rigidity.EA;
     double worst = 0;
     for (const Vec6& p : force) worst = largest_of(worst, largest_entry(p) / EA);
-    CHECK_FIGURE("forces over EA after 1000 rigid turns of a structure", worst, 1e-12);
+    CHECK_FIGURE("forces over EA after 1000 rigid rotations of a structure", worst, 1e-12);
 }
 
 TEST_CASE("a rotation about any axis comes back as its rotation vector (1e-12), up to 3 rad") {
@@ -214,5 +214,5 @@ TEST_CASE("a rotation vector on top of a quaternion is Eigen's exponential, and 
         length = largest_of(length, std::abs(q.norm() - 1));
     }
     CHECK_FIGURE("turned(v, q) against Eigen", worst, 2e-15);
-    CHECK_FIGURE("length of a quaternion after 5000 turns", length, 1e-15);
+    CHECK_FIGURE("length of a quaternion after 5000 rotations", length, 1e-15);
 }

@@ -203,7 +203,7 @@ TEST_CASE("fingerprint: each field alone makes a checkpoint one of another run, 
         Dynamics here = changed.start();
         CHECK(difference(fingerprint(there), fingerprint(here)) == field.part);
         CHECK_THROWS_WITH(resume(here, found, "file"),
-                          Catch::Contains("is of another run, with not the same " + std::string(field.part) + ";"));
+                          Catch::Contains("is of another run, which differs in " + std::string(field.part) + ";"));
     }
 }
 

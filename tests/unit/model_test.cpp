@@ -29,7 +29,7 @@ TEST_CASE("model: nodes inside a member start with velocities in proportion to t
     }
 }
 
-TEST_CASE("model: a bar that starts turning about one of its ends has the momenta and the energy of a rigid one",
+TEST_CASE("model: a bar that starts to rotate about one of its ends has the momenta and the energy of a rigid one",
           "[model]") {
     Frame frame;
     const double length = 2, w = 5;
@@ -60,7 +60,7 @@ contact::ContactSettings surface(double friction) {
 }
 
 /// A bar that comes down on another, aslant, by rules over both (groups 0: the lower, 1: the upper).
-std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* met = nullptr) {
+std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* bound = nullptr) {
     Frame frame;
     for (const char* name : {"lower", "upper"}) frame.model->group(name);
     frame.groups = {0};
@@ -77,7 +77,7 @@ std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* met = nu
     Dynamics run(structure, initial_state(*structure), s);
     while (run.advance()) {}
     REQUIRE(run.verdict() == Verdict::completed);
-    if (met) *met = contact_of(run.state())->counts().bound;
+    if (bound) *bound = contact_of(run.state())->counts().bound;
     return hash(run.state());
 }
 
@@ -129,9 +129,9 @@ TEST_CASE("model: two contact rules for the same members give the bits of the la
     rough.settings = between.settings = surface(0.5);
     between.groups = {0, 1};
     between.between = true;
-    long met = 0;
-    const std::uint64_t by_smooth = after_impact({smooth}, &met), by_rough = after_impact({rough});
-    REQUIRE(met > 0);
+    long bound = 0;
+    const std::uint64_t by_smooth = after_impact({smooth}, &bound), by_rough = after_impact({rough});
+    REQUIRE(bound > 0);
     REQUIRE(by_smooth != by_rough);
     CHECK(after_impact({smooth, rough}) == by_rough);
     CHECK(after_impact({rough, smooth}) == by_smooth);

@@ -56,7 +56,7 @@ TEST_CASE("the frequencies are those of a dense solver", "[modes]") {
     CHECK_FIGURE("the same in flight, but for its six rigid motions", off_dense(*bar(1, 0.1, 4, free_end, free_end), 6),
                  1e-6);
     CHECK_FIGURE("pinned at one point: three rigid motions", off_dense(*bar(1, 0.1, 4, 0b000111, free_end), 6), 1e-6);
-    CHECK(frequencies(*bar(1, 0.1, 2, clamped, clamped), 10).size() == 6);  // fewer freedoms than asked for
+    CHECK(frequencies(*bar(1, 0.1, 2, clamped, clamped), 10).size() == 6);  // fewer degrees of freedom than asked for
 }
 
 // Equal arms on one held node: each frequency of one arm as often as there are arms, and twice that in bending. The

@@ -253,7 +253,7 @@ TEST_CASE("what cannot be written or read is said, with what to do", "[output]")
     CHECK_THAT(render(folder / "a.png", snapshot, {}), Catch::Contains("bar 0 ends at point 99"));
 }
 
-TEST_CASE("a damaged frame is turned away", "[output]") {
+TEST_CASE("a damaged frame is refused", "[output]") {
     const Folder folder;
     REQUIRE(write(folder / "a.vtp", portal(6)) == "");
     const std::string whole = contents(folder / "a.vtp");

@@ -21,7 +21,7 @@ ModelOptions any_number_of_elements() {
 }
 
 /// A triangle of members of 3, 2 and 1 elements on a post of 4, with an arm of 2 and one of 1 that end free. Node 1 may
-/// not move along x nor turn about z; the post's foot is held.
+/// not move along x nor rotate about z; the post's foot is held.
 struct Odd : Frame {
     int corner[3], foot, free_end[2];
     Odd() : Frame(any_number_of_elements()) {
@@ -43,12 +43,12 @@ struct Odd : Frame {
     int foot_of(const Vec3& x, std::uint8_t fixed) { return Frame::foot(x.x(), x.y(), x.z(), fixed); }
 };
 
-/// Each freedom measured by the square root of A's diagonal: N and N m are alike then.
+/// Each degree of freedom measured by the square root of A's diagonal: N and N m are alike then.
 double scaled_norm(const Eigen::VectorXd& v, const Eigen::MatrixXd& A) {
     return (v.array() / A.diagonal().array().sqrt()).matrix().norm();
 }
 
-std::vector<int> free_freedoms(const std::vector<std::uint8_t>& held) {
+std::vector<int> free_degrees_of_freedom(const std::vector<std::uint8_t>& held) {
     std::vector<int> free;
     for (int i = 0; i < 6 * int(held.size()); ++i)
         if (!(held[i / 6] >> (i % 6) & 1)) free.push_back(i);
@@ -70,7 +70,7 @@ std::vector<int> all_elements(const Structure& structure) {
 // ---- M
 // ----------------------------------------------------------------------------------------------------------------
 
-/// M of all nodes as a dense matrix, of a structure that has been turned by Q as a whole; `end[e]`: 0, or where e is
+/// M of all nodes as a dense matrix, of a structure that has been rotated by Q as a whole; `end[e]`: 0, or where e is
 /// broken.
 Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std::vector<int>& end) {
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6 * structure.position().size(), 6 * structure.position().size());
@@ -92,7 +92,7 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
     return M;
 }
 
-/// The structure at rest, turned by Q about the origin.
+/// The structure at rest, rotated by Q about the origin.
 State turned_state(const Structure& structure, const Quat& Q) {
     State state = initial_state(structure);
     for (std::size_t i = 0; i < state.displacement.size(); ++i) {
@@ -107,7 +107,7 @@ double mass_error(const Structure& structure, const State& state, Mass& mass, co
     std::vector<Vec6> b(structure.position().size()), x;
     for (Vec6& v : b) v << dice.vector(100), dice.vector(0.1);
     mass.solve(b, x, state, 1e-13);
-    const std::vector<int> free = free_freedoms(state.held);
+    const std::vector<int> free = free_degrees_of_freedom(state.held);
     const Eigen::MatrixXd part = M(free, free);
     const Eigen::VectorXd all = flat(x), right = flat(b)(free);
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -132,7 +132,7 @@ struct Dense {
     Eigen::MatrixXd A;
     std::vector<int> free;
     Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings,
-          const std::vector<int>& removed, int offset_node, const Mat6& hung) {
+          const std::vector<int>& removed, int offset_node, const Mat6& offset) {
         ThreadPool alone;
         EffectiveStiffness parts(structure, alone, 1, k, false, Keeping::direct);
         const int n = 6 * int(structure.position().size());
@@ -147,8 +147,8 @@ struct Dense {
                 add(structure.elements()[i].node[0], structure.elements()[i].node[1],
                     parts.part(i, state, pose_of(state), nullptr));
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
-        if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += hung;
-        free = free_freedoms(state.held);
+        if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += offset;
+        free = free_degrees_of_freedom(state.held);
     }
     /// |x - A^-1 b| in the norm of A, relative.
     double error(const std::vector<Vec6>& b, const std::vector<Vec6>& x) const {
@@ -214,7 +214,8 @@ constexpr Way ways[] = {{Keeping::iterative, short_step, 1e-9, "double, short st
 }  // namespace
 
 TEST_CASE(
-    "solver: M by itself is undone, consistent and lumped, with stubs and with held freedoms (1e-10: its tolerance is "
+    "solver: M by itself is undone, consistent and lumped, with offset masses and with held degrees of freedom (1e-10: "
+    "its tolerance is "
     "1e-13)",
     "[solver]") {
     for (MassKind kind : {MassKind::consistent, MassKind::lumped}) {
@@ -227,7 +228,7 @@ TEST_CASE(
         Mass mass(structure, state);
         CHECK_FIGURE(name + " M, whole", mass_error(structure, state, mass, dense_mass(structure, Q, end), 1), 1e-10);
 
-        // stubs on a joint, on an inner node, and on the node that is held in part
+        // offset masses on a joint, on an inner node, and on the node that is held in part
         int at_joint = -1, at_partly_held = -1, inside = -1;
         for (int i : all_elements(structure)) {
             const Element& e = structure.elements()[i];
@@ -254,7 +255,7 @@ TEST_CASE(
             Mass anew(structure, state);
             CHECK_FIGURE(name + " M, made anew", mass_error(structure, state, anew, M, 3), 1e-10);
         }
-        // the stubs turn with their nodes, and M with them
+        // the offset masses rotate with their nodes, and M with them
         const Quat other = Quat(Eigen::AngleAxisd(1.1, Vec3(0.3, 1, 1).normalized()));
         State turned = turned_state(structure, other);
         turned.offset_mass = state.offset_mass;
@@ -262,17 +263,17 @@ TEST_CASE(
         turned.held = state.held;
         if (kind == MassKind::lumped) {
             mass.turn_offset_masses(turned, pose_of(turned));
-            CHECK_FIGURE("lumped M, stubs turned alone",
+            CHECK_FIGURE("lumped M, offset masses rotated alone",
                          mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }
         mass.renew(all_elements(structure), turned, pose_of(turned));
-        CHECK_FIGURE(name + " M, all turned", mass_error(structure, turned, mass, dense_mass(structure, other, end), 5),
-                     1e-10);
+        CHECK_FIGURE(name + " M, all rotated",
+                     mass_error(structure, turned, mass, dense_mass(structure, other, end), 5), 1e-10);
     }
 }
 
 TEST_CASE(
-    "solver: a stub weighs what its element does when that moves as a rigid body, consistent and lumped (1e-14: "
+    "solver: an offset mass is that of its element where that moves as a rigid body, consistent and lumped (1e-14: "
     "rounding)",
     "[solver]") {
     const Odd frame;
@@ -289,13 +290,14 @@ TEST_CASE(
          {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_rigid_offset(e.rigidity, e.chord)}}};
     for (const auto& [name, both] : kinds) {
         const Mat6 element = follow.transpose() * both.first * follow,
-                   stub = beam::offset_mass_matrix(both.second.mass, both.second.moment, both.second.inertia);
-        CHECK_FIGURE(std::string("stub, ") + name, (element - stub).norm() / element.norm(), 1e-14);
+                   offset = beam::offset_mass_matrix(both.second.mass, both.second.moment, both.second.inertia);
+        CHECK_FIGURE(std::string("offset mass, ") + name, (element - offset).norm() / element.norm(), 1e-14);
     }
 }
 
-TEST_CASE("solver: the lumped inverse is that of the diagonal, nothing where a freedom is held (1e-14: rounding)",
-          "[solver]") {
+TEST_CASE(
+    "solver: the lumped inverse is that of the diagonal, nothing where a degree of freedom is held (1e-14: rounding)",
+    "[solver]") {
     const Odd frame;
     const Structure structure(frame.model, MassKind::lumped);
     const State state = initial_state(structure);
@@ -364,7 +366,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled (1e-9 double, 1e-6 single)",
+TEST_CASE("solver: elements rebuilt, removed and attached while nodes are coupled (1e-9 double, 1e-6 single)",
           "[solver]") {
     for (const Way& way : ways) {
         Solving s;
@@ -391,22 +393,22 @@ TEST_CASE("solver: elements rebuilt, removed and hung on while nodes are coupled
         CHECK_FIGURE(std::string("coupling gone, ") + way.name,
                      Dense(*s.structure, s.state, way.k, {}, removed, -1, {}).error(b, answer(*op, b)), way.limit);
 
-        // the last element of an arm breaks: a stub on the node before, and its end leaves the solve
+        // the last element of an arm breaks: an offset mass on the node before, and its end leaves the solve
         op->remove(last);
         removed.push_back(last);
         const Element& e = s.structure->elements()[last];
         const int at = e.node[1] == s.frame.free_end[0] ? 0 : 1, carrier = e.node[at];
-        const beam::RigidOffset stub =
+        const beam::RigidOffset offset =
             beam::rigid_offset(e.rigidity, (at == 0 ? 1 : -1) * e.chord, e.axes.toRotationMatrix());
-        const Mat6 hung = beam::offset_mass_matrix(stub.mass, stub.moment, stub.inertia);
-        op->set_offset_mass(carrier, hung);
+        const Mat6 attached = beam::offset_mass_matrix(offset.mass, offset.moment, offset.inertia);
+        op->set_offset_mass(carrier, attached);
         s.state.held[s.frame.free_end[0]] = 63;
         op->set_held(s.state.held);
         const auto b2 = right_side(s.state, 8);
         const auto x = answer(*op, b2);
         CHECK(x[s.frame.free_end[0]].isZero(0));
-        CHECK_FIGURE(std::string("a stub in its place, ") + way.name,
-                     Dense(*s.structure, s.state, way.k, {}, removed, carrier, hung).error(b2, x), way.limit);
+        CHECK_FIGURE(std::string("an offset mass in its place, ") + way.name,
+                     Dense(*s.structure, s.state, way.k, {}, removed, carrier, attached).error(b2, x), way.limit);
     }
 }
 

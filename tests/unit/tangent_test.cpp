@@ -16,9 +16,9 @@ struct Nodes {
     Quat q[2];
     Vec3 turn[2] = {Vec3::Zero(), Vec3::Zero()};  // small displacement
 
-    Nodes moved(int freedom, double by) const {
+    Nodes moved(int component, double by) const {
         Nodes n = *this;
-        const int i = freedom / 6, c = freedom % 6;
+        const int i = component / 6, c = component % 6;
         if (c < 3) {
             n.x[i][c] += by;
         } else {
@@ -157,7 +157,7 @@ void compare(bool large, bool plastic, double deform, const std::string& name) {
     CHECK_FIGURE("tangent against differences, " + name, worst, 1e-6);
     if (large) CHECK(without_geometric > 1e-3);  // the initial-stress part is there
     if (plastic) {
-        CHECK(flowing[1] > 20);  // both kinds of flow were met
+        CHECK(flowing[1] > 20);  // both kinds of flow occurred
         CHECK(flowing[2] > 20);
     }
 }

@@ -163,7 +163,8 @@ TEST_CASE("the solution of k(s) d = p is its inverse (1e-9: k is badly condition
 }
 
 TEST_CASE(
-    "two asi-gauss elements are the closed-form Timoshenko member: all six freedoms at both ends, skew in space (1e-9, "
+    "two asi-gauss elements are the closed-form Timoshenko member: all six degrees of freedom at both ends, skew in "
+    "space (1e-9, "
     "issue)") {
     for (int held : {0, 1})
         for (int count : {2, 4, 6}) {
@@ -250,7 +251,7 @@ TEST_CASE(
             Frame frame(small_displacement(Formulation::conventional));
             frame.elements = count;
             const int a = frame.foot(0, 0, 0, 0b001111),
-                      b = frame.foot(L, 0, 0, 0b000111);  // turns about z; held against torsion at a
+                      b = frame.foot(L, 0, 0, 0b000111);  // rotates about z; held against torsion at a
             frame.member(a, b);
             frame.load(a, Vec3::Zero(), {0, 0, -Ma});
             frame.load(b, Vec3::Zero(), {0, 0, Mb});

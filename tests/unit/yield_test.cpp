@@ -30,8 +30,8 @@ Trial random_trial(Dice& dice, bool midpoint = false) {
     const double limit[4] = {stress * b * h * h / 4, stress * h * b * b / 4, stress * b * h,
                              stress / std::sqrt(3.0) * b * h * h / 3};
     t.w = {1 / (limit[0] * limit[0]), 1 / (limit[1] * limit[1]), 1 / (limit[2] * limit[2]), 1 / (limit[3] * limit[3])};
-    // from hardly yielding to far outside; some components left out at random, so that corners of the surface are met
-    // too
+    // from hardly yielding to far outside; some components left out at random, so that corners of the surface are
+    // reached too
     const double size = std::exp(dice(-1, 3));
     for (int i = 0; i < 6; ++i) t.p[i] = dice.pick(4) ? size * dice(-1, 1) * limit[i < 4 ? i / 2 : i - 2] : 0;
     return t;
@@ -230,7 +230,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "with Shift::plastic the elastic points stay: the plastic turn is what the deflection has over the elastic one "
+    "with Shift::plastic the elastic points stay: the plastic rotation is what the deflection has over the elastic one "
     "(1e-6)") {
     const auto run = statics(cantilever(Shift::plastic), driven(1, 2, -0.04, 100));
     CHECK(run->state().hinge[0] == hinge_at_1);
@@ -238,7 +238,7 @@ TEST_CASE(
     CHECK(run->state().point[1] == -gauss_point);
     CHECK_FIGURE("plastic moment at the root, points that stay", off(run->state().factor * 1000, Mp), 1e-9);
     const double elastic = Mp * 3.112854e-6;  // m/N: tests/references.md 10
-    CHECK_FIGURE("plastic turn of the root", off(largest_entry(run->state().plastic[0].head<4>()), 0.04 - elastic),
+    CHECK_FIGURE("plastic rotation of the root", off(largest_entry(run->state().plastic[0].head<4>()), 0.04 - elastic),
                  1e-6);
 }
 

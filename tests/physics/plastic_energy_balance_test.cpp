@@ -1,4 +1,4 @@
-// The energy ledger of a frame that yields under a sudden load, and what the paper's whole shift does to it.
+// The energy balance of a frame that yields under a sudden load, and what the paper's whole shift does to it.
 #include "helpers.h"
 
 using namespace hinge;
@@ -24,7 +24,7 @@ Balance sudden_load(double dt, Shift shift) {
     Balance b{0, 0, true};
     while (run.advance()) {
         const Energy e = run.energy();
-        b.worst = largest_of(b.worst, std::abs(e.remainder));
+        b.worst = largest_of(b.worst, std::abs(e.error));
         b.monotone &= e["plastic"] >= b.plastic;
         b.plastic = e["plastic"];
     }
@@ -35,17 +35,18 @@ Balance sudden_load(double dt, Shift shift) {
 
 }  // namespace
 
-TEST_CASE("plastic ledger: SF-1 under 12 kN at once closes, better with a shorter step", "[plastic_ledger]") {
+TEST_CASE("plastic energy balance: SF-1 under 12 kN at once closes, better with a shorter step",
+          "[plastic_energy_balance]") {
     const Balance coarse = sudden_load(5e-5, Shift::plastic), fine = sudden_load(5e-6, Shift::plastic);
     CHECK(coarse.monotone);
     CHECK(fine.monotone);
     CHECK(fine.plastic > 0);
-    CHECK_FIGURE("remainder over the work of the load, dt 0.05 ms", coarse.worst, 5e-3);
-    CHECK_FIGURE("remainder over the work of the load, dt 0.005 ms", fine.worst, 1e-4);
+    CHECK_FIGURE("energy error over the work of the load, dt 0.05 ms", coarse.worst, 5e-3);
+    CHECK_FIGURE("energy error over the work of the load, dt 0.005 ms", fine.worst, 1e-4);
     CHECK(fine.worst < 0.2 * coarse.worst);
 }
 
-TEST_CASE("plastic ledger: moving the elastic point with the hinge (the paper's letter) does not close",
-          "[plastic_ledger]") {
+TEST_CASE("plastic energy balance: moving the elastic point with the hinge (as the paper prints it) does not close",
+          "[plastic_energy_balance]") {
     CHECK(sudden_load(5e-6, Shift::whole).worst > 100 * sudden_load(5e-6, Shift::plastic).worst);
 }
