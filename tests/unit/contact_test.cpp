@@ -300,8 +300,7 @@ TEST_CASE("contact: as printed, short bars with a large C_l bind from as far as 
     }
 }
 
-// ----------------------------------------------------------------------------------------------------------- letting
-// go
+// ---- release
 
 namespace {
 

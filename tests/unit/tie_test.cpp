@@ -53,7 +53,7 @@ std::vector<Vec6> forces_of(Bound& b) {
     return f;
 }
 
-/// `b` with freedom `k` of node `n` moved by h.
+/// `b` with degree of freedom `k` of node `n` moved by h.
 Bound nudged(const Bound& b, int n, int k, double h) {
     Bound out = b;
     if (k < 3) out.x[n][k] += h;
@@ -66,7 +66,7 @@ Bound nudged(const Bound& b, int n, int k, double h) {
 TEST_CASE("contact: a tie's forces are the derivative of their energy", "[contact]") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const bool arms = seed % 2;
-        // The nodes turn against each other as well: that must not matter, but for arms.
+        // The nodes rotate against each other as well: that must not matter, but for arms.
         Bound b = bound_pair(seed, 0.02, seed < 10 ? 0.05 : 1.0, 2.0, arms);
         const std::vector<Vec6> f = forces_of(b);
         double largest = 0;
@@ -125,7 +125,7 @@ TEST_CASE("contact: a tie resists the same way whether or not the bars have pass
             x[3].z() -= way;
             std::vector<Vec6> f(4, Vec6::Zero());
             add_tie_forces(tie, x, q, f);
-            // As one piece turns along a little with the shift, the force is below 4 k way, but not by much.
+            // As one piece rotates along a little with the shift, the force is below 4 k way, but not by much.
             CHECK(tie.energy <= 2e9 * way * way * (1 + 1e-6) + 1e-20);
             CHECK(tie.energy >= 1.7e9 * way * way);
             CHECK(tie.opening == Approx(-way).epsilon(0.2).margin(1e-15));
