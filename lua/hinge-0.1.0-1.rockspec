@@ -6,7 +6,7 @@ version = "0.1.0-1"
 source = { url = "git+file://." }
 description = {
   summary = "Collapse of framed structures under impact, scripted in Lua",
-  detailed = "Linear Timoshenko beams with plastic hinges, members that break and hit each other, and an energy ledger. "
+  detailed = "Linear Timoshenko beams with plastic hinges, members that break and hit each other, and an energy balance. "
     .. "Needs a C++20 compiler, CMake, Eigen, nlohmann-json and CLI11.",
   license = "MIT",
 }

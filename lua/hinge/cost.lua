@@ -92,7 +92,7 @@ local function run_references(bench, knobs, compared)
     local estimate = still_to_come(bench, knobs, compared)
     bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
     if not bench:record(r) and not bench:fits(bench:estimate(r)) then
-      return nil, ("the budget leaves no time for the reference (%s), about %.2g s with what belongs to it; "
+      return nil, ("the budget leaves no time for the reference (%s) and its own check, about %.2g s; "
         .. "the next call goes on with a larger one"):format(r.label, estimate)
     end
     r.record = bench:run(r)
@@ -151,12 +151,12 @@ function cost.compare(scenario, options)
   if #compared == 0 then
     check.fail("%s: %s", where,
       failed[1] and "no setting has an answer: " .. failed[1].failed
-      or "the budget is over before the first setting is; give a larger one")
+      or "the budget ended before the first setting was finished; give a larger one")
   end
   local notes = { problem }
   local scatter, silent = bench:scatter(default_of(knobs, compared))
   notes[#notes + 1] = silent
-  local moving = bench:time_by_turns(compared, o.repeats)
+  local moving = bench:time_alternately(compared, o.repeats)
   local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
   if o.quantity and not quantities[o.quantity] then
     check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities))

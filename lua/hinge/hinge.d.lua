@@ -37,12 +37,12 @@ function hinge.model(options) end
 ---large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
 ---@field displacement? "large"|"small"
 ---what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of
----elements keeps its exact elastic stiffness and the energy ledger closes. whole: the paper's letter (eqs 6,
----10), elastic point and all, and its partner's point to the middle; forces stay continuous but the elastic
----energy jumps, which the remainder shows
+---elements keeps its exact elastic stiffness and the energy balance closes. whole: as the paper prints it (eqs 6,
+---10). The elastic point goes to the hinge too, and its partner's point to the middle; forces stay continuous but the
+---elastic energy jumps, which the energy error shows
 ---@field shift? "plastic"|"whole"
----linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: what a
----pair of asi-gauss elements weighs in the cubic shape that its stiffness stands for; not in the paper,
+---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
+---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
 ---equally fast, frequencies of two elements a member within 0.2 % where linear has 1 to 4 %. Newmark's
 ---method and statics only, no fracture
 ---@field mass? "linear"|"cubic"
@@ -262,7 +262,7 @@ function model:close() end
 ---@return hinge.node
 function model:node(position) end
 
----Fixes freedoms of one node or a list of them.
+---Fixes degrees of freedom of one node or of a list of nodes.
 ---@param node hinge.node|hinge.node[]
 ---@param what? string "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
 function model:fix(node, what) end
@@ -283,19 +283,19 @@ function model:member(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one colours it
 ---@field elements? integer default as the model's
 
----Adds a load on a node. Three numbers are fixed in direction; a function is asked once a step what acts at its end,
----time in s, and can read the run where the step begins (dynamics only): it returns three numbers, or a table of three.
+---Adds a load on a node. Three numbers are fixed in direction; a function is called once a step with the time at its
+---end (s) and the run as it is at its beginning (dynamics only). It returns three numbers, or a table of three.
 ---
 ---Or a load on a member, or on each member that a group has by now: `q` and `moment` over its whole length, linear
 ---between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's end nodes get the
 ---fixed-end forces of the whole Timoshenko member, so that end forces in linear statics are exact for any number of
----elements, and joints go as far as the stiffness has it (closed form with asi-gauss). run:forces has the load in it;
----yield and fracture see the elements' own forces, as if the load acted on their nodes: in a clamped member under a
----uniform load their end moments are 37 % too small with two elements, 9 % with four, so give such members more.
----With large displacement, forces in space keep their direction, those in local axes turn with each element, and
----the fixed-end moments are those in the member's present axes, by its elastic stiffness. An element that breaks takes
----its part of the load with it. In statics a history counts as it is at time 0, or 1 where that is 0. Such a load gives
----no handle; it can be left out, but not removed.
+---elements, and joint displacements are those of the stiffness (closed form with asi-gauss). run:forces includes the
+---load. Yield and fracture use the elements' own forces, as if the load acted on their nodes: in a clamped member
+---under a uniform load their end moments are 37 % too small with two elements and 9 % with four, so give such members
+---more elements. With large displacement, forces in space keep their direction, those in local axes rotate with each
+---element, and the fixed-end moments are those in the member's present axes, by its elastic stiffness. An element
+---that breaks loses its part of the load. In statics a history has its value at time 0, or 1 if that is 0. Such a
+---load gives no handle; it can be left out, but not removed.
 ---@param options hinge.load_options
 ---@return hinge.load? load of a load on a node
 function model:load(options) end
@@ -315,12 +315,12 @@ function model:load(options) end
 ---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
 ---@field history? fun(time: number): number|number[][]
 
----Hangs a point mass on a node: it has inertia, weighs where the model has gravity, and turns with the node. Several
----on one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum, energy and
----weight are in the same accounts as those of members. A node that loses its last member by fracture flies on with its
----mass; where it has no rotary inertia then, it stops spinning. Declared after a run, it is there in runs that go on
----from that one. An error where a run begins if the node has no member. `hinge check` has it in masses and natural
----periods.
+---Attaches a point mass to a node: it has inertia, has weight where the model has gravity, and rotates with the node.
+---Several on one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum,
+---energy and weight are in the same accounts as those of members. A node that loses its last member by fracture flies
+---on with its mass; if it then has no rotary inertia, it stops rotating. A mass that is declared after a run takes
+---part in runs that go on from that one. It is an error if the node has no member when a run begins. `hinge check`
+---includes it in masses and natural periods.
 ---@param options hinge.mass_options
 function model:mass(options) end
 
@@ -332,10 +332,10 @@ function model:mass(options) end
 ---@field inertia? number|vec3
 ---@field offset? vec3 m, from the node to the mass, before anything has moved; default { 0, 0, 0 }
 
----Moves supports: fixes these freedoms, and in a dynamic run takes them along a path, counted from where the run
----begins. Velocity and acceleration follow by differences over the last steps; before the run a support moved as the
----state says that it begins from, or stood still. A path may set off and stop at once, which is a blow. The work that
----supports do is in the ledger. In statics they stand still.
+---Moves supports: fixes these degrees of freedom, and in a dynamic run takes them along a path, counted from where the
+---run begins. Velocity and acceleration follow by differences over the last steps. Before the run a support moved as in
+---the state that the run begins from, or stood still. A path may start and stop at once, which is an impact. The work
+---of the supports is in the energy balance. In statics they stand still.
 ---@param options hinge.move_options
 function model:move(options) end
 
@@ -357,8 +357,8 @@ function model:gravity(acceleration) end
 function model:velocity(target, linear, angular) end
 
 ---Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
----per millimetre, so 0.4 here. Or where a function says so. Of several rules the last one that a member's groups fit
----counts. An error in a function takes the step back and is raised where the run was stepped.
+---per millimetre, so 0.4 here. Or where a function returns true. Of several rules the last one that applies to a
+---member's groups counts. An error in a function undoes the step and is raised where the script asked for the step.
 ---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
 function model:fracture(rule) end
 
@@ -441,13 +441,13 @@ function model:contact(rule) end
 ---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
 ---called at the end of a step in which two elements were bound or began to press on each other
 ---@field on_contact? fun(event: hinge.contact_event)
----@field on_release? fun(event: hinge.contact_event) likewise, released or parted
+---@field on_release? fun(event: hinge.contact_event) likewise, when they were released or parted
 ---surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
 ---@field stiffness? number
----@field friction? number surface: Coulomb's coefficient, default 0; its heat is in the account contact_released
+---@field friction? number surface: Coulomb's coefficient, default 0; its heat is in contact_released of run.energy
 ---@field binding_time? number gap: default 0.5e-3 s
 ---gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given
----back as an impulse; time: cut at the binding time, as the paper has it, and what is stored is lost
+---back as an impulse; time: cut at the binding time, as in the paper, and what is stored is lost
 ---@field release? "parting"|"time"
 ---@field contact_length? number gap: C_l of eq 18, default 1.8
 ---@field coplanarity_tolerance? number gap: alpha of eq 19, default 3e-4 m^3
@@ -467,14 +467,14 @@ function model:contact(rule) end
 
 ---Springs, dashpots, curves and laws between two nodes, { a, b, ... }, or between a node and the ground where the node
 ---is declared, { node, ground = true, ... }: along and about three axes. What is given for a direction adds up. A
----direction without anything is free. Node a carries the connector on a rigid arm that reaches to b: the deformation is
----how far b is from where a would have it, along the axes (m), and the rotation vector of b against a (rad); both are
----zero as the model is declared. In large displacement the axes turn with a; those of the ground stay. A force pulls b
----back and a along with it, with its moment on a: momentum is kept. In statics dashpots have no force. Explicit steps
----must be shorter than 2 / (d + sqrt(d^2 + w^2)), w^2 and d the largest k/m and c/m with the lumped masses of the two
----nodes; dt = "auto" knows of members only. Laws are not in this limit. Energy: run.energy.connector_stored and
----connector_dissipated. Raises where nothing is given that acts, and where a run is made with a node that belongs to no
----member, or with too long an explicit step.
+---direction without anything is free. Node a carries the connector on a rigid arm that reaches to b: the deformation
+---is the displacement of b from the end of that arm, along the axes (m), and the rotation vector of b relative to a
+---(rad). Both are zero as the model is declared. In large displacement the axes rotate with a; those of the ground
+---stay. A force pulls b back and a along with it, with its moment on a: momentum is kept. In statics dashpots have no
+---force. Explicit steps must be shorter than 2 / (d + sqrt(d^2 + w^2)), w^2 and d the largest k/m and c/m with the
+---lumped masses of the two nodes; dt = "auto" considers members only. Laws are not in this limit. Energy:
+---run.energy.connector_stored and connector_dissipated. It is an error if nothing is given that acts, or if a run is
+---made with a node that belongs to no member or with too long an explicit step.
 ---@param options hinge.connector_options
 ---@return hinge.connector
 function model:connector(options) end
@@ -495,17 +495,17 @@ function model:connector(options) end
 ---that returns the force (N, N m), and the new state if it keeps one: a table of numbers by name, empty at first, the
 ---same where none is returned. The state belongs to the run's: it is undone with a step and kept in checkpoints. The
 ---function is called several times a step, each time with the state that the last step left. All of its work counts as
----dissipated. An error takes the step back and is raised where the run was stepped
+---dissipated. An error undoes the step and is raised where the script asked for the step
 ---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
 ---N, N m: where a step ends with this force or more in one direction, either sign, the whole connector is gone, and
----what it stored with it; default: it never breaks. run.wakings tells of it
+---what it stored with it; default: it never breaks. run.wakings lists it
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
 
 ---A connector that model:connector declared. What it reads is of the run that is given, or the latest of its model.
 ---@class hinge.connector
 local connector = {}
 
----How far b is from where a would have it, m and rad, where it broke if it is broken.
+---The deformation of the connector, m and rad; of a broken one, that at which it broke.
 ---@param run? hinge.run
 ---@return number x, number y, number z, number rx, number ry, number rz
 function connector:deformation(run) end
@@ -522,12 +522,12 @@ function connector:broken(run) end
 
 ---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
 ---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps
----the velocity in space, flying and turning as a whole too; beta the rates of the element's own deformation, so no
+---the velocity in space, flying and rotating as a whole too; beta the rates of the element's own deformation, so no
 ---rigid motion, and keeps the elastic stiffness where an element yields. A broken element is damped no more, nor is the
----mass left of it. Called again: of several the last one that a member's groups fit counts, so that alpha = 0 with a
----group leaves it undamped. What it takes is in run.energy.damping. With explicit steps beta shortens the longest
----stable step (dt = "auto" knows); Newmark's method takes predictor "displacement" where damping is as strong as that.
----Statics is as without.
+---mass left of it. Of several calls the last one that applies to a member's groups counts, so that alpha = 0 with a
+---group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
+---the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
+---is as strong as that. It does not act in statics.
 ---@param options hinge.damping_options
 ---@return number alpha 1/s
 ---@return number beta s
@@ -546,14 +546,8 @@ function model:damping(options) end
 ---those inside members too, and the free ends of broken members, round with half the smaller side of the section as
 ---radius: k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the
 ---run begins is at rest there; nodes that begin with their axis below the plane are left out until they have left the
----ground. Statics has it too, but needs supports. run.energy then has ground, the sum of ground_stored (above that at
----the start) and ground_dissipated (by friction and restitution), J. A rigid ground that members fall on: the half
----space behind a plane, stiff, without pull. What touches are nodes, those inside members too, and the free ends of
----broken members, round with half the smaller side of the section as radius: k o^2 / 2 for an overlap o. Each call
----adds a plane. Nodes that are held do not touch; what touches where the run begins is at rest there; nodes that begin
----with their axis below the plane are left out until they have left the ground. Statics has it too, but needs
----supports. run.energy then has ground, the sum of ground_stored (above that at the start) and ground_dissipated (by
----friction and restitution), J.
+---ground. It acts in statics too, which needs supports. run.energy then has ground, the sum of ground_stored (above
+---that at the start) and ground_dissipated (by friction and restitution), J.
 ---@param plane? hinge.ground_plane
 function model:ground(plane) end
 
@@ -584,7 +578,7 @@ function model:static(options) end
 
 ---@class hinge.static_options
 ---@field steps? integer default 10
----equal steps of load (default), arc length, or one freedom driven to a value (m, rad)
+---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad)
 ---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
 ---@field hold? hinge.group_like a group held in place during this run
 ---@field from? hinge.run goes on from another run's state
@@ -594,8 +588,8 @@ function model:static(options) end
 
 ---A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15),
 ---or explicit, by central differences with lumped masses (half of each element on each of its nodes, the rotary inertia
----the section's polar one). Explicit steps solve nothing and take none of precision, beta, rho_infinity, iterations,
----tolerance, predictor, geometric, rebuild_angle and what is said of the solver.
+---the section's polar one). Explicit steps solve no system of equations, so these options are errors with them:
+---precision, beta, rho_infinity, iterations, tolerance, predictor, geometric, rebuild_angle and those of the solver.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
@@ -609,38 +603,39 @@ function model:dynamic(options) end
 ---@field duration number s
 ---@field integrator? "newmark"|"explicit" default newmark
 ---@field from? hinge.run starts from another run's state, such as gravity at rest
----default 0.1 (0 with shift = "whole", whose ledger cannot close): the run ends by itself, with verdict "failed", when
----the ledger's remainder is a larger part of the energy turned over (the most that any one account of run.energy has
----had). It is looked at every 100 steps, or 20 times in a short run, and at the end; the state is then that of the last
----look at which it closed (models of up to 200 000 elements). 0: never
+---default 0.1 (0 with shift = "whole", whose energy balance cannot close): the run ends by itself, with verdict
+---"failed", when the energy error is a larger part of the largest energy, which is the largest value that any account
+---of run.energy has had so far. The error is checked every 100 steps, or 20 times in a short run, and at the end. The
+---state is then that of the last check at which the balance closed (models of up to 200 000 elements). 0: never
 ---@field energy_tolerance? number
----0..1, the part of the energy turned over that the run may lose to its ledger's remainder. A step that would lose more
----than its share of it (or turn a node by more than 0.5 rad, or that cannot be solved) is taken back before anything is
----told of it, and tried again half as long, down to dt / 1024, below which the run fails; where all is well steps grow
----again up to dt. Costs a quarter of a step. Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is
----kept. Not with shift = "whole", whose ledger cannot close
+---0..1, the part of the largest energy (see energy_tolerance) that the energy error of the run may reach. A step is
+---taken back if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it
+---cannot be solved. It is tried again half as long, down to dt / 1024, below which the run fails; the script never sees
+---a step that was taken back. After steps with small errors the step grows again, up to dt. Costs a quarter of a step.
+---Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is kept. Not with shift = "whole", whose energy
+---balance cannot close
 ---@field step_control? number
 ---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
 ---@field threads? integer how many share a step's work, default 1, the same bits for any number
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
 ---0..1, what a step leaves of the amplitude of the highest frequencies; below 1 Newmark's method with alpha of
 ---Wood, Bossak and Zienkiewicz (1980), alpha = (rho - 1)/(rho + 1), which sets beta = 1/(1 + rho)^2 and
----gamma = 1/2 - alpha. Of second order; what it takes out of slow motion is of third order, and is
----run.energy.numerical; to know that costs a third of a step. Over millions of steps 0.99 keeps rounding from growing
----in vibrations too fast for the step. Default 1: nothing
+---gamma = 1/2 - alpha. Of second order; the energy that it takes out of slow motion is of third order, and is counted
+---in run.energy.numerical, which costs a third of a step. Over millions of steps 0.99 keeps rounding from growing in
+---vibrations too fast for the step. Default 1: nothing
 ---@field rho_infinity? number
 ---1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's
 ---first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer
 ---than the fastest vibration allows for one
 ---@field iterations? integer
 ---@field tolerance? number see iterations; default 1e-10
----where a step is solved from: the acceleration held, or the displacement (eq 15 to the letter); auto (default): the
+---where a step is solved from: the acceleration held, or the displacement (eq 15 as printed); auto (default): the
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"
 ---@field geometric? boolean initial stress in the effective stiffness, default true
 ---@field rebuild_angle? number rad: an element's stiffness is rebuilt when it has rotated by this, default 0.01
----of the left side. single (default): half the memory; 2e-10 of the energy in Case I; double all the same where
----steps are longer than the fastest waves need
+---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
+---2e-10. Double is used all the same where steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
 ---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors
 ---@field solver_tolerance? number of the residual, default 1e-8
@@ -666,8 +661,8 @@ function model:dynamic(options) end
 ---@field reason string why it failed, with the culprit's name
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
----@field worst_remainder number J, the largest so far, of either sign
----@field contacts { bound: integer, released: integer } pairs of elements: bonds made, or touches begun; let go
+---@field worst_remainder number J, the largest absolute value of energy.remainder so far
+---@field contacts { bound: integer, released: integer } pairs of elements: ties made or contacts begun; released
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
 ---@field effects hinge.effect[] all that there are, in the step or not
 ---@field wall_seconds number
@@ -675,7 +670,7 @@ function model:dynamic(options) end
 ---@field hash string of the whole state, to the bit
 ---@field counts hinge.work_counts
 ---@field probes hinge.probe[] those asked for so far
----what woke because it had something to do, or went to sleep; the first thousand
+---effects that became active or inactive while the run went on; the first thousand
 ---@field wakings { time: number, effect: string, awake: boolean, why: string }[]
 local run = {}
 
@@ -697,17 +692,16 @@ local run = {}
 ---@field pair_lists integer lists of near pairs made
 ---@field rejected_steps integer steps that step control took back
 
----The energy ledger, J (eq 20 and what it leaves out). remainder = initial + work - all
----the others: the numerical error.
+---The energy balance, J: eq 20 and what it leaves out.
 ---@class hinge.energy
 ---@field initial number kinetic and elastic at the start
 ---@field kinetic number
 ---@field gravity number potential, zero at the start
 ---@field elastic number
 ---@field plastic number dissipated in hinges
----@field fracture number let go by fracture: fracture_elastic + fracture_kinetic
+---@field fracture number released by fracture: fracture_elastic + fracture_kinetic
 ---@field fracture_elastic number strain energy of broken elements
----@field fracture_kinetic number lost as broken elements become stubs
+---@field fracture_kinetic number lost as broken elements become rigid offset masses
 ---@field contact number contact_stored + contact_released
 ---@field contact_stored number in contacts now
 ---@field contact_released number released with ties, or heat of friction
@@ -717,7 +711,7 @@ local run = {}
 ---@field connector_dissipated number by dashpots and laws, and released by breaks
 ---@field numerical number taken out by a dissipative integrator (rho_infinity)
 ---@field work number done by loads
----@field remainder number
+---@field remainder number the energy error: initial + work - all other accounts (without their parts)
 
 ---Steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, filled anew.
 ---@return fun(): { index: integer, time: number, factor: number }?
@@ -732,9 +726,10 @@ function run:step() end
 function run:finish() end
 
 ---Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of
----frames. Aside, then renamed: the file is the old one or the new one. Changes nothing in the run. Call it between
----steps or in run:on_step; dynamic runs only. Not in it: the script's own variables, those that its functions refer to
----among them; the table named by `keep` is, and so is what a fracture rule keeps of each section.
+---frames. It is written under another name and then renamed: the file is either the old one or the new one. Changes
+---nothing in the run. Call it between steps or in run:on_step; dynamic runs only. The script's own variables are not
+---in it, nor are those that its functions refer to. The table named by `keep` is in it, and so is what a fracture
+---rule keeps of each section.
 ---@param file string a name without a folder is in the output folder
 ---@return hinge.run
 function run:checkpoint(file) end
@@ -869,7 +864,7 @@ function hinge.scenario(options) end
 
 ---Runs a scenario over its accuracy settings, in this process and with models of its own each, and compares each with a
 ---reference that is finer than all of them and is tested by another one: where the two differ by more than half of
----`within`, or an answer scatters that much under trifling changes, it gets no error. Answers are the numbers that the
+---`within`, or an answer scatters that much under slight changes, it gets no error. Answers are the numbers that the
 ---scenario returns, lists of numbers, and the probes of its runs (as histories). Nothing is printed or drawn by the
 ---scenario meanwhile. `hinge cost SCRIPT` prints it. With effects = true the settings are not varied: the scenario runs
 ---as its parameters have it, and once more without each effect that its models declare (gravity, large displacement,
@@ -880,14 +875,15 @@ function hinge.scenario(options) end
 function hinge.cost(scenario, options) end
 
 ---@class hinge.cost_options
----@field within? number error that is good enough, a part; default 0.01
----@field quantity? string the answer that settings are judged by; default: the worst of all that can be trusted
+---@field within? number the largest error accepted, as a part; default 0.01
+---@field quantity? string the answer by which settings are compared; default: the worst of all that can be trusted
 ---@field case? string
 ---@field parameters? table<string, any> changes of the scenario's; an accuracy setting among them is held
----s; cheap settings come first, and none is begun that does not fit with the references that it needs. The plot comes
----on top, a second or so. Default: no end
+---s; cheap settings come first, and no setting is begun that does not fit together with its references. The plot
+---takes about a second more. Default: no limit
 ---@field budget? number
----how often each setting is timed, by turns; default 3. More than 1: short ones more often, up to 21 times or 0.1 s
+---how often each setting is timed, in alternating order; default 3. More than 1: short ones more often, up to 21 times
+---or 0.1 s
 ---@field repeats? integer
 ---folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the
 ---script's content, the settings and hinge's version; default: nothing is written
@@ -959,13 +955,13 @@ function hinge.cost(scenario, options) end
 ---@field effects hinge.effect_cost[] those in the scene that can be left out
 ---@field absent string[] those that can be left out and are not in the scene
 ---@field left_out string[] by the budget
----of those that are the same from run to run: how far each scatters when every number changes by a trifle, and how far
+---of those that are the same from run to run: how far each scatters when every number changes slightly, and how far
 ---it is from that of a setting twice as fine
 ---@field answers table<string, { scatter?: number, error?: number }>
 ---@field finer? string that setting; nil: `notes` says why
 ---@field seconds number with all effects: in the steps of all runs, the median of `times`
 ---@field times number[]
----@field remainder number as of a hinge.cost_setting
+---@field remainder number the energy error, as of a hinge.cost_setting
 ---@field notes string[]
 ---@field complete boolean nothing is left out by the budget
 ---@field elapsed number s
@@ -983,12 +979,12 @@ function hinge.cost(scenario, options) end
 ---@field changes table<string, number> by answer; math.huge where there is none without the effect
 ---@field same boolean the effect is idle: states and answers are the same bits without it
 ---@field lost boolean it changes, but by no more than that answer scatters
----part of the time that it takes, the median over the turns; negative where the scene takes longer without it
+---part of the time that it takes, the median over the rounds; negative where the scene takes longer without it
 ---@field saves? number
----@field spread? number of `saves`: half the width of the middle half of the turns
+---@field spread? number of `saves`: half the width of the middle half of the rounds
 ---@field seconds? number without it, the median of `times`
 ---@field times? number[]
----@field remainder? number without it
+---@field remainder? number the energy error without it
 ---@field answers? table<string, number|{ x: number[], y: number[] }> without it
 ---@field failed? string why the scenario has no answer without it: the error's first line
 
@@ -1008,7 +1004,7 @@ function hinge.cost(scenario, options) end
 ---@field outside number s in the rest: models, what the script does itself
 ---@field stages table<string, number> s by stage of a step, of the shortest time
 ---@field memory? number bytes, the most that it held
----@field remainder number the largest energy remainder of its runs over the energy at the start and the work at the end
+---@field remainder number the largest energy error of its runs over the energy at the start and the work at the end
 ---@field front boolean
 ---@field meets boolean
 ---@field failed? string

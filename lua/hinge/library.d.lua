@@ -210,10 +210,10 @@ function space_frame.add(model, options) end
 ---What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
 ---broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work
 ---(building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture,
----0: none); kinetic, elastic, plastic, fracture, contact, remainder; brought (momentum), own_kinetic, given (share of
----the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by 0.005, by 0.05,
----is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts, below (how many
----columns are pulled over time, of all and of the lower half); wave, long_wave; verdict
+---0: none); kinetic, elastic, plastic, fracture, contact, remainder (energy error); brought (momentum), own_kinetic,
+---given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by
+---0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts,
+---below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict
 ---("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason,
 ---time, seconds
 ---@alias impact.result table
@@ -363,7 +363,7 @@ local report = {}
 ---@return report.damage
 function report.damage(run, groups) end
 
----Prints the damage by group, the energy ledger and the seconds by stage; returns the first.
+---Prints the damage by group, the energy balance and the seconds by stage; returns the first.
 ---@param run hinge.run
 ---@param groups string[]
 ---@return report.damage

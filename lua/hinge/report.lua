@@ -1,4 +1,4 @@
--- Tables at the end of a run: what became of the members, the energy ledger, and where the seconds went.
+-- Tables at the end of a run: what became of the members, the energy balance, and where the seconds went.
 local check = require "hinge.check"
 
 local report = {}
@@ -26,14 +26,14 @@ local function damage_table(damage, groups)
   return table.concat(lines, "\n")
 end
 
-local ledger = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping",
+local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping",
   "numerical",
   "remainder" }
 
 local function energy_table(energy)
   local brought = math.abs(energy.initial) + math.abs(energy.work)
   local lines = { "energy, kJ" }
-  for _, name in ipairs(ledger) do
+  for _, name in ipairs(accounts) do
     local joules = energy[name]
     if joules and (joules ~= 0 or name ~= "numerical") then
       local part = name == "remainder" and brought > 0
@@ -63,7 +63,8 @@ function report.show(run, groups)
   local damage = report.damage(run, groups)
   local head = ("%s at %.6g s"):format(run.verdict, run.time)
   if run.reason and run.reason ~= "" then head = head .. ": " .. run.reason end
-  local contacts = ("contacts: %d pairs of elements bound, %d let go"):format(run.contacts.bound, run.contacts.released)
+  local contacts = ("contacts: %d pairs of elements bound, %d released")
+    :format(run.contacts.bound, run.contacts.released)
   local fastest = run.fastest
   if fastest then
     contacts = contacts

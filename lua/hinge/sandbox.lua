@@ -23,7 +23,7 @@ local own_modules = { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.mo
 -- A table that says why it lacks what Lua has. Its metatable is out of reach.
 local function guarded(copy, original, prefix)
   return setmetatable(copy, { __metatable = false, __index = function(_, key)
-    if original[key] ~= nil then check.fail("%s%s is not there for a script in the sandbox", prefix, key) end
+    if original[key] ~= nil then check.fail("%s%s is not available to a script in the sandbox", prefix, key) end
   end })
 end
 
@@ -40,8 +40,8 @@ end
 
 local function collect(option, ...)
   if option ~= nil and option ~= "collect" and option ~= "count" and option ~= "step" then
-    check.fail("collectgarbage: option %s is not there for a script in the sandbox; 'collect', 'count' and 'step' are",
-      check.show(option))
+    check.fail("collectgarbage: option %s is not available to a script in the sandbox; "
+      .. "'collect', 'count' and 'step' are", check.show(option))
   end
   return collectgarbage(option, ...)
 end
@@ -76,7 +76,7 @@ function sandbox.environment()
     for _, own in ipairs(own_modules) do
       if name == own then return load_own(name) end
     end
-    check.fail("require: module %s is not there for a script in the sandbox; there are %s", check.show(name),
+    check.fail("require: module %s is not available to a script in the sandbox; there are %s", check.show(name),
       table.concat(own_modules, ", "))
   end)
 end

@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local checks = support.checks "cost_effects"
 local expect, equal, near = checks.expect, checks.equal, checks.near
 
@@ -71,7 +71,7 @@ equal(large.same, false, "it is not idle")
 near(large.answers.uz / (-1.001 * length / 3), 1, 1e-3, "the deflection without it")
 local parts = {}
 for i = 1, math.min(#large.times, #r.times) do parts[i] = 1 - large.times[i] / r.times[i] end
-expect(#parts >= 4 and large.saves == judge.median(parts), "the part of the time, turn by turn")
+expect(#parts >= 4 and large.saves == compare.median(parts), "the part of the time, round by round")
 expect(large.saves > 0.2, "one linear solve a step is cheaper than several: %g", large.saves)
 local idle = effect(r, "plasticity")
 expect(idle.same and idle.change == 0, "plasticity far from yielding: the same bits, no change; %s", idle.change)
@@ -108,7 +108,7 @@ local function scene(p)
   if p.without ~= "contact" then
     model:contact { friction = friction, pairs = p.pairs and function() return { friction = 2 * friction } end or nil }
   end
-  -- in small displacement stubs that turn make energy
+  -- in small displacement offset masses that rotate make energy
   local run = model:dynamic { dt = 4e-6, duration = 6e-4, energy_tolerance = 0 }
   run:probe { node = d, "ux", name = "end" }
   run:finish()
@@ -127,7 +127,7 @@ for _, pairs_too in ipairs { false, true } do
     for name, value in pairs(by_hand) do
       if name ~= "hash" then
         equal(e.answers[name], value, ("%s without %s"):format(name, e.name))
-        equal(e.changes[name], judge.error(value, all[name]), ("change of %s without %s"):format(name, e.name))
+        equal(e.changes[name], compare.error(value, all[name]), ("change of %s without %s"):format(name, e.name))
       end
     end
     expect(by_hand.hash ~= all.hash and not e.same, "%s is not idle", e.name)
@@ -191,7 +191,7 @@ expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "l
 r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
 equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
 _, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
-expect(tostring(refusal):find "hinge.cost: the budget is over before the scenario is; give a larger one",
+expect(tostring(refusal):find "hinge.cost: the budget ended before the scenario was finished; give a larger one",
   "no time at all: %s", refusal)
 
 -- The program ---------------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local methods = require "hinge.cost.methods"
 local checks = support.checks "cost"
 local expect, equal, near = checks.expect, checks.equal, checks.near
@@ -24,24 +24,24 @@ local function refused(message, f, ...)
   expect(not ok and support.says(tostring(failure), message), "says   %s\n    wanted %s", tostring(failure), message)
 end
 
--- Judging -------------------------------------------------------------------------------------------------------------
+-- Comparing -----------------------------------------------------------------------------------------------------------
 
-local front = judge.front { { time = 1, error = 9 }, { time = 2, error = 3 }, { time = 3, error = 3 },
+local front = compare.front { { time = 1, error = 9 }, { time = 2, error = 3 }, { time = 3, error = 3 },
   { time = 4, error = 4 }, { time = 5, error = 1 }, { time = 0.5 }, { time = 2, error = 5 } }
 equal(#front, 3, "items on the front")
 for i, wanted in ipairs { { 1, 9 }, { 2, 3 }, { 5, 1 } } do
   expect(front[i] and front[i].time == wanted[1] and front[i].error == wanted[2], "item %d of the front", i)
 end
-equal(#judge.front { { time = 1, error = 2 }, { time = 2, error = 1.999 }, { time = 3, error = 1.99 } }, 2,
+equal(#compare.front { { time = 1, error = 2 }, { time = 2, error = 1.999 }, { time = 3, error = 1.99 } }, 2,
   "what is better by rounding alone is not on the front")
 for p, h in pairs { [1] = { 4, 2, 1 }, [2] = { 5, 3, 1 }, [4] = { 4, 3, 1 } } do
   local answers = {}
   for i, size in ipairs(h) do answers[i] = 10 - 0.01 * size ^ p end
-  near(judge.order(h, answers) or 0, p, 1e-2, "order of 10 - h^p / 100")
+  near(compare.order(h, answers) or 0, p, 1e-2, "order of 10 - h^p / 100")
 end
-equal(judge.order({ 4, 2, 1 }, { 3, 3, 3 }), math.huge, "order of what is exact")
-equal(judge.order({ 4, 2, 1 }, { 1, 2, 4 }), nil, "order of what diverges")
-near(judge.error(9, 10), 0.1, 1e-15, "error of a number")
+equal(compare.order({ 4, 2, 1 }, { 3, 3, 3 }), math.huge, "order of what is exact")
+equal(compare.order({ 4, 2, 1 }, { 1, 2, 4 }), nil, "order of what diverges")
+near(compare.error(9, 10), 0.1, 1e-15, "error of a number")
 local function sine(n, shift)
   local h = { x = {}, y = {} }
   for i = 1, n + 1 do
@@ -50,32 +50,32 @@ local function sine(n, shift)
   end
   return h
 end
-near(judge.error(sine(40, 0), sine(64, 0)), 0, 3e-6, "error of one curve at other points")
-near(judge.error(sine(40, 0.02), sine(64, 0)), 0.02, 3e-6, "error of a curve that lies 0.02 beside one of height 1")
+near(compare.error(sine(40, 0), sine(64, 0)), 0, 3e-6, "error of one curve at other points")
+near(compare.error(sine(40, 0.02), sine(64, 0)), 0.02, 3e-6, "error of a curve that lies 0.02 beside one of height 1")
 
 
 -- A number that is not one is never near.
 local nan = 0 / 0
 local huge = math.huge
 for _, pair in ipairs { { nan, 1 }, { 1, nan }, { nan, nan }, { 1, huge }, { huge, 1 }, { huge, huge } } do
-  equal(judge.error(pair[1], pair[2]), math.huge, ("error of %g against %g"):format(pair[1], pair[2]))
+  equal(compare.error(pair[1], pair[2]), math.huge, ("error of %g against %g"):format(pair[1], pair[2]))
 end
 for _, at in ipairs { 1, 20, 41, 65 } do -- the last is beyond where the other curve ends
   for _, bad in ipairs { nan, math.huge } do
     local short, long = sine(40, 0), sine(64, 0)
     for i = 1, #long.x do long.x[i] = 1.6 * long.x[i] end
     long.y[at] = bad
-    equal(judge.error(short, long), math.huge, ("error against a curve whose point %d is %g"):format(at, bad))
-    equal(judge.error(long, sine(64, 0)), math.huge, ("error of a curve whose point %d is %g"):format(at, bad))
+    equal(compare.error(short, long), math.huge, ("error against a curve whose point %d is %g"):format(at, bad))
+    equal(compare.error(long, sine(64, 0)), math.huge, ("error of a curve whose point %d is %g"):format(at, bad))
   end
 end
-equal(judge.order({ 4, 2, 1 }, { 3, nan, 3 }), nil, "order of what is not a number")
+equal(compare.order({ 4, 2, 1 }, { 3, nan, 3 }), nil, "order of what is not a number")
 local known_errors = { { time = 1, error = nan }, { time = 2, error = 3 } }
-equal(#judge.front(known_errors), 1, "an error that is not a number is not on the front")
+equal(#compare.front(known_errors), 1, "an error that is not a number is not on the front")
 for at = 1, 3 do
   local worst = 0
-  for i = 1, 3 do worst = judge.larger(worst, i == at and nan or 1e-16) end
-  expect(worst ~= worst, "judge.larger keeps what is not a number at place %d", at)
+  for i = 1, 3 do worst = compare.larger(worst, i == at and nan or 1e-16) end
+  expect(worst ~= worst, "compare.larger keeps what is not a number at place %d", at)
 end
 do
   local verdict = require "hinge.cost.verdict"
@@ -113,7 +113,8 @@ equal(race.way[1].methods[1].settings[2].values.n, 4, "and after")
 equal(#race.way[2].methods[1].settings, 1, "a setting that has just that error")
 equal(methods.time_at(methods.front {}, 0.1), nil, "time of no setting")
 
--- Time steps: one freedom under a load from t = 0, u = F / k (1 - cos wt). Newmark's method is of second order. -------
+-- Time steps: one degree of freedom under a load from t = 0, u = F / k (1 - cos wt). Newmark's method is of
+-- second order. ------------------------------------------------------------------------------------------------------
 
 local E, rho, length, side, force = 206e9, 7850, 1, 0.05, 1000
 local omega, stiffness = math.sqrt(3 * E / rho) / length, E * side ^ 2 / length -- k over a third of the mass
@@ -158,7 +159,7 @@ for _, s in ipairs(r.settings) do
   expect(not s.meets or s.seconds >= r.cheapest.seconds, "nothing cheaper is within 2 %%")
 end
 equal(find(r, { dt = period / 80 }).errors["energy.elastic"] ~= nil or r.quantities["energy.elastic"].state ~= "sound",
-  true, "every answer is judged")
+  true, "every answer is compared")
 
 -- Elements: a cantilever. The midpoint element lacks 1 / (4 n^2) of the bending deflection; asi-gauss is exact. -------
 
@@ -218,7 +219,7 @@ equal(r.quantities.chaos.state, "chaotic", "a logistic map")
 expect(r.quantities.chaos.scatter > 0.05, "its scatter, %g", r.quantities.chaos.scatter)
 equal(r.quantities.steady.state, "sound", "what does not hang on it")
 equal(r.settings[1].errors.chaos, nil, "it has no error")
-equal(r.settings[1].worst, "steady", "and nothing is judged by it")
+equal(r.settings[1].worst, "steady", "and no setting is compared by it")
 near(r.orders.dt.observed, 2, 1e-6, "order in dt")
 r = hinge.cost(toy(function(p)
   local x = p.x
@@ -306,7 +307,7 @@ calls = {}
 hinge.cost(slow, { out = folder .. "/kept", parameters = { x = 0.4 }, repeats = 1 })
 expect(#calls >= 7, "other parameters are run: %d", #calls)
 local start = clock()
-refused("...hinge.cost: the budget is over before the first setting is; ...", hinge.cost, hinge.scenario {
+refused("...hinge.cost: the budget ended before the first setting was finished; ...", hinge.cost, hinge.scenario {
   parameters = { force = 1.5 }, accuracy = { dt = { 1e-6, 2e-6 } },
   run = function(p)
     local model = hinge.model()

@@ -109,18 +109,18 @@ for expression, name in pairs(absent) do
   local place = expression:find "^load ?['(]" and "...:1" or "s.lua:1"
   if expression:find "wrap" then place = place .. ": " .. place end -- Lua adds it on the way out of a coroutine
   ends("local x = " .. expression .. "\nprint 'OUT'", 2,
-    ("hinge: %s: %s is not there for a script in the sandbox\n"):format(place, name))
+    ("hinge: %s: %s is not available to a script in the sandbox\n"):format(place, name))
 end
 
 local ways = { -- script -> status, message
   { "require 'hinge.core'", 2,
-    "s.lua:1: require: module 'hinge.core' is not there for a script in the sandbox; there are hinge, ..." },
+    "s.lua:1: require: module 'hinge.core' is not available to a script in the sandbox; there are hinge, ..." },
   { "require 'hinge.runner'", 2,
-    "s.lua:1: require: module 'hinge.runner' is not there for a script in the sandbox; ..." },
-  { "require 'secret'", 2, "s.lua:1: require: module 'secret' is not there for a script in the sandbox; ..." },
+    "s.lua:1: require: module 'hinge.runner' is not available to a script in the sandbox; ..." },
+  { "require 'secret'", 2, "s.lua:1: require: module 'secret' is not available to a script in the sandbox; ..." },
   { "require 'hinge.../../secret'", 2, "s.lua:1: require: module 'hinge.../../secret' is not there..." },
   { "collectgarbage 'stop'", 2,
-    "s.lua:1: collectgarbage: option 'stop' is not there for a script in the sandbox; 'collect', ..." },
+    "s.lua:1: collectgarbage: option 'stop' is not available to a script in the sandbox; 'collect', ..." },
   { "assert(load('\\27Lua'))", 2, "attempt to load a binary chunk (mode is 't')" },
   { "assert(load('\\27Lua', 'x', 'b'))", 2, "attempt to load a binary chunk (mode is 't')" },
   { "getmetatable('').__index.format = nil", 2, "s.lua:1: attempt to index a boolean value" },

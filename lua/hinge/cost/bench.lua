@@ -1,9 +1,9 @@
--- The bench: runs settings of a scenario within a budget, keeps what is finished, times by turns, and
+-- The bench: runs settings of a scenario within a budget, keeps what is finished, times alternately, and
 -- knows how long others would take.
 local core = require "hinge.core"
 local ladder = require "hinge.cost.ladder"
 local measure = require "hinge.cost.measure"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local store = require "hinge.cost.store"
 
 local Bench = {}
@@ -17,7 +17,7 @@ local function open(scenario, base, knobs, options)
   return setmetatable({
     scenario = scenario, base = base, knobs = knobs, case = options.case, part = options.perturbation,
     say = options.progress, store = store.open(options.out, scenario.run),
-    start = core.clock(), budget = options.budget, names = {}, paces = {},
+    start = core.clock(), budget = options.budget, names = {}, timed = {},
   }, Bench)
 end
 
@@ -26,33 +26,33 @@ function Bench:elapsed() return core.clock() - self.start end
 --- Whether so many seconds more are within the budget.
 function Bench:fits(seconds) return not self.budget or self:elapsed() + seconds <= self.budget end
 
--- The parameters of a setting; `turn` > 0: every number that is not whole changed by a part of
+-- The parameters of a setting; `variation` > 0: every number that is not whole changed by a part of
 -- 1e-9 or so, and how many were.
-function Bench:parameters(setting, turn)
+function Bench:parameters(setting, variation)
   local p = {}
   for name, value in pairs(self.base) do p[name] = value end
   for name, value in pairs(setting.values) do p[name] = value end
-  if turn == 0 then return p end
+  if variation == 0 then return p end
   local names = {}
   for name in pairs(p) do names[#names + 1] = name end
   table.sort(names)
-  return measure.perturbed(p, names, self.part, turn)
+  return measure.perturbed(p, names, self.part, variation)
 end
 
-function Bench:key(setting, turn)
+function Bench:key(setting, variation)
   return store.key(self:parameters(setting, 0), (" case %s, changed by %g times %d%s")
-    :format(self.case or "", self.part, turn, setting.without and ", without " .. setting.without or ""))
+    :format(self.case or "", self.part, variation, setting.without and ", without " .. setting.without or ""))
 end
 
-function Bench:record(setting, turn) return self.store:get(self:key(setting, turn or 0)) end
+function Bench:record(setting, variation) return self.store:get(self:key(setting, variation or 0)) end
 
 -- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else
 -- what is usual, corrected by how the time of all grew with what is usual.
 function Bench:growth(knob)
   local found, all = {}, {}
-  for i, a in ipairs(self.paces) do
+  for i, a in ipairs(self.timed) do
     for j = 1, i - 1 do
-      local b = self.paces[j]
+      local b = self.timed[j]
       local alone = a.values[knob.name] ~= b.values[knob.name]
       for _, other in ipairs(self.knobs) do
         alone = alone and (other == knob or a.values[other.name] == b.values[other.name])
@@ -64,17 +64,17 @@ function Bench:growth(knob)
       end
     end
   end
-  return math.max(0, judge.median(found) or knob.side.work * (judge.median(all) or 1))
+  return math.max(0, compare.median(found) or knob.side.work * (compare.median(all) or 1))
 end
 
 --- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and
 -- for what is finished.
-function Bench:estimate(setting, turn)
-  if self:record(setting, turn) or #self.paces == 0 then return 0 end
+function Bench:estimate(setting, variation)
+  if self:record(setting, variation) or #self.timed == 0 then return 0 end
   local nearest, from = math.huge, nil
-  for _, pace in ipairs(self.paces) do
-    local apart = math.abs(math.log(setting.weight / pace.weight))
-    if apart <= nearest then nearest, from = apart, pace end
+  for _, known in ipairs(self.timed) do
+    local apart = math.abs(math.log(setting.weight / known.weight))
+    if apart <= nearest then nearest, from = apart, known end
   end
   local seconds = from.seconds
   for _, knob in ipairs(self.knobs) do
@@ -87,23 +87,23 @@ end
 
 local function took(record) return record.seconds[1] + record.outside end
 
-function Bench:measure(setting, turn)
-  return measure.once(self.scenario, self:parameters(setting, turn), self.case,
+function Bench:measure(setting, variation)
+  return measure.once(self.scenario, self:parameters(setting, variation), self.case,
     self.budget and self.start + self.budget, setting.without)
 end
 
 --- Its measurement: the one that is kept, or a new one. nil where the budget ended it.
-function Bench:run(setting, turn)
-  local key = self:key(setting, turn or 0)
+function Bench:run(setting, variation)
+  local key = self:key(setting, variation or 0)
   local record = self.store:get(key)
   if not record then
-    record = self:measure(setting, turn or 0)
+    record = self:measure(setting, variation or 0)
     if not record then return nil end
     record.seconds, record.outside = { record.seconds }, record.outside or 0
     self.store:put(key, record)
   end
   if not record.failed then
-    self.paces[#self.paces + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) }
+    self.timed[#self.timed + 1] = { weight = setting.weight, values = setting.values, seconds = took(record) }
   end
   return record
 end
@@ -117,7 +117,7 @@ function Bench:time_again(setting, moving)
   record.seconds[#record.seconds + 1] = again.seconds
   record.outside = math.min(record.outside, again.outside)
   for name, answer in pairs(record.answers) do
-    if judge.error(again.answers[name], answer) > 0 then moving[name] = true end
+    if compare.error(again.answers[name], answer) > 0 then moving[name] = true end
   end
   record.moving = moving
 end
@@ -125,9 +125,9 @@ end
 --- Keeps what was timed again.
 function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
 
---- Times settings again, one after the other so that a slow moment of the machine meets all of them. Returns the names
--- of answers that differed from one time to the next.
-function Bench:time_by_turns(compared, repeats)
+--- Times settings again, one after the other so that a slow moment of the machine affects all of them. Returns the
+-- names of answers that differed from one time to the next.
+function Bench:time_alternately(compared, repeats)
   local moving = {}
   for _, s in ipairs(compared) do
     for name in pairs(s.record.moving or {}) do moving[name] = true end
@@ -136,7 +136,7 @@ function Bench:time_by_turns(compared, repeats)
   for round = 2, repeats > 1 and most_repeats or 1 do
     for i, s in ipairs(compared) do
       local seconds = s.record.seconds
-      if #seconds < round and (round <= repeats or judge.median(seconds) * #seconds < enough)
+      if #seconds < round and (round <= repeats or compare.median(seconds) * #seconds < enough)
         and self:fits(seconds[1] + s.record.outside) then
         self:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared,
           math.max(1, repeats - round + 1) * seconds[1])
@@ -152,9 +152,9 @@ end
 --- Seconds that the changed runs of a setting would take: see scatter. `like`: one of which it is known.
 function Bench:changed_runs(setting, like)
   local seconds = 0
-  for turn = 1, perturbations do
-    if not self:record(setting, turn) then
-      seconds = seconds + math.max(self:estimate(setting, turn), self:estimate(like, turn))
+  for variation = 1, perturbations do
+    if not self:record(setting, variation) then
+      seconds = seconds + math.max(self:estimate(setting, variation), self:estimate(like, variation))
     end
   end
   return seconds
@@ -168,14 +168,15 @@ function Bench:scatter(setting)
     return nil, "no number of the scenario could be changed a little, so chaos was not looked for"
   end
   local scatter = {}
-  for turn = 1, perturbations do
-    self:progress("changed by a trifle, " .. setting.label, turn - 1, perturbations,
-      (perturbations - turn + 1) * self:estimate(setting, turn))
-    local record = (self:record(setting, turn) or self:fits(self:estimate(setting, turn))) and self:run(setting, turn)
+  for variation = 1, perturbations do
+    self:progress("changed slightly, " .. setting.label, variation - 1, perturbations,
+      (perturbations - variation + 1) * self:estimate(setting, variation))
+    local record = (self:record(setting, variation) or self:fits(self:estimate(setting, variation)))
+      and self:run(setting, variation)
     if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
     for name, answer in pairs(setting.record.answers) do
-      local error = record.failed and math.huge or judge.error(record.answers[name], answer)
-      scatter[name] = judge.larger(scatter[name] or 0, error)
+      local error = record.failed and math.huge or compare.error(record.answers[name], answer)
+      scatter[name] = compare.larger(scatter[name] or 0, error)
     end
   end
   return scatter

@@ -5,7 +5,7 @@
 -- of the effect (core.leave_out).
 local check = require "hinge.check"
 local core = require "hinge.core"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 
 local effects = {}
@@ -18,13 +18,13 @@ local function same_bits(a, b, changes)
   return same
 end
 
--- Median of the part of the time that is saved, turn by turn, and half the width of the middle half of them.
+-- Median of the part of the time that is saved, round by round, and half the width of the middle half of them.
 local function saved(all, rest)
   local parts = {}
   for i = 1, math.min(#all, #rest) do parts[i] = 1 - rest[i] / all[i] end
   table.sort(parts)
   local n = #parts
-  return judge.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
+  return compare.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
 end
 
 -- The answer that changes most of those that change by more than they scatter; where none does, of all, and true if
@@ -56,22 +56,22 @@ local function own_error(bench, knobs, all)
     return nil, ("a run twice as fine (%s) has no answer: %s"):format(finer.label, record.failed)
   end
   local errors = {}
-  for name, answer in pairs(record.answers) do errors[name] = judge.error(all.record.answers[name], answer) end
+  for name, answer in pairs(record.answers) do errors[name] = compare.error(all.record.answers[name], answer) end
   return errors, nil, finer.label
 end
 
-local function judge_one(s, all, moving, scatter, o)
+local function compare_one(s, all, moving, scatter, o)
   local row = { name = s.without, failed = s.failed, changes = {} }
   if s.failed then return row end
   local r = s.record
   for name, answer in pairs(all.record.answers) do
-    if not moving[name] then row.changes[name] = judge.error(r.answers[name], answer) end
+    if not moving[name] then row.changes[name] = compare.error(r.answers[name], answer) end
   end
   row.same = same_bits(all.record, r, row.changes)
   row.worst, row.lost = worst(row.changes, scatter, o.quantity)
   row.change = row.worst and row.changes[row.worst]
   row.saves, row.spread = saved(all.record.seconds, r.seconds)
-  row.seconds, row.times, row.remainder, row.answers = judge.median(r.seconds), r.seconds, r.remainder, r.answers
+  row.seconds, row.times, row.remainder, row.answers = compare.median(r.seconds), r.seconds, r.remainder, r.answers
   return row
 end
 
@@ -86,7 +86,9 @@ function effects.compare(bench, knobs, o)
   end
   local all, notes, absent, settings, left_out, measured = without("nothing", "all effects"), {}, {}, {}, {}, {}
   all.record = bench:run(all)
-  if not all.record then check.fail("%s: the budget is over before the scenario is; give a larger one", where) end
+  if not all.record then
+    check.fail("%s: the budget ended before the scenario was finished; give a larger one", where)
+  end
   if all.record.failed then check.fail("%s: the scenario has no answer: %s", where, all.record.failed) end
   local optional = core.optional_effects()
   for i, name in ipairs(optional) do
@@ -108,7 +110,7 @@ function effects.compare(bench, knobs, o)
   local errors, unknown, finer = own_error(bench, knobs, all)
   notes[#notes + 1] = unknown
   table.insert(measured, 1, all)
-  local moving = bench:time_by_turns(measured, o.repeats)
+  local moving = bench:time_alternately(measured, o.repeats)
   local answers = {}
   for name in pairs(all.record.answers) do
     if not moving[name] then
@@ -119,11 +121,11 @@ function effects.compare(bench, knobs, o)
     check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(answers))
   end
   local rows = {}
-  for i, s in ipairs(settings) do rows[i] = judge_one(s, all, moving, scatter or {}, o) end
+  for i, s in ipairs(settings) do rows[i] = compare_one(s, all, moving, scatter or {}, o) end
   local result = {
     effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes,
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
-    seconds = judge.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
+    seconds = compare.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
     complete = #left_out == 0, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.effects_report".write(result, o.out) end

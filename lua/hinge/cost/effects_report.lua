@@ -1,6 +1,6 @@
 -- What came out of leaving out effects: a table for the reader, effects.csv and summary.json.
 local core = require "hinge.core"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local paper = require "hinge.paper"
 local text = require "hinge.cost.text"
 
@@ -25,9 +25,9 @@ local function effects_table(result)
   end
   rows[#rows + 1] = { "(all effects)", "", "", "", "", ("%.3g"):format(result.seconds), percent(result.remainder) }
   local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
-  paper.table(("Each effect left out by itself, timed %s times by turns: what it changes, "
+  paper.table(("Each effect left out by itself, timed %s times alternately: what it changes, "
     .. "and what part of the time it takes"):format(times),
-    { "effect", "changes", "most in", "takes", "+-", "s without", "remainder" }, rows)
+    { "effect", "changes", "most in", "takes", "+-", "s without", "energy error" }, rows)
 end
 
 local function answers_table(result)
@@ -35,7 +35,7 @@ local function answers_table(result)
   for name in pairs(result.answers) do largest[name] = 0 end
   for _, row in ipairs(result.effects) do
     if not row.failed and not row.same then shown[#shown + 1] = row end
-    for name, c in pairs(row.changes) do largest[name] = judge.larger(largest[name], c) end
+    for name, c in pairs(row.changes) do largest[name] = compare.larger(largest[name], c) end
   end
   if #shown == 0 then return end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)

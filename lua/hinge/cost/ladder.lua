@@ -13,7 +13,7 @@ local sides = {
     why = "linear elements; asi-gauss is exact in elastic statics" },
   { "^steps$", finer = "larger", ratio = 2, order = 1, work = 1, why = "backward steps of load, where members yield" },
   { "tolerance$", finer = "smaller", ratio = 10, order = 1, work = 0.05, why = "what is left out of balance" },
-  { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "operator of elements that have turned" },
+  { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "stiffness of elements that have rotated" },
 }
 
 -- Words, the finest first: the reference takes the first of them that is compared. Of other words

@@ -1,7 +1,7 @@
 -- One run of a scenario as a measurement: its answers (numbers and histories), and what it took.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 
 local measure = {}
 local deepest = 6 -- tables within tables of what a script returns
@@ -44,12 +44,12 @@ local function add_histories(answers, histories)
   end
 end
 
--- What a run that is over leaves; it is let go then, so that what it held does not count as the next one's memory.
+-- What a run that is over leaves; it is released then, so that what it held does not count as the next one's memory.
 local function harvest(result, histories, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
   local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
-  if brought ~= 0 then result.remainder = judge.larger(result.remainder, math.abs(run.worst_remainder) / brought) end
+  if brought ~= 0 then result.remainder = compare.larger(result.remainder, math.abs(run.worst_remainder) / brought) end
   for _, probe in ipairs(run.probes) do
     histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value }
   end
@@ -108,7 +108,7 @@ function measure.once(scenario, parameters, case, deadline, without)
   return result
 end
 
--- Numbers that a run does not depend on by design: a change of this part, up and down by turns,
+-- Numbers that a run does not depend on by design: a change of this part, up and down alternately,
 -- shows whether its answer does.
 local function changed(value, by)
   if math.type(value) == "float" and value ~= 0 then return value * (1 + by) end
@@ -119,11 +119,11 @@ local function changed(value, by)
 end
 
 --- The parameters with every number that is not whole changed by a part of itself, and how many of them there are.
-function measure.perturbed(parameters, names, part, turn)
+function measure.perturbed(parameters, names, part, variation)
   local count = 0
   local copy = {}
   for i, name in ipairs(names) do
-    copy[name] = changed(parameters[name], part * ((i + turn) % 2 == 0 and 1 or -1) * (1 + turn) / 2)
+    copy[name] = changed(parameters[name], part * ((i + variation) % 2 == 0 and 1 or -1) * (1 + variation) / 2)
     if copy[name] ~= parameters[name] and type(copy[name]) ~= "table" or type(copy[name]) == "table" then
       count = count + 1
     end

@@ -1,6 +1,6 @@
 -- Methods at equal error: how long each value of a word (formulation, integrator, ...) takes to come
 -- equally near to the reference.
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 
 local methods = {}
 local exact = 1e-10 -- errors below it are rounding, and no point to draw a line through
@@ -9,9 +9,9 @@ local exact = 1e-10 -- errors below it are rounding, and no point to draw a line
 function methods.front(settings)
   local items = {}
   for i, s in ipairs(settings) do
-    items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, exact), setting = s }
+    items[i] = { time = s.seconds, error = s.error and compare.larger(s.error, exact), setting = s }
   end
-  return judge.front(items)
+  return compare.front(items)
 end
 
 --- What a front takes for an error: { seconds =, settings = { one, or two between which it lies } }. Between two of its
@@ -36,7 +36,7 @@ end
 -- a part in a hundred, is left out.
 local function levels(fronts, within, best)
   local common, wanted, found = 0, { within, best and best.error }, {}
-  for _, front in ipairs(fronts) do common = judge.larger(common, #front > 0 and front[#front].error or 0) end
+  for _, front in ipairs(fronts) do common = compare.larger(common, #front > 0 and front[#front].error or 0) end
   wanted[#wanted + 1] = common
   for _, error in ipairs(wanted) do
     local new = error > exact

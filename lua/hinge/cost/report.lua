@@ -1,7 +1,7 @@
 -- What came out of a comparison: tables for the reader, cost.csv and summary.json.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 local paper = require "hinge.paper"
 local plot = require "hinge.cost.plot"
@@ -15,7 +15,7 @@ local states = {
   chaotic = "chaotic: it scatters by %s when every number changes by %g of itself, so it has no error",
   unsettled = "not settled: two references, each finer than all settings, differ by %s; "
     .. "give finer settings, or a greater --within",
-  moving = "differs from run to run of the same setting (%s): a time, or chance; left out",
+  moving = "differs from run to run of the same setting (%s): a measured time, or a random number; left out",
 }
 
 -- What keeps answers from having an error, in their own words; those that share words stand together.
@@ -38,7 +38,7 @@ end
 local function settings_table(result)
   local head = { "" }
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
-  for _, title in ipairs { "error", "worst in", "time", "s", "memory", "remainder" } do head[#head + 1] = title end
+  for _, title in ipairs { "error", "worst in", "time", "s", "memory", "energy error" } do head[#head + 1] = title end
   local rows = {}
   for i, s in ipairs(result.settings) do
     local row = { ("%d%s"):format(i, s.front and " *" or "") }
@@ -50,7 +50,7 @@ local function settings_table(result)
   end
   local fewest, most = math.huge, 0
   for _, s in ipairs(result.settings) do fewest, most = math.min(fewest, #s.times), math.max(most, #s.times) end
-  paper.table(("%d settings, timed %s times by turns (time: median over that of the cheapest; * on the Pareto front)")
+  paper.table(("%d settings, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)")
     :format(#result.settings, fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)), head, rows)
 end
 
@@ -59,7 +59,7 @@ local function answers_table(result)
   for name, q in pairs(result.quantities) do
     if q.state == "sound" then
       largest[name] = 0
-      for _, s in ipairs(result.settings) do largest[name] = judge.larger(largest[name], s.errors[name]) end
+      for _, s in ipairs(result.settings) do largest[name] = compare.larger(largest[name], s.errors[name]) end
     end
   end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)
@@ -144,7 +144,7 @@ function report.show(result)
   if result.references then
     local worst
     for _, q in pairs(result.quantities) do
-      if q.state == "sound" then worst = judge.larger(worst or 0, q.agreement) end
+      if q.state == "sound" then worst = compare.larger(worst or 0, q.agreement) end
     end
     print(("reference: %s; a coarser one (%s) %s"):format(result.references[2].label, result.references[1].label,
       worst and "agrees with it to " .. percent(worst) or "agrees with it on nothing"))
@@ -157,11 +157,11 @@ function report.show(result)
     print(("left out by the budget: %d settings, such as %s, about %.2g s and %.2g s for its reference")
       :format(#result.left_out, out.label, out.estimate, out.rest))
   end
-  local judged, all = 0, 0
-  for _, q in pairs(result.quantities) do judged, all = judged + (q.state == "sound" and 1 or 0), all + 1 end
-  local by = result.quantity or ("%d of %d answers"):format(judged, all)
+  local sound, all = 0, 0
+  for _, q in pairs(result.quantities) do sound, all = sound + (q.state == "sound" and 1 or 0), all + 1 end
+  local by = result.quantity or ("%d of %d answers"):format(sound, all)
   if result.cheapest then
-    print(("cheapest within %s (judged by %s): %s, %s, %.3g s")
+    print(("cheapest within %s (compared by %s): %s, %s, %.3g s")
       :format(percent(result.within), by, result.cheapest.label, percent(result.cheapest.error),
         result.cheapest.seconds))
   else

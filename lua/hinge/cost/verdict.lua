@@ -1,6 +1,6 @@
 -- What is known of the answers and the settings once all has been run: which answers can be
 -- trusted, errors, orders, the front.
-local judge = require "hinge.cost.judge"
+local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 
 local verdict = {}
@@ -12,7 +12,7 @@ function verdict.answers(refs, scatter, moving, compared, within)
   local quantities = {}
   local sample = refs and refs[2].record.answers or compared[#compared].record.answers
   for name, answer in pairs(sample) do
-    local agreement = refs and judge.error(refs[1].record.answers[name], answer) or nil
+    local agreement = refs and compare.error(refs[1].record.answers[name], answer) or nil
     local spread = scatter and scatter[name] or nil
     local chaotic = spread and not (spread <= math.max(within / 2, least_scatter))
     local state = moving[name] and "moving" or chaotic and "chaotic"
@@ -31,9 +31,9 @@ function verdict.errors(compared, refs, quantities, chosen)
     s.errors = {}
     for name, q in pairs(quantities) do
       if q.state == "sound" then
-        local error = judge.error(s.record.answers[name], refs[2].record.answers[name])
+        local error = compare.error(s.record.answers[name], refs[2].record.answers[name])
         s.errors[name] = error
-        local bounded = judge.larger(error, q.agreement)
+        local bounded = compare.larger(error, q.agreement)
         if (not chosen or chosen == name)
           and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
           s.error, s.worst, s.below = bounded, name, error < q.agreement
@@ -68,11 +68,11 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
             h[i] = 1 / ladder.finer(knob, line[n - 3 + i].values[knob.name], line[n - 2].values[knob.name])
             answers[i] = line[n - 3 + i].record.answers[name]
           end
-          found[name] = judge.order(h, answers)
+          found[name] = compare.order(h, answers)
           if found[name] ~= math.huge then all[#all + 1] = found[name] end
         end
       end
-      result[knob.name] = { observed = judge.median(all) or next(found) and math.huge, theory = knob.side.order,
+      result[knob.name] = { observed = compare.median(all) or next(found) and math.huge, theory = knob.side.order,
         why = knob.side.why, quantities = found,
         note = n < 3 and "three values of it are needed, with all else at its finest" or nil }
     end
@@ -86,13 +86,13 @@ function verdict.front(compared, within)
   local cheapest, items = math.huge, {}
   for i, s in ipairs(compared) do
     local r = s.record
-    s.seconds, s.times, s.outside = judge.median(r.seconds), r.seconds, r.outside
+    s.seconds, s.times, s.outside = compare.median(r.seconds), r.seconds, r.outside
     s.stages, s.memory, s.remainder = r.stages, r.memory, r.remainder
     cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.error and judge.larger(s.error, rounding), setting = s }
+    items[i] = { time = s.seconds, error = s.error and compare.larger(s.error, rounding), setting = s }
   end
   local front = {}
-  for i, item in ipairs(judge.front(items)) do front[i], item.setting.front = item.setting, true end
+  for i, item in ipairs(compare.front(items)) do front[i], item.setting.front = item.setting, true end
   table.sort(compared, function(a, b) return a.seconds < b.seconds end)
   local best
   for _, s in ipairs(compared) do

@@ -1,6 +1,7 @@
 -- The small aircraft of the paper's section 4: a space frame of 199 members and 119 joints.
 --
--- Reconstructed, because the paper's figure 16 is lost; the counts follow from its 1698 elements and 7308 freedoms:
+-- Reconstructed, because the paper's figure 16 is lost; the counts follow from its 1698 elements and
+-- 7308 degrees of freedom:
 --                                                joints  members
 --   nose joint, 4 members to the first frame          1        4
 --   fuselage: 11 square frames, 4 longerons          44       84

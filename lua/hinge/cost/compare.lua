@@ -1,10 +1,10 @@
--- Judging answers: how far two are apart, at which order they converge, and which settings nothing else beats.
-local judge = {}
+-- Comparing answers: how far two are apart, at which order they converge, and which settings nothing else beats.
+local compare = {}
 -- The part of an error by which a slower setting must be better to be on the front: less is rounding.
 local least_gain = 1e-3
 
 --- The larger of two numbers; not a number if one of them is not: math.max(a, b) drops a b that is not a number.
-function judge.larger(a, b) return a == a and not (b <= a) and b or a end
+function compare.larger(a, b) return a == a and not (b <= a) and b or a end
 
 -- The value of a history at x by the cubic through the four points about it; its abscissae rise.
 local function value_at(h, x, from)
@@ -33,7 +33,7 @@ end
 local function size(answer)
   if type(answer) == "number" then return math.abs(answer) end
   local peak = 0
-  for _, v in ipairs(answer.y) do peak = judge.larger(peak, math.abs(v)) end
+  for _, v in ipairs(answer.y) do peak = compare.larger(peak, math.abs(v)) end
   return peak
 end
 
@@ -59,7 +59,7 @@ end
 
 --- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean
 -- square for histories. math.huge where either holds a number that is not finite.
-function judge.error(answer, reference)
+function compare.error(answer, reference)
   if answer == nil or reference == nil then return math.huge end
   local d, scale = distance(answer, reference), size(reference)
   if not (d < math.huge and scale < math.huge and size(answer) < math.huge) then return math.huge end
@@ -69,7 +69,7 @@ end
 
 --- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio
 -- of their differences. nil where none between 0.02 and 16 fits; 0 differences mean exact: math.huge.
-function judge.order(h, answers)
+function compare.order(h, answers)
   local first, second = distance(answers[1], answers[2]), distance(answers[2], answers[3])
   local noise = 1e-9 * size(answers[3])
   if first <= noise and second <= noise then return math.huge end
@@ -87,7 +87,7 @@ end
 --- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other,
 -- by time. Items without an error, or with one that is not a number, are none of it, nor those better by less than a
 -- thousandth.
-function judge.front(items)
+function compare.front(items)
   local sorted, front, least = {}, {}, math.huge
   for _, item in ipairs(items) do
     if item.error and item.error == item.error then sorted[#sorted + 1] = item end
@@ -102,11 +102,11 @@ function judge.front(items)
   return front
 end
 
-function judge.median(values)
+function compare.median(values)
   local sorted = table.move(values, 1, #values, 1, {})
   table.sort(sorted)
   local n = #sorted
   return n > 0 and (sorted[(n + 1) // 2] + sorted[n // 2 + 1]) / 2 or nil
 end
 
-return judge
+return compare
