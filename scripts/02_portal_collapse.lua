@@ -6,7 +6,7 @@
 -- Expect  limit_kN = 6.5625 within 0.05 %          6 Mp / (h + L/2): hinges in the middle of the beam, on the
 --                                                  right and in both feet
 --         hinges = 4 exactly                       one more than the frame is redundant: a mechanism
---         remainder_percent = 0 within 0.02        what the energy ledger cannot account for, of the loads' work
+--         energy_error_percent = 0 within 0.02     energy error, of the loads' work
 --
 -- Below the limit load the curve has a kink wherever a hinge forms. Either mechanism alone would need more: sway 4
 -- Mp / h, the beam 8 Mp / L. Axial forces lower Mp by (N / N0)^2 (eq 14), here by a ten thousandth.
@@ -48,4 +48,4 @@ for _, joint in ipairs(model:nodes()) do
   end
 end
 print(("limit load %.4f kN; by hand %.4f kN"):format(run.factor, 6 * Mp / (h + L / 2) / 1000))
-return { limit_kN = run.factor, hinges = hinges, remainder_percent = 100 * run.energy.remainder / run.energy.work }
+return { limit_kN = run.factor, hinges = hinges, energy_error_percent = 100 * run.energy.remainder / run.energy.work }

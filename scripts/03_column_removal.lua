@@ -2,12 +2,12 @@
 --
 -- Run     hinge run scripts/03_column_removal.lua
 -- Shows   a beam over three columns, at rest under its weight; the middle column is broken by
---         a rule that looks at the clock
+--         a rule that tests the time
 -- Expect  dynamic_factor = 1.994 within 0.2 %       the joint's deepest drop over that of statics; 2 for one mass
 --                                                   on a spring
 --         static_mm = 15.955 within 0.01 %         how much lower it stands without the column, in statics
 --         broken = 1 exactly                       the column, and nothing else
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the gravity set free
+--         energy_error_percent = 0 within 0.01     energy error, of the potential energy released
 --
 -- Why twice: what gravity gives on the way down to the new equilibrium is kinetic there, and
 -- carries the frame as far again.
@@ -57,5 +57,5 @@ print(("standing %.3f mm, without the column %.3f mm, deepest %.3f mm")
 return {
   dynamic_factor = (drop.min - upper) / (lower - upper), static_mm = 1e3 * (upper - lower),
   broken = run:count { state = "broken" },
-  remainder_percent = 100 * run.energy.remainder / -run.energy.gravity,
+  energy_error_percent = 100 * run.energy.remainder / -run.energy.gravity,
 }

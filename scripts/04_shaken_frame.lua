@@ -11,7 +11,7 @@
 --         strong_mm = 57.84 within 1 %             largest drift of the strong one: eight times as far as the
 --                                                  weak one, though it flows
 --         set_mm = 6.24 within 5 %                 the drift about which it swings in the end
---         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the ground's work, of both
+--         energy_error_percent = 0 within 0.01     energy error, of the ground's work, of both
 --
 -- The record is a list of numbers; a measured one would be read from a file in its place.
 local hinge = require "hinge"
@@ -59,5 +59,5 @@ end
 return {
   weak_mm = 1e3 * weak.swing, weak_plastic_J = weak.energy.plastic,
   strong_mm = 1e3 * strong.peak, set_mm = 1e3 * strong.set,
-  remainder_percent = 100 * (weak.lost + strong.lost),
+  energy_error_percent = 100 * (weak.lost + strong.lost),
 }

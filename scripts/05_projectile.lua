@@ -3,9 +3,9 @@
 -- Run     hinge run scripts/05_projectile.lua
 -- Shows   a bar of 20 kg flies at 30 m/s into the middle of a clamped column, bends it and bounces off
 -- Expect  brought_Ns = 602.9 within 0.02 %           its momentum m v
---         lost_percent = 0 within 0.1              of it, what neither the supports took nor is left in motion
+--         lost_percent = 0 within 0.1              of it, the part found neither in the supports nor in motion
 --         yielded = 2 exactly                      both halves of the column
---         remainder_percent = 0 within 0.3         what the energy ledger cannot account for, of the initial energy
+--         energy_error_percent = 0 within 0.3      energy error, of the initial energy
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 325e6 }
@@ -43,5 +43,5 @@ print(("velocity of the projectile's end %.2f m/s; the column bends by %.1f mm")
 return {
   brought_Ns = brought, lost_percent = 100 * (brought + impulse - left) / brought,
   yielded = run:count { group = "column", state = "yielded" },
-  remainder_percent = 100 * run.energy.remainder / run.energy.initial,
+  energy_error_percent = 100 * run.energy.remainder / run.energy.initial,
 }

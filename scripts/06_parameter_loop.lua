@@ -8,7 +8,7 @@
 --                                                  t = T / 20
 --         at_25_percent = 1.41421 within 1 %       the same for t = T / 4
 --         at_100_percent = 2 within 1 %            and 2 for all that last half a period or longer
---         remainder_percent = 0 within 0.01        what the ledger cannot account for, of the loads' work, all together
+--         energy_error_percent = 0 within 0.01     energy error, of the loads' work, all together
 local hinge = require "hinge"
 
 local L, F = 2, 1000 -- m, N
@@ -43,12 +43,12 @@ local _, _, mass = cantilever()
 local stiffness = 3 * steel.E * bar.Ix / L ^ 3
 local static, period = F / stiffness, 2 * math.pi * math.sqrt(mass / stiffness)
 
-local results = { remainder_percent = 0 }
+local results = { energy_error_percent = 0 }
 print "duration / period, largest / static, one mass on a spring"
 for _, part in ipairs { 0.05, 0.1, 0.25, 0.5, 1 } do
-  local depth, remainder = deepest(part * period, 2 * period)
+  local depth, energy_error = deepest(part * period, 2 * period)
   print(("%.2f, %.5f, %.5f"):format(part, depth / static, part < 0.5 and 2 * math.sin(math.pi * part) or 2))
-  results.remainder_percent = results.remainder_percent + 100 * remainder
+  results.energy_error_percent = results.energy_error_percent + 100 * energy_error
   if part == 0.05 or part == 0.25 or part == 1 then results[("at_%.0f_percent"):format(100 * part)] = depth / static end
 end
 return results

@@ -6,8 +6,7 @@
 -- Expect  ms = 20 within 0.5 %                     when the moved end has gone 2 % of the length:
 --                                                  t = sqrt(2 * 0.02 L / a)
 --         same = 1 exactly                         the function did what the numbers do, to the bit
---         remainder_percent = 0 within 0.01        what the energy ledger cannot account for, of the pulling
---                                                  hand's work
+--         energy_error_percent = 0 within 0.01     energy error, of the work at the pulled end
 --
 -- More of such rules: rules/plastic_work.lua (damage that adds up), rules/strain_rate.lua (a limit that rises with the
 -- speed), rules/joint_interaction.lua (axial force and bending together, at the joints only).
@@ -35,5 +34,5 @@ local by_function      = pull(function(section) return math.abs(section.axial_st
 print(("the rod breaks at %.3f ms; by hand %.3f ms"):format(1e3 * time, 1e3 * math.sqrt(2 * limit * L / acceleration)))
 return {
   ms = 1e3 * time, same = by_numbers.hash == by_function.hash and 1 or 0,
-  remainder_percent = 100 * by_function.energy.remainder / by_function.energy.work,
+  energy_error_percent = 100 * by_function.energy.remainder / by_function.energy.work,
 }

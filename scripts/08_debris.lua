@@ -2,14 +2,14 @@
 --
 -- Run     hinge run scripts/08_debris.lua
 -- Shows   five loose bars fall half a metre, at 1 m/s to the right, on a grating of fixed ones; they bounce, hit each
---         other and slide, and friction turns a part of what they bring into heat
+--         other and slide, and friction dissipates a part of their energy
 -- Expect  first_touch_ms = 319.3 within 0.02 %     sqrt(2 h / g) of the lowest one, h = 0.5 m between the surfaces
 --         fallen_through = 0 exactly               bars below the grating in the end
 --         heat_percent = 11 within 8               of what gravity gave them, by friction; nothing else damps: the rest
 --                                                  is motion and vibration
---         remainder_percent = 0 within 0.1         what the energy ledger cannot account for, of what gravity gave
+--         energy_error_percent = 0 within 0.1      energy error, of what gravity gave
 --
--- What the bars do to each other is chaotic: another processor gives another heap. The ledger is what to trust.
+-- What the bars do to each other is chaotic: another processor gives another heap. Rely on the energy balance.
 local hinge = require "hinge"
 
 local side, h, g = 0.05, 0.5, 9.80665
@@ -46,5 +46,5 @@ print(("%.1f J from gravity, %.1f J heat of friction, %.1f J in motion")
   :format(given, run.energy.contact_released, run.energy.kinetic))
 return {
   first_touch_ms = 1e3 * first, fallen_through = through, heat_percent = 100 * run.energy.contact_released / given,
-  remainder_percent = 100 * run.energy.remainder / given,
+  energy_error_percent = 100 * run.energy.remainder / given,
 }

@@ -2,7 +2,7 @@
 --
 -- Run     hinge run scripts/10_point_mass.lua
 -- Shows   20 kg at the tip of a steel bar 1 m long of next to no mass: how far they bend it at rest, and how long a
---         swing takes when they are let go on the bar while it is straight
+--         swing takes when they are released on the bar while it is straight
 -- Expect  sag_mm = 0.610534 within 0.0002 %        m g f, f = L^3 / (3 E I) + L / (k G A)
 --         period_ms = 49.576 within 0.02 %         2 pi sqrt(m f)
 local hinge = require "hinge"

@@ -5,7 +5,7 @@
 --         the periods of its first and second mode
 -- Expect  ratio = 0.02 within 1 %                  from the energy left after three periods, exp(-2 z w t)
 --         lost = 0.529 within 1 %                  of the energy, 1 - exp(-2 z 6 pi) by the damping
---         open = 0 within 0.000001                 what the energy balance misses
+--         open = 0 within 0.000001                 energy error, of the initial energy
 local hinge = require "hinge"
 
 local length, side, n, z = 3, 0.1, 6, 0.02

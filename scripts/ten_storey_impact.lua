@@ -3,7 +3,7 @@
 -- Run     hinge run scripts/ten_storey_impact.lua                 (Case I, 0.25 s, 25,000 steps)
 --         hinge run scripts/ten_storey_impact.lua --case II       (or III, IV), or any parameter: speed=400/3.6 dt=2e-5
 -- Shows   the frame under its own and its floors' weight, then the impact: hinges, fracture, contact, no damping
--- Expect  a table of damage by storey and group, the energy ledger and the seconds by stage;
+-- Expect  a table of damage by storey and group, the energy balance and the seconds by stage;
 --         frame.png: all members in six colours of f_y, black where fractured; upper_storeys.png: the upper five
 --         storeys without what is fractured; frames.pvd for ParaView
 --

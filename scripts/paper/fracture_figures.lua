@@ -1,11 +1,12 @@
 -- What becomes of an element that breaks, and of its mass? The paper's section 2.3, figures 4 and 5.
 --
 -- Run     hinge run scripts/paper/fracture_figures.lua                (quick=true: stops soon after the fracture)
--- Shows   a portal of three bars in free flight, turning; 5 ms on, the left element of the beam breaks at midspan. It
---         is drawn as a rigid bar that ends in a virtual node, and all its mass goes to the node it still hangs on
+-- Shows   a portal of three bars in free flight and rotation; 5 ms on, the left element of the beam breaks at
+--         midspan. It is drawn as a rigid bar that ends in a virtual node, and all its mass goes to the node it is
+--         still attached to
 -- Expect  node 2 from 9.8125 to 14.7188 kg, node 6 (the middle of the beam) from 9.8125 to 4.9063 kg, the
 --         virtual node 0; 58.875 kg, 392.5 kg m/s and 441.685 kg m2/s before and after; 1 mJ of kinetic
---         and 29 mJ of strain energy let go
+--         and 29 mJ of strain energy released
 --         fig4_before.png, fig4_after.png, fig4.png: elements, rigid bar and virtual node; fig5.png: mass on the nodes
 --
 -- The paper's figures are sketches without numbers: the portal, its motion and the time of fracture are
@@ -78,7 +79,7 @@ local function show(before, after)
     local a, b = before[line[1]], after[line[1]]
     rows[i] = { line[2], ("%.6f"):format(a), ("%.6f"):format(b), ("%.1e"):format(b - a) }
   end
-  paper.table("What is kept, and what is let go", { "", "before", "after", "change" }, rows)
+  paper.table("What is kept, and what is released", { "", "before", "after", "change" }, rows)
 end
 
 return hinge.scenario {

@@ -11,14 +11,14 @@
 --         undecided. More than a third of them, or the case as reconstructed: the study has failed.
 --         Of the variants that decide it, damage I > II and I > III, by a tenth, in 4 of 6, II > III in none of 7, IV
 --         not I, tension within 10 ms and all storeys feeling it within 25 ms in 7 of 7; cut columns in none. Case I:
---         the column that is hit turns by 1.7 rad in its hinges, while eq 16 reads 0.037 of 0.4 1/m: it takes an
+--         the column that is hit rotates by 1.7 rad in its hinges, while eq 16 reads 0.037 of 0.4 1/m: it takes an
 --         element as a whole, and where a column bends in three hinges their rotations cancel. No column is cut under
 --         another contact rule, in other bays, or, in the 28 ms that it lasts, by an aircraft that neither yields nor
 --         breaks. With sections half as large and an aircraft of box 300x300x20 three outer columns are cut in every
 --         case, within the 50 to 79 ms after which all four end
 --         sensitivity.png
 --
--- The energy remainder is at most 0.6 %.
+-- The energy error is at most 0.6 %.
 local hinge  = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 local paper  = require "hinge.paper"
@@ -125,7 +125,7 @@ local function show_grid(p, tasks, results, job)
   local head = { "sections; height, m", "I", "II", "III", "IV", "I", "II", "III", "IV",
     "1", "2", "3", "4", "5", "6", "7", "off" }
   paper.table("Plastic work in the building, MJ; fractured columns, inner+outer; findings; "
-    .. "largest remainder of the four, %", head, rows)
+    .. "largest energy error of the four, %", head, rows)
   job:plot({ title = "Plastic work in the building", y_label = "MJ", series = series,
     x_label = ("sections %s, each hit at %s m"):format(table.concat(p.scales, ", "), table.concat(p.heights, ", ")) },
     "sensitivity.png")
@@ -208,10 +208,10 @@ local function show_why(tasks, results)
       curvature = r.curvature, rotation = r.rotation, work = r.work, work_aircraft = r.work_aircraft,
       given = r.given, ended = r.ended }
   end
-  local head = { "change", "fractured", "curvature, 1/m", "turned, rad", "building, MJ", "aircraft, MJ",
+  local head = { "change", "fractured", "curvature, 1/m", "rotated, rad", "building, MJ", "aircraft, MJ",
     "momentum, %", "off, %" }
   paper.table("Case I, one thing changed at a time: columns fractured, inner+outer; largest curvature that eq 16 "
-    .. "reads in a\ncolumn; how far a column's hinges have turned, all together; plastic work in building and "
+    .. "reads in a\ncolumn; how far a column's hinges have rotated, all together; plastic work in building and "
     .. "aircraft; share of the momentum", head, rows)
   return list
 end
@@ -242,7 +242,7 @@ local function show_weak(tasks, results)
   return list
 end
 
--- One run. A column's hinges have turned by its plastic work over its plastic moment, all of them together.
+-- One run. A column's hinges have rotated by its plastic work over its plastic moment, all of them together.
 local function simulate(task)
   local seen = { curvature = 0 }
   local r = impact.simulate(impact.with(task.p, { fracture = task.why and watched(seen, task.p) or nil }))

@@ -7,10 +7,10 @@
 --         eqs 17-19 as printed
 -- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, as
 --         printed 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut
---         loses 9 to 89 %. The remainder falls with the square of the step, and is 70 times less by surfaces with beta
---         1/4. One of 109 runs ends by itself, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their period
---         (* in the table)
---         fig14_*.png: energies over time; fig15.png: snapshots; remainder_over_dt.png
+--         loses 9 to 89 %. The energy error falls with the square of the step, and is 70 times less by surfaces with
+--         beta 1/4. One of 109 runs ends by itself, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their
+--         period (* in the table)
+--         fig14_*.png: energies over time; fig15.png: snapshots; energy_error_over_dt.png
 --
 -- The paper's figure 13 is lost: sizes, distance and material are *reconstructed*, and parameters.
 local hinge = require "hinge"
@@ -24,8 +24,8 @@ local rules = {
 }
 local percent = function(part) return ("%.2f"):format(100 * part) end
 
--- One collision. Returns the largest remainder and what was let go as parts of the initial energy, the ledger over
--- time, and why it ended by itself, if it did; see(run) is called after each step.
+-- One collision. Returns the largest energy error and what was released as parts of the initial energy, the balance
+-- over time, and why it ended by itself, if it did; see(run) is called after each step.
 local function collide(p, name, rule, changes, see)
   local q = setmetatable(changes or {}, { __index = p })
   local model = hinge.model { elements_per_member = q.elements }
@@ -47,36 +47,36 @@ local function collide(p, name, rule, changes, see)
   model:contact(contact)
 
   local run = model:dynamic { dt = q.dt, duration = q.duration, beta = q.beta, record = false }
-  local ledger, every = { time = {} }, math.max(1, math.floor(q.duration / q.dt / 300 + 0.5))
+  local balance, every = { time = {} }, math.max(1, math.floor(q.duration / q.dt / 300 + 0.5))
   local worst, initial = 0, run.energy.initial
   for step in run:steps() do
     if step.index % every == 0 then
       local e = run.energy
       worst = math.max(worst, math.abs(e.remainder))
-      ledger.time[#ledger.time + 1] = 1e3 * run.time
+      balance.time[#balance.time + 1] = 1e3 * run.time
       local terms = { kinetic = e.kinetic + e.gravity, elastic = e.elastic, stored = e.contact_stored,
         gone = e.contact_released, total = e.kinetic + e.gravity + e.elastic + e.contact_stored }
       for term, value in pairs(terms) do
-        ledger[term] = ledger[term] or {}
-        table.insert(ledger[term], value / 1e3)
+        balance[term] = balance[term] or {}
+        table.insert(balance[term], value / 1e3)
       end
     end
     if see then see(run) end
   end
   local e = run.energy
-  return { worst = worst / initial, let_go = e.contact_released / initial, bound = run.contacts.bound, ledger = ledger,
-    kinetic = (e.kinetic + e.gravity) / initial, elastic = e.elastic / initial, initial = initial,
+  return { worst = worst / initial, released = e.contact_released / initial, bound = run.contacts.bound,
+    balance = balance, kinetic = (e.kinetic + e.gravity) / initial, elastic = e.elastic / initial, initial = initial,
     ended = paper.ended(run, name) }
 end
 
 -- A cell of a table, marked where its run ended by itself.
 local function cell(text, r) return r.ended and text .. "*" or text end
 
-local function figure_14(job, title, key, ledger)
+local function figure_14(job, title, key, balance)
   local shown = { { "kinetic + potential", "kinetic" }, { "strain", "elastic" }, { "held in contact", "stored" },
-    { "let go with contact", "gone" }, { "total", "total" } }
+    { "released with contact", "gone" }, { "total", "total" } }
   local series = {}
-  for i, item in ipairs(shown) do series[i] = { name = item[1], x = ledger.time, y = ledger[item[2]] } end
+  for i, item in ipairs(shown) do series[i] = { name = item[1], x = balance.time, y = balance[item[2]] } end
   job:plot({ title = "Fig. 14, " .. title, x_label = "time, ms", y_label = "energy, kJ", series = series },
     ("fig14_%s.png"):format(key))
 end
@@ -94,8 +94,8 @@ local function snapshots(p, job)
   end
 end
 
--- Remainder over the time step, both rules, with the paper's beta and with 1/4. The guard ends a run whose remainder is
--- a tenth of the energy turned over: what the table then shows is how large it was until there.
+-- Energy error over the time step, both rules, with the paper's beta and with 1/4. The guard ends a run whose energy
+-- error is a tenth of the largest energy: the table then shows how large it was until there.
 local function over_dt(p, job, count)
   local steps = p.quick and { 1e-5, 4e-5 } or { 1.25e-6, 2.5e-6, 5e-6, 1e-5, 2e-5, 4e-5 }
   local rows, series, result = {}, {}, {}
@@ -114,14 +114,14 @@ local function over_dt(p, job, count)
       result[#result + 1] = { rule = rules[i].key, beta = beta, dt_us = x, percent = y }
     end
   end
-  paper.table("Largest remainder over the time step, % of the initial energy (*: until the run ended by itself)",
+  paper.table("Largest energy error over the time step, % of the initial energy (*: until the run ended by itself)",
     { "dt, us", "surface, beta 0.4", "gap, beta 0.4", "surface, beta 0.25", "gap, beta 0.25" }, rows)
   job:plot({ title = "What the step costs: two-beam impact", x_label = "time step, us", log_x = true, log_y = true,
-    y_label = "largest remainder, % of the energy", series = series }, "remainder_over_dt.png")
+    y_label = "largest energy error, % of the energy", series = series }, "energy_error_over_dt.png")
   return result
 end
 
--- Both rules at other angles, offsets and speeds: the largest remainder and what was let go.
+-- Both rules at other angles, offsets and speeds: the largest energy error and what was released.
 local function sweep(p, count)
   local rows, result = {}, {}
   for _, c in ipairs { { 90, 0, 0 }, { 70, 0, 0 }, { 45, 0, 0 }, { 20, 0, 0 }, { 90, 0.13, 0.07 }, { 70, 0.2, 0.2 },
@@ -133,16 +133,16 @@ local function sweep(p, count)
         local crossing = { angle = c[1], offset = c[2], offset_free = c[3], speed = speed }
         local r = count(collide(p, name, rules[i].rule, crossing))
         if i < 3 then row[#row + 1] = cell(percent(r.worst), r) end
-        if i > 1 then row[#row + 1] = cell(percent(math.max(r.let_go, 0)), r) end
+        if i > 1 then row[#row + 1] = cell(percent(math.max(r.released, 0)), r) end
         result[#result + 1] = { rule = rules[i].key, angle = c[1], offset = c[2], offset_free = c[3], speed = speed,
-          worst = r.worst, let_go = r.let_go, ended = r.ended }
+          worst = r.worst, released = r.released, ended = r.ended }
       end
       rows[#rows + 1] = row
     end
   end
-  paper.table("Other crossings, % of the initial energy: remainder by surfaces; remainder, let go by gaps; "
-    .. "let go by gaps cut at 0.5 ms",
-    { "angle", "off clamped, m", "off free, m", "m/s", "surface", "gap", "let go", "cut" }, rows)
+  paper.table("Other crossings, % of the initial energy: energy error by surfaces; energy error and released, by gaps; "
+    .. "released by gaps cut at 0.5 ms",
+    { "angle", "off clamped, m", "off free, m", "m/s", "surface", "gap", "released", "cut" }, rows)
   return result
 end
 
@@ -163,15 +163,15 @@ return hinge.scenario {
     end
     for i, way in ipairs(rules) do
       local r = count(collide(p, way.title .. ", fig. 14", way.rule, nil, i == 1 and snapshots(p, job) or nil))
-      figure_14(job, way.title, way.key, r.ledger)
-      rows[i] = { cell(way.title, r), r.bound, percent(r.worst), percent(math.max(0, r.let_go)), percent(r.kinetic),
+      figure_14(job, way.title, way.key, r.balance)
+      rows[i] = { cell(way.title, r), r.bound, percent(r.worst), percent(math.max(0, r.released)), percent(r.kinetic),
         percent(r.elastic) }
-      r.ledger = nil
+      r.balance = nil
       result.rules[way.key] = r
     end
     paper.table(("Fig. 14: %.4f kJ fall at %g m/s, %g degrees; %% of them")
         :format(result.rules.surface.initial / 1e3, p.speed, p.angle),
-      { "contact", "contacts", "largest remainder", "let go", "kinetic + potential at the end", "strain at the end" },
+      { "contact", "contacts", "largest error", "released", "kinetic + potential at the end", "strain at the end" },
       rows)
     local must_hold = #ended
     result.over_dt = over_dt(p, job, count)

@@ -8,7 +8,7 @@
 --                                                  count in full, ways down for a third
 --         damage = 1 within 0.1 %                  largest damage that the rule has kept
 --         work_J = 1835 within 0.5 %               plastic work until then
---         remainder_percent = 0 within 0.3         what the energy ledger cannot account for, of the moving hand's work
+--         energy_error_percent = 0 within 0.3      energy error, of the work at the moved end
 --
 -- The rule keeps two numbers of each section: the plastic work that it saw last, and the damage. The joint is
 -- welded at its lower side, which is pulled when the tip goes up (Mx < 0); section.plastic_work alone does
@@ -42,4 +42,4 @@ local _, _, time = member:state()
 time = time or 0 -- 0: it did not break
 print(("broken at %.4f s, after %.1f J of plastic work"):format(time, run.energy.plastic))
 return { break_s = time, work_J = run.energy.plastic, damage = worst,
-  remainder_percent = 100 * run.energy.remainder / run.energy.work }
+  energy_error_percent = 100 * run.energy.remainder / run.energy.work }
