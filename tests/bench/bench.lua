@@ -7,7 +7,7 @@
 --         blocks, one vector), Newmark's method and explicit; what is saved where nothing happens, and what it changes;
 --         an effect that is off against an engine without it; rules of the script's own against limits; threads; frames
 --         of growing size: time and memory
--- Expect  exit status 0: Case I ends as it should, and bits are the same where they must be; times are not judged
+-- Expect  exit status 0: Case I ends as it should, and bits are the same where they must be; times are not checked
 -- Writes  a CSV of each table and growth.png in its output folder
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
 local support = require "support"
@@ -33,7 +33,7 @@ local function must(ok, format, ...)
 end
 
 local function text(format, value) return format:format(value) end
-local function remainder(run) return run.energy.remainder / run.energy.initial end
+local function energy_error(run) return run.energy.remainder / run.energy.initial end
 
 -- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
 local function case_one(options, rule, breaks)
@@ -52,7 +52,7 @@ end
 
 local function stages(job, name, what, run)
   local product = math.huge
-  for step in run:steps() do -- the yardstick now and then, as the machine's pace changes
+  for step in run:steps() do -- the yardstick now and then, as the machine's speed changes
     if name == "case" and step.index % math.max(1, run.planned_steps // 20) == 0 then
       product = support.smallest_of(product, core.time_product(run, 5))
     end
@@ -67,12 +67,12 @@ local function stages(job, name, what, run)
   rows[#rows + 1] = { "step", text("%.1f", sum), name == "case" and text("%.2f", sum * 1e-6 / product) or "" }
   local counts = run.counts
   local title = what
-    .. (": %d steps of %.3g us; %.2f iterations, %.2f elements rebuilt a step; energy remainder %.2g %%%s")
-      :format(n, 1e6 * run.time / n, counts.cg_iterations / n, counts.element_builds / n, 100 * remainder(run),
+    .. (": %d steps of %.3g us; %.2f iterations, %.2f elements rebuilt a step; energy error %.2g %%%s")
+      :format(n, 1e6 * run.time / n, counts.cg_iterations / n, counts.element_builds / n, 100 * energy_error(run),
         name == "case" and (", a product takes %.1f us"):format(1e6 * product) or "")
   show(job, name, title, { "stage", "us", "products" }, rows)
   return { steps = n, step_us = sum, product_us = 1e6 * product, products = sum * 1e-6 / product,
-    remainder = remainder(run) }
+    energy_error = energy_error(run) }
 end
 
 -- Runs each choice alternately, `times` times; least seconds of each, and its last run.
@@ -97,7 +97,7 @@ local function savings(job, quick)
     local a, b = run[1].energy, run[2].energy
     rows[#rows + 1] = { what, switch, text("%.3f", seconds[1] / seconds[2]),
       run[1].hash == run[2].hash and "0 (same bits)" or text("%.1e", math.abs(a.kinetic - b.kinetic) / b.initial),
-      text("%.1e", remainder(run[1])), text("%.1e", remainder(run[2])) }
+      text("%.1e", energy_error(run[1])), text("%.1e", energy_error(run[2])) }
   end
   local short = { duration = 0.002 }
   local function with(base, extra)
@@ -141,8 +141,8 @@ local function savings(job, quick)
     function() return thrown "auto" end,
     function() return thrown(0.1 / steps) end)
   show(job, "savings", "Where nothing happens, against everything computed: time as a ratio, "
-    .. "difference of the kinetic energy, energy remainders",
-    { "what", "switch", "time", "difference", "remainder", "of all" }, rows)
+    .. "difference of the kinetic energy, energy errors",
+    { "what", "switch", "time", "difference", "energy error", "of all" }, rows)
   return rows
 end
 
@@ -203,11 +203,12 @@ local function frame(elements, o)
   local kB = ((memory "VmHWM" or 0) - before) / count
   local product = o.integrator == "explicit" and 0 or core.time_product(run, 3)
   return { elements = count, ns = 1e9 * least / count, products = product > 0 and least / product or 0,
-    product_ns = 1e9 * product / count, built = built, kB = kB, remainder = math.abs(remainder(run)), hash = run.hash }
+    product_ns = 1e9 * product / count, built = built, kB = kB, energy_error = math.abs(energy_error(run)),
+    hash = run.hash }
 end
 
 local kinds = { elastic = {}, impact = { impact = true }, explicit = { integrator = "explicit" } }
-local fields = { "elements", "ns", "products", "product_ns", "built", "kB", "remainder" }
+local fields = { "elements", "ns", "products", "product_ns", "built", "kB", "energy_error" }
 
 -- The same in a process of its own, whose memory is this frame's alone.
 local function alone(kind, size)
@@ -233,15 +234,15 @@ local function growth(job, p)
       local f = alone(kind[1], size)
       rows[#rows + 1] = { kind[1], f.elements, text("%.0f", f.ns), f.products > 0 and text("%.1f", f.products) or "",
         f.products > 0 and text("%.0f", f.product_ns) or "", text("%.2f", f.built), text("%.2f", f.kB),
-        text("%.1e", f.remainder) }
+        text("%.1e", f.energy_error) }
       x[#x + 1], y[#y + 1] = f.elements, f.ns
       size = size * 10
     end
     series[#series + 1] = { x = x, y = y, name = kind[1] }
   end
   show(job, "growth", "Frames of growing size, moving: a step",
-    { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element, peak", "remainder" },
-    rows)
+    { "what", "elements", "ns an element", "products", "ns a product", "build, s", "kB an element, peak",
+      "energy error" }, rows)
   job:plot({ title = "Cost of an element's step", x_label = "elements", y_label = "ns", log_x = true,
     series = series }, "growth.png")
   return rows
@@ -269,7 +270,7 @@ local function rules(job, duration)
   }
   local runs, rows = {}, {}
   for i, choice in ipairs(choices) do runs[i] = case_one({ duration = duration }, nil, choice[2]) end
-  repeat -- by turns
+  repeat -- in alternation
     local more
     for _, run in ipairs(runs) do
       for _ = 1, 100 do more = run:step() end

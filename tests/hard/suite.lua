@@ -7,9 +7,9 @@
 -- Expect  a table and "the rule holds"; what a run did that is neither in bounds nor said is listed, and the status is
 --         then 1. So it is where fewer scenes hold in a setting than `stated` below says
 --
--- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; remainder and
+-- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; energy_error and
 -- momentum, its bounds; free, nothing acts on it from outside; rests, what may still move at its end, as a part of the
--- energy turned over. names or says: it is refused, or ends by itself, with these words; all others must hold in their
+-- largest energy. names or says: it is refused, or ends by itself, with these words; all others must hold in their
 -- own step.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.path
@@ -46,8 +46,8 @@ local function momentum_error(run, before)
   return size(change) / scale
 end
 
--- What the accounts of an energy balance leave over, J, and the largest of them, which a remainder is a part of. Every
--- account counts that run.energy has; "contact_stored" is a part of "contact", and no account of its own.
+-- What the accounts of an energy balance leave over, J, and the largest of them, to which an error is related.
+-- Every account counts that run.energy has; "contact_stored" is a part of "contact", and no account of its own.
 local function balance(energy)
   local left, most = 0, 0
   for name, joules in pairs(energy) do
@@ -84,7 +84,7 @@ local function try(scene, setting)
         return model:close()
       end
     end
-    local before, most, at_energy, unbooked = scene.free and run:momentum(), 0, 0, 0
+    local before, most, at_energy, uncounted = scene.free and run:momentum(), 0, 0, 0
     local every = math.max(1, run.planned_steps // 200)
     run:on_step(function(r)
       if r.index % every ~= 0 and r.index < r.planned_steps then return end
@@ -93,13 +93,13 @@ local function try(scene, setting)
       most = largest_of(most, largest)
       if most <= 1e-12 then return end
       at_energy = largest_of(at_energy, math.abs(e.remainder) / most)
-      unbooked = largest_of(unbooked, math.abs(left - e.remainder) / most)
+      uncounted = largest_of(uncounted, math.abs(left - e.remainder) / most)
     end)
     local begun = os.clock()
     run:finish()
     out.seconds = os.clock() - begun
     out.verdict, out.reason, out.steps = run.verdict, run.reason, run.index
-    out.remainder, out.unbooked = at_energy, unbooked
+    out.energy_error, out.uncounted = at_energy, uncounted
     out.moves = run.energy.kinetic / largest_of(most, 1e-300)
     out.momentum = before and momentum_error(run, before)
     out.speed = run.fastest and run.fastest.speed
@@ -122,20 +122,22 @@ local function breach(scene, out, own_step)
       and ("said '%s', without '%s'"):format(out.reason, wanted_text) or nil
   end
   if out.verdict == "refused" then return "refused: " .. out.reason end
-  if not (out.unbooked <= 1e-12) then return ("the accounts and the remainder are %.2g apart"):format(out.unbooked) end
+  if not (out.uncounted <= 1e-12) then
+    return ("the accounts and the energy error are %.2g apart"):format(out.uncounted)
+  end
   if out.verdict == "failed" then
     if own_step then return "ended by itself in its own step: " .. out.reason end
     local placed = out.reason:find "step %d+" and out.reason:find "t = "
     return not placed and "failed without a step and a time: " .. out.reason or nil
   end
   if out.verdict ~= "completed" then return "its verdict is " .. out.verdict end
-  if own_step and not (out.remainder <= scene.remainder) then
-    return ("remainder %.2g, its bound is %.2g"):format(out.remainder, scene.remainder)
+  if own_step and not (out.energy_error <= scene.energy_error) then
+    return ("energy error %.2g, its bound is %.2g"):format(out.energy_error, scene.energy_error)
   end
   if own_step and scene.rests and not (out.moves <= scene.rests) then
     return ("%.2g of the energy still moves at the end, its bound is %.2g"):format(out.moves, scene.rests)
   end
-  if not (out.remainder <= 0.1) then return ("completed with a remainder of %.2g"):format(out.remainder) end
+  if not (out.energy_error <= 0.1) then return ("completed with an energy error of %.2g"):format(out.energy_error) end
   local bound = scene.momentum and largest_of(scene.momentum, 1e-6) * largest_of(1, (out.times or 1) ^ 2)
   if out.momentum and not (out.momentum <= bound) then
     return ("momentum off by %.2g, its bound is %.2g"):format(out.momentum, bound)
@@ -144,17 +146,17 @@ end
 
 local function held(scene, out)
   return not (scene.names or scene.says or out.breach) and out.verdict == "completed"
-    and out.remainder <= largest_of(scene.remainder, 0.02)
+    and out.energy_error <= largest_of(scene.energy_error, 0.02)
 end
 
-local printed = {} -- where eq 15 as printed does not hold
+local as_printed = {} -- where eq 15 as printed does not hold
 local scenes, breaches, count, holding, tried = {}, {}, 0, {}, {}
 for _, file in ipairs { "structures", "breaking", "contacts" } do
   table.move(require(file), 1, 999, #scenes + 1, scenes)
 end
 
 -- The outcome in one setting; what breaks the rule goes into the list.
-local function judge(scene, setting)
+local function outcome_of(scene, setting)
   local out = try(scene, setting)
   if not out then return end
   out.as_printed = setting.predictor ~= nil
@@ -168,10 +170,10 @@ end
 
 local function mark(out)
   return not out and "" or out.breach and "BREACH" or out.holds and "+"
-    or out.verdict == "completed" and ("%.0e"):format(out.remainder) or "stops"
+    or out.verdict == "completed" and ("%.0e"):format(out.energy_error) or "stops"
 end
 
-local head = { ("%-58s %8s %9s %9s %8s  %-9s"):format("scene", "steps", "remainder", "momentum", "m/s", "verdict") }
+local head = { ("%-58s %8s %9s %9s %8s  %-9s"):format("scene", "steps", "error", "momentum", "m/s", "verdict") }
 if not quick then
   for _, setting in ipairs(settings) do head[#head + 1] = ("%11s"):format(setting[1]) end
   head[#head + 1] = "  cheapest"
@@ -180,19 +182,19 @@ print(table.concat(head))
 for _, scene in ipairs(scenes) do
   if scene[1]:find(wanted, 1, true) and not (quick and scene.slow) then
     count = count + 1
-    local first = judge(scene, own)
+    local first = outcome_of(scene, own)
     local function number(x) return x and ("%9.1e"):format(x) or "" end
     local row = { ("%-58s %8s %9s %9s %8s  %-9s"):format(scene[1], first.steps or "",
-      number(first.remainder), number(first.momentum), first.speed and ("%.3g"):format(first.speed) or "",
+      number(first.energy_error), number(first.momentum), first.speed and ("%.3g"):format(first.speed) or "",
       first.verdict) }
     if not (quick or scene.static or scene.says or scene.long and wanted == "") then
       local cheapest, of = first.holds and first, own
       for _, setting in ipairs(settings) do
         local too_long = scene.slow and wanted == "" and (setting.times or 0) < 2
-        local out = not too_long and judge(scene, setting) or nil
+        local out = not too_long and outcome_of(scene, setting) or nil
         if out and out.as_printed and not out.holds then
-          local why = out.reason ~= "" and out.reason or ("remainder %.2g"):format(out.remainder)
-          printed[#printed + 1] = ("%s: %s"):format(scene[1], why)
+          local why = out.reason ~= "" and out.reason or ("energy error %.2g"):format(out.energy_error)
+          as_printed[#as_printed + 1] = ("%s: %s"):format(scene[1], why)
         end
         row[#row + 1] = ("%11s"):format(mark(out))
         if out and out.holds and (not cheapest or out.seconds < cheapest.seconds) then cheapest, of = out, setting end
@@ -213,8 +215,8 @@ if not quick then
   end
   print("in other settings " .. table.concat(shares, ", ") .. "; the others ended by themselves or were refused")
 end
-if #printed > 0 then print "eq 15 as printed, one solve a step from du = 0, does not hold in" end
-for _, l in ipairs(printed) do print("  " .. l:gsub("%. The state.*", "")) end
+if #as_printed > 0 then print "eq 15 as printed, one solve a step from du = 0, does not hold in" end
+for _, l in ipairs(as_printed) do print("  " .. l:gsub("%. The state.*", "")) end
 if wanted == "" then
   for _, setting in ipairs { own, table.unpack(quick and {} or settings) } do
     local holds, of = holding[setting] or 0, tried[setting] or 0
