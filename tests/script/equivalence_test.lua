@@ -90,7 +90,7 @@ local function same(what, way, limit, back)
   if os.getenv "HINGE_FIGURES" then print(what, worst / size) end
 end
 
--- turned by 1.1 rad about a skew axis (Rodrigues), and back
+-- rotated by 1.1 rad about a skew axis (Rodrigues), and back
 local axis = { 1 / 3, 2 / 3, -2 / 3 }
 local function turned(angle)
   return function(v)
@@ -104,7 +104,7 @@ local function turned(angle)
 end
 
 same("moved by 100 m", { place = function(x) return { x[1] + 100, x[2] - 50, x[3] + 20 } end }, 1e-10)
-same("turned about a skew axis", { place = turned(1.1), direction = turned(1.1) }, 1e-10, turned(-1.1))
+same("rotated about a skew axis", { place = turned(1.1), direction = turned(1.1) }, 1e-10, turned(-1.1))
 same("members in the opposite order", { order = function(list)
   local other = {}
   for i, k in ipairs(list) do other[#list + 1 - i] = k end

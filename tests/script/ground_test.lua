@@ -27,7 +27,7 @@ local function flat(height, ground, options)
   return model, a, b
 end
 
--- What the energy balance misses, of the energy turned over.
+-- What the energy balance misses, of the largest energy.
 local function error_of(run, turned_over) return math.abs(run.energy.remainder) / turned_over end
 
 -- Falls: a bar dropped flat meets the ground after sqrt(2 h / g), with sqrt(2 g h), and comes back to e^2 h.
@@ -153,7 +153,7 @@ do
   end
 end
 
--- A bar breaks in the air, and its stub's free end comes to lie on the ground.
+-- A bar breaks in the air, and the free end of what is left comes to lie on the ground.
 for _, o in ipairs { { dt = 2e-5 }, { integrator = "explicit", dt = "auto" } } do
   local model, name = hinge.model {}, "debris, " .. (o.integrator or "newmark")
   local a, b = model:node { 0, 0, 0.4 }, model:node { 1, 0, 0.2 }

@@ -168,7 +168,7 @@ do
   checks.expect(nested > 0, "the run inside asks its rule: %d times", nested)
 end
 
--- Two rules by turns along the frame are asked in the order of the elements; a section that
+-- Two rules alternately along the frame are asked in the order of the elements; a section that
 -- breaks leaves out its twin alone.
 do
   local order = {}
@@ -242,7 +242,7 @@ end
 -- Contact -------------------------------------------------------------------------------------------------------------
 
 -- Two bars fly at a third from both sides.
-local function met(declare, dt)
+local function impact(declare, dt)
   local model = hinge.model()
   local function beam(group, y, v)
     local a, b = model:node { -0.5, y, 0 }, model:node { 0.5, y, 0 }
@@ -257,34 +257,34 @@ local function met(declare, dt)
   run:finish()
   return run, events, members
 end
-local _, both = met(function(m, _, note) m:contact { on_contact = note } end)
+local _, both = impact(function(m, _, note) m:contact { on_contact = note } end)
 local touched = {}
 for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
 checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
 checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s",
   touched["left-middle"])
-local one, events = met(function(m, _, note)
+local one, events = impact(function(m, _, note)
   m:contact { between = { "left", "middle" }, on_contact = note, on_release = note }
 end)
 checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0,
   "between two groups alone; the right one flies through")
 local asked = 0
-local none = met(function(m, members) m:contact { pairs = function(a, b)
+local none = impact(function(m, members) m:contact { pairs = function(a, b)
   asked = asked + 1
   return not (a == members[1] or b == members[1])
 end } end)
 checks.expect(none:count { group = "left", state = "touched" } == 0
   and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
 checks.expect(asked >= 2 and asked <= 3, "asked once a pair of members: %d", asked)
-local soft = met(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
-local softer = met(function(m) m:contact { stiffness = 1e6 } end)
+local soft = impact(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
+local softer = impact(function(m) m:contact { stiffness = 1e6 } end)
 checks.equal(soft.hash, softer.hash, "a pair's own stiffness against the rule's")
-local mixed = met(function(m)
+local mixed = impact(function(m)
   m:contact {}
   m:contact { between = { "left", "middle" }, rule = "gap" }
 end, 1e-6)
 checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial,
-  "gaps on one side, surfaces on the other: remainder %g of %g J", mixed.energy.remainder, mixed.energy.initial)
+  "gaps on one side, surfaces on the other: energy error %g of %g J", mixed.energy.remainder, mixed.energy.initial)
 checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
 local momentum = mixed:momentum().linear
 checks.expect(math.abs(momentum[2]) < 1e-8 * 20 * mixed:momentum().mass, "momentum: %g", momentum[2])
@@ -307,7 +307,7 @@ do
   run:finish()
   checks.near(run:displacement(a), 0, 0.01 * T / (2 * math.pi), "back after a period")
   checks.near(run:velocity(a), 1, 0.01, "as fast as at the start")
-  checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is booked: %g",
+  checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is counted: %g",
     run.energy.remainder)
 end
 

@@ -8,7 +8,7 @@ local checks = support.checks "integrators"
 local largest_of = support.largest_of
 local expect = checks.expect
 
--- One free freedom: the end of a bar of one element along its axis, k = EA / L, m = rho A L / 3.
+-- One free degree of freedom: the end of a bar of one element along its axis, k = EA / L, m = rho A L / 3.
 local E, density, length = 206e9, 7850, 2
 local frequency = math.sqrt(3 * E / density) / length
 local function spring(phase_a_step, steps, options)
@@ -50,7 +50,7 @@ for _, rho in ipairs { 1, 0.8, 0.5 } do
     run:finish()
     off[i] = math.sqrt((v.last - 1) ^ 2 + (u.last * frequency) ^ 2) -- two whole periods: as at the start
     taken[i] = (run.energy.numerical - first_period) / run.energy.initial
-    expect(math.abs(run.energy.remainder) < 1e-7 * run.energy.initial, "rho_infinity %g: remainder %g", rho,
+    expect(math.abs(run.energy.remainder) < 1e-7 * run.energy.initial, "rho_infinity %g: energy error %g", rho,
       run.energy.remainder / run.energy.initial)
     expect(rho == 1 and taken[i] == 0 or rho < 1 and taken[i] > 0,
       "rho_infinity %g: %g of the energy taken out", rho, taken[i])
@@ -67,7 +67,7 @@ for _, rho in ipairs { 1, 0.8, 0.5 } do
   end
 end
 
--- A body in flight that turns keeps its momenta and its energy, whatever rho_infinity.
+-- A body in flight that rotates keeps its momenta and its energy, whatever rho_infinity.
 do
   local model = hinge.model {}
   local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 1, 0.4, 0.2 }
@@ -84,15 +84,15 @@ do
     size = size + (now.angular[axis] - before.angular[axis]) ^ 2
   end
   local whole = math.sqrt(before.angular[1] ^ 2 + before.angular[2] ^ 2 + before.angular[3] ^ 2)
-  print(("a body that turns: angular momentum %.1e, remainder %.1e, taken out %.1e")
+  print(("a body that rotates: angular momentum %.1e, energy error %.1e, taken out %.1e")
     :format(math.sqrt(size) / whole, run.energy.remainder / run.energy.initial,
     run.energy.numerical / run.energy.initial))
-  expect(math.sqrt(size) < 1e-3 * whole and math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "turning")
+  expect(math.sqrt(size) < 1e-3 * whole and math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "rotating")
 end
 
 -- Initial stress in the operator: a wire of one element under tension N, whose end swings across it. Its stiffness
 -- across is (GA + N) / L, of which geometric = false leaves N / L out of the operator, not out of the forces. One
--- freedom again, so that each step can be taken by hand.
+-- degree of freedom again, so that each step can be taken by hand.
 for _, geometric in ipairs { true, false } do
   local GA, N, area, wire = 1e3, 1e5, 0.1, 2
   local model = hinge.model { formulation = "conventional", elements_per_member = 1 }

@@ -158,7 +158,7 @@ complains(function() make { cases = { II = { speed = "x" } } } end, "speed is 'x
 complains(function() make { accuracy = { dt = {} } } end, "accuracy.dt")
 complains(function() make { run = false } end, "'run'", "a function")
 
--- Models: the paper's 1698 elements and 7308 freedoms.
+-- Models: the paper's 1698 elements and 7308 degrees of freedom.
 local model = hinge.model { elements_per_member = 2 }
 local frame = building.add(model)
 local counts = model:counts()

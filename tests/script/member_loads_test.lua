@@ -102,7 +102,7 @@ do
   s.model:load { member = s.member[1], q = { 2 * w, -w, -w }, moment = { 500, 300, 0 } }
   local run = solve(s)
   local u = { run:displacement(s.node[2]) }
-  -- a moment m per length about space y turns the tip by m L^2/(2 E I) and lowers it by m L^3/(3 E I)
+  -- a moment m per length about space y rotates the tip by m L^2/(2 E I) and lowers it by m L^3/(3 E I)
   close(u[3], -w * L ^ 4 / (8 * E * Ix) - w * L ^ 2 / (2 * G * Ay) - 300 * L ^ 3 / (3 * E * Ix), "cantilever: down")
   close(u[2], -w * L ^ 4 / (8 * E * Iy) - w * L ^ 2 / (2 * G * Ax), "cantilever: aside")
   close(u[1], 2 * w * L ^ 2 / (2 * E * A), "cantilever: along")
@@ -250,7 +250,7 @@ do
   balance(run, "explicit", 5e-3) -- of second order in dt
 end
 
--- Large displacement: a load in local axes turns with its cantilever.
+-- Large displacement: a load in local axes rotates with its cantilever.
 do
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" }, { displacement = "large", elements_per_member = 8 })
   s.model:load { member = s.member[1], q = { 0, E * Ix / L ^ 3, 0 }, axes = "local" }
@@ -262,7 +262,7 @@ do
   local other = solve(fine, { steps = 4 })
   local _, _, up_fine, _, turn_fine = other:displacement(fine.node[2])
   close(up, up_fine, "follower pressure: up", 3e-3)
-  close(turn, turn_fine, "follower pressure: turned", 3e-3)
+  close(turn, turn_fine, "follower pressure: rotation", 3e-3)
   -- equilibrium: the supports hold what the pressure asks where it is
   local a = s.member[1]:forces(run)
   expect(math.abs(a.Mx) < 0.5 * E * Ix / L, "follower pressure: less than the dead load's moment")

@@ -1,5 +1,5 @@
 -- Supports that move: where they are, what they take, the work they do, and that the
--- ledger closes however they set off.
+-- energy balance closes however they set off.
 --
 -- Run: lua5.4 tests/script/moving_supports_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -29,13 +29,13 @@ for _, integrator in ipairs { "newmark", "explicit" } do
     integrator .. ": what it takes")
   checks.near(run.energy.work, 0.5 * mass * (0.02 * (1 - math.cos(w * t))) ^ 2, 0.02 * run.energy.work,
     integrator .. ": what it does")
-  checks.expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.work, "%s: remainder %g of %g J", integrator,
+  checks.expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.work, "%s: energy error %g of %g J", integrator,
     run.energy.remainder, run.energy.work)
 end
 
--- The remainder of a frame that is shaken hard falls with the square of the step.
+-- The energy error of a frame that is shaken hard falls with the square of the step.
 do
-  local function remainder(dt)
+  local function energy_error(dt)
     local model = hinge.model()
     local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
     model:fix(foot, "all")
@@ -45,8 +45,8 @@ do
     run:finish()
     return math.abs(run.energy.remainder), run.energy.work
   end
-  local coarse, work = remainder(4e-5)
-  local fine = remainder(1e-5)
+  local coarse, work = energy_error(4e-5)
+  local fine = energy_error(1e-5)
   checks.expect(coarse < 1e-3 * work and fine < coarse / 8, "%g and %g of %g J", coarse, fine, work)
 end
 -- What sets off at once -----------------------------------------------------------------------------------------------
@@ -69,11 +69,11 @@ for _, integrator in ipairs { "newmark", "explicit" } do
   checks.near(run.energy.kinetic, run.energy.elastic, 0.02 * run.energy.elastic, integrator .. ": half of it moves")
   -- explicit steps keep dt^2/8 a.M a to themselves, and the front is steep
   local bound = integrator == "explicit" and 2e-3 or 1e-6
-  checks.expect(math.abs(run.energy.remainder) < bound * run.energy.work, "%s: remainder %g of %g J", integrator,
+  checks.expect(math.abs(run.energy.remainder) < bound * run.energy.work, "%s: energy error %g of %g J", integrator,
     run.energy.remainder, run.energy.work)
 end
 
--- A portal on feet that take `path`; what is left in the ledger, as a part of their work.
+-- A portal on feet that take `path`; what is left in the energy balance, as a part of their work.
 local function shaken(path, options, material, rule)
   local model = hinge.model()
   local a, b, c, d = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }, model:node { 3, 0, 2 }, model:node { 3, 0, 0 }
@@ -102,12 +102,12 @@ for what, path in pairs(paths) do
     explicit = { { integrator = "explicit" }, 5e-4 }, ["beta 0.4"] = { { beta = 0.4 }, 1e-3 },
   } do
     local left = shaken(path, settings[1])
-    checks.expect(left < settings[2], "a foot that %s, %s: remainder %g of the work", what, name, left)
+    checks.expect(left < settings[2], "a foot that %s, %s: energy error %g of the work", what, name, left)
   end
 end
 
 -- Feet that tear their columns: an element that breaks next to a foot stays on it as a
--- stub, and the foot drives that too.
+-- rigid offset mass, which the foot drives too.
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 300e6 }
 for name, settings in pairs { newmark = { { dt = 1e-5 }, 1e-4 }, damped = { { dt = 1e-5, rho_infinity = 0.8 }, 1e-4 },
   explicit = { { integrator = "explicit" }, 1e-4 } } do
@@ -116,7 +116,7 @@ for name, settings in pairs { newmark = { { dt = 1e-5 }, 1e-4 }, damped = { { dt
   checks.expect(run:count { state = "broken" } > 0, "%s: something breaks", name)
   checks.expect(run.energy.fracture_kinetic >= 0, "%s: breaking takes motion out: %g J", name,
     run.energy.fracture_kinetic)
-  checks.expect(left < settings[2], "%s: remainder %g of the work", name, left)
+  checks.expect(left < settings[2], "%s: energy error %g of the work", name, left)
 end
 
 -- What is hit beside a moving support: the blows of contact that a step gives at once are the support's work, too.
@@ -134,7 +134,7 @@ for _, rule in ipairs { "surface", "gap" } do
     local run = model:dynamic { dt = integrator == "explicit" and "auto" or 5e-6, duration = 0.01,
       integrator = integrator }:finish()
     checks.expect(run:count { state = "touched" } > 0, "%s, %s: they meet", rule, integrator)
-    checks.expect(math.abs(run.energy.remainder) < 4e-4 * run.energy.work, "%s, %s: remainder %g of %g J", rule,
+    checks.expect(math.abs(run.energy.remainder) < 4e-4 * run.energy.work, "%s, %s: energy error %g of %g J", rule,
       integrator, run.energy.remainder, run.energy.work)
   end
 end
@@ -154,7 +154,8 @@ do
     "the first step's work is a step's: %g of %g J", before, first.energy.work)
   second:finish()
   checks.near(second:displacement(foot), 0.02, 1e-9, "where it is then")
-  checks.expect(math.abs(second.energy.remainder) < 1e-5 * first.energy.work, "remainder %g", second.energy.remainder)
+  checks.expect(math.abs(second.energy.remainder) < 1e-5 * first.energy.work, "energy error %g",
+    second.energy.remainder)
 end
 
 -- A path is asked for nothing before its run begins.

@@ -54,9 +54,9 @@ for _, displacement in ipairs { "small", "large" } do
   near(fz, 53 * g, 1e-6, displacement .. ": reaction, N")
   near(my, -3 * g, 1e-5, displacement .. ": its moment, N m")
   equal(run:momentum().mass - 1e-9 * A, 53, displacement .. ": all masses")
-  expect(math.abs(run.energy.remainder) < 1e-8 * run.energy.elastic, "%s: remainder %g of %g J", displacement,
+  expect(math.abs(run.energy.remainder) < 1e-8 * run.energy.elastic, "%s: energy error %g of %g J", displacement,
     run.energy.remainder, run.energy.elastic)
-  expect(run.energy.elastic > 0, "%s: the ledger has nothing to close", displacement)
+  expect(run.energy.elastic > 0, "%s: the energy balance has nothing to close", displacement)
 
   -- beside its node: the weight is a moment too
   model, wall, tip = cantilever({ displacement = displacement }, 1e-9)
@@ -96,7 +96,7 @@ local function swings(what, w, set, options)
     local run = model:dynamic { dt = dt, duration = periods * period, integrator = integrator, record = false }
     local measured = 2 * math.pi * frequency(run, run:probe { node = tip, channel })
     expect(math.abs(run.energy.remainder) < (integrator == "explicit" and 1e-3 or 1e-6) * run.energy.initial,
-      "%s, %s: remainder %g of %g J", what, integrator, run.energy.remainder, run.energy.initial)
+      "%s, %s: energy error %g of %g J", what, integrator, run.energy.remainder, run.energy.initial)
     return measured
   end
   -- a bar of next to no mass; the method's own frequency is lower by (w dt)^2 / 12
@@ -119,7 +119,7 @@ for _, displacement in ipairs { "small", "large" } do
     return "rx"
   end, options)
 end
--- A mass on an arm along the bar: bending with two freedoms, the lower mode by hand.
+-- A mass on an arm along the bar: bending with two degrees of freedom, the lower mode by hand.
 do
   local m, r = 20, 0.5
   -- K^-1 (M - w^-2 K) of tip deflection u and slope s; mass matrix m { {1, r}, {r, r^2} } is of rank one
@@ -173,14 +173,14 @@ for integrator, dt in pairs { newmark = 2e-5, explicit = "auto" } do
   done(run, integrator)
   local after = run:momentum()
   local _, _, _, rx, ry, rz = run:displacement(a)
-  expect(size { rx, ry, rz } > 0.5, "%s: it turned by %g", integrator, size { rx, ry, rz })
+  expect(size { rx, ry, rz } > 0.5, "%s: it rotated by %g", integrator, size { rx, ry, rz })
   local linear, angular = apart(after.linear, before.linear) / size(before.linear),
     apart(after.angular, before.angular) / size(before.angular)
   print(("%s: momentum off by %.1e, angular by %.1e, energy by %.1e"):format(integrator, linear, angular,
     run.energy.remainder / run.energy.initial))
   expect(linear < 1e-9, "%s: momentum off by %g", integrator, linear)
   expect(angular < 1e-6, "%s: angular momentum off by %g", integrator, angular)
-  expect(math.abs(run.energy.remainder) < 1e-6 * run.energy.initial, "%s: remainder %g of %g J", integrator,
+  expect(math.abs(run.energy.remainder) < 1e-6 * run.energy.initial, "%s: energy error %g of %g J", integrator,
     run.energy.remainder, run.energy.initial)
 
   -- free fall
@@ -188,7 +188,7 @@ for integrator, dt in pairs { newmark = 2e-5, explicit = "auto" } do
     integrator .. ", falling")
   after = run:momentum()
   near(after.linear[3] - p[3], -g * 0.1 * before.mass, 1e-8 * size(p), integrator .. ": momentum of the fall")
-  expect(math.abs(run.energy.remainder) < 1e-6 * run.energy.initial, "%s, falling: remainder %g of %g J", integrator,
+  expect(math.abs(run.energy.remainder) < 1e-6 * run.energy.initial, "%s, falling: energy error %g of %g J", integrator,
     run.energy.remainder, run.energy.initial)
   expect(math.abs(run.energy.gravity) > 10, "%s: gravity's account %g J", integrator, run.energy.gravity)
 end
@@ -203,7 +203,7 @@ for integrator, dt in pairs { newmark = 1e-4, explicit = "auto" } do
   local mean = run:reaction(wall) -- the bar rings: its mean is 0.5 kg * 10 m/s^2
   expect(math.abs(mean - 75) < 6, "%s: a moved support is pushed by %g N, wanted 70 N and up to 10 N of the bar",
     integrator, mean)
-  expect(math.abs(run.energy.remainder) < 1e-3 * run.energy.work, "%s: moved: remainder %g of %g J", integrator,
+  expect(math.abs(run.energy.remainder) < 1e-3 * run.energy.work, "%s: moved: energy error %g of %g J", integrator,
     run.energy.remainder, run.energy.work)
   expect(run.energy.work > 0.1, "%s: moved: work %g J", integrator, run.energy.work)
 end
@@ -225,7 +225,7 @@ do
   local more = model:dynamic { from = run, dt = 1e-5, duration = 5e-3 }
   near(more:momentum().mass, bar_mass + 7, 1e-12, "mass with one declared since")
   done(more, "from")
-  expect(math.abs(more.energy.remainder) < 1e-6 * more.energy.elastic, "one declared since: remainder %g J",
+  expect(math.abs(more.energy.remainder) < 1e-6 * more.energy.elastic, "one declared since: energy error %g J",
     more.energy.remainder)
   local _, _, deeper = more:displacement(tip)
   expect(deeper < 1.005 * before, "one declared since: %g m, before %g m", deeper, before)
@@ -264,7 +264,7 @@ for integrator, dt in pairs { newmark = 5e-6, explicit = 5e-6 } do
   expect(math.abs(same_y) > 1e-4, "%s: the head has moved by %g m", integrator, same_y)
   near(y, same_y, 1e-8, integrator .. ": the head's way")
   near(run.energy.remainder / run.energy.initial, full.energy.remainder / full.energy.initial, 1e-9,
-    integrator .. ": remainder")
+    integrator .. ": energy error")
 end
 
 -- Fracture ------------------------------------------------------------------------------------------------------------
@@ -317,7 +317,7 @@ for what, o in pairs {
     near(after.mass, bar_mass + 6, 1e-9, what .. ": mass")
     expect(size { v[4], v[5], v[6] } < 20, "%s: it spins at %g rad/s", what, size { v[4], v[5], v[6] })
   end
-  expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.initial, "%s: remainder %g of %g J", what,
+  expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.initial, "%s: energy error %g of %g J", what,
     run.energy.remainder, run.energy.initial)
 end
 
@@ -337,7 +337,7 @@ for integrator, dt in pairs { newmark = 2e-5, explicit = "auto" } do
   whole:finish()
   resumed:finish()
   equal(resumed.hash, whole.hash, integrator .. ": state of a run resumed")
-  equal(resumed.energy.remainder, whole.energy.remainder, integrator .. ": its remainder")
+  equal(resumed.energy.remainder, whole.energy.remainder, integrator .. ": its energy error")
   expect(not pcall(function()
     local other = thrown { gravity = true }
     other:mass { node = other:nodes()[1], mass = 1 }
@@ -372,8 +372,8 @@ do
   done(controlled, "step control")
   local after = controlled:momentum()
   expect(controlled.counts.rejected_steps > 0, "step control took nothing back")
-  expect(math.abs(controlled.energy.remainder) < 0.01 * controlled.energy.initial, "step control: remainder %g of %g J",
-    controlled.energy.remainder, controlled.energy.initial)
+  expect(math.abs(controlled.energy.remainder) < 0.01 * controlled.energy.initial,
+    "step control: energy error %g of %g J", controlled.energy.remainder, controlled.energy.initial)
   expect(apart(before.linear, after.linear) < 1e-6 * size(before.linear), "step control: momentum off by %g",
     apart(before.linear, after.linear))
 end

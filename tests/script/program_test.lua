@@ -270,7 +270,7 @@ for _, name in ipairs { "kinetic", "gravity", "elastic", "plastic", "fracture", 
 end
 expect(e.initial and math.abs(e.initial + e.work - sum) < 1e-9 * e.initial, "the energies add up: %s + %s, %s",
   e.initial, e.work, sum)
-expect(e.initial and e.initial > 59e6 and math.abs(e.remainder) < 1e-4 * e.initial, "remainder %s of %s",
+expect(e.initial and e.initial > 59e6 and math.abs(e.remainder) < 1e-4 * e.initial, "energy error %s of %s",
   e.remainder, e.initial)
 
 rows = lines "impact/history.csv"

@@ -193,7 +193,7 @@ do
   for c, u in ipairs { run:displacement(corners[1]) } do
     equal(u, start[c], "a moment in equilibrium: displacement " .. c)
   end
-  expect(math.abs(start[5]) > 1e-5, "a moment in equilibrium: the corner has turned by %g", start[5])
+  expect(math.abs(start[5]) > 1e-5, "a moment in equilibrium: the corner has rotated by %g", start[5])
 end
 
 -- A beam at rest on three posts loses the middle one: it wakes, and falls as if it had never rested.
@@ -224,7 +224,7 @@ do
     and math.abs(woken.time - 2e-3) < 2e-4, "a post lost: woken by %s", woken and woken.why)
   expect(exact < -5e-4 and math.abs(depth / exact - 1) < 1e-6,
     "a post lost: the head falls by %g m, without rest by %g m", depth, exact)
-  expect(math.abs(run.energy.remainder) < 1e-6 * -run.energy.gravity, "a post lost: remainder %g J",
+  expect(math.abs(run.energy.remainder) < 1e-6 * -run.energy.gravity, "a post lost: energy error %g J",
     run.energy.remainder)
 end
 
@@ -261,10 +261,10 @@ for what, c in pairs {
   end
   local lazy, full = go(nil), go(false)
   local fewer = full.counts.pair_tests / lazy.counts.pair_tests
-  print(("contact, %s: %d touches, %d let go, %d broken; %.1f times fewer pair tests")
+  print(("contact, %s: %d touches, %d released, %d broken; %.1f times fewer pair tests")
     :format(what, lazy.contacts.bound, lazy.contacts.released, lazy:count { state = "broken" }, fewer))
   equal(lazy.hash, full.hash, what .. ": hash")
-  expect(lazy.contacts.bound > 0 and lazy.contacts.released > 0, "contact, %s: %d touches, %d let go", what,
+  expect(lazy.contacts.bound > 0 and lazy.contacts.released > 0, "contact, %s: %d touches, %d released", what,
     lazy.contacts.bound, lazy.contacts.released)
   if c.debris then expect(lazy:count { state = "broken" } > 0, "contact, %s: nothing breaks", what) end
   expect(fewer >= c.saves, "contact, %s: only %.1f times fewer pair tests than with sleep = false", what, fewer)
@@ -320,13 +320,13 @@ do
   while fine:step() do
     if not fine_touched and fine.contacts.bound > 0 then fine_touched = fine.time end
   end
-  local apart, remainder = difference(run, fine), math.abs(run.energy.remainder) / run.energy.initial
-  print(("auto: %d steps of %d planned, energies differ by %.3f %% from a quarter of the step, remainder %.4f %%, "
+  local apart, energy_error = difference(run, fine), math.abs(run.energy.remainder) / run.energy.initial
+  print(("auto: %d steps of %d planned, energies differ by %.3f %% from a quarter of the step, energy error %.4f %%, "
     .. "touched %.2f steps apart")
-    :format(run.index, planned, 100 * apart, 100 * remainder, math.abs(touched - fine_touched) / shortest))
+    :format(run.index, planned, 100 * apart, 100 * energy_error, math.abs(touched - fine_touched) / shortest))
   expect(run.index < 0.7 * planned, "auto: %d steps of %d planned", run.index, planned)
   expect(apart < 0.005, "auto: energies differ by %.3f %%", 100 * apart)
-  expect(remainder < 0.0002, "auto: remainder %.4f %%", 100 * remainder)
+  expect(energy_error < 0.0002, "auto: energy error %.4f %%", 100 * energy_error)
   expect(math.abs(touched - fine_touched) < 2 * shortest,
     "auto: touched at %g s, with finer steps at %g s", touched, fine_touched)
 end
@@ -413,7 +413,7 @@ end
 
 -- The operator: kept while elements turn little; in single precision --------------------------------------------------
 
--- An elastic corner that flies, turns and bends.
+-- An elastic corner that flies, rotates and bends.
 local function corner(options)
   local model = hinge.model {}
   local a, b, c = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }, model:node { 1, 0, 1 }
@@ -426,7 +426,7 @@ local function corner(options)
   return completed(run, "corner"), tip
 end
 
-for what, go in pairs { ["Case I"] = case_one, ["a corner that turns"] = corner } do
+for what, go in pairs { ["Case I"] = case_one, ["a corner that rotates"] = corner } do
   local usual, fresh, double = go {}, go { rebuild_angle = 1e-9 }, go { precision = "double" }
   local apart, fewer, rounding = difference(usual, fresh), fresh.counts.element_builds / usual.counts.element_builds,
     difference(usual, double)
@@ -442,7 +442,7 @@ do
   expect(single.hash ~= double.hash, "precision = 'double' changes nothing")
   local a, b, worst = tip.value, exact.value, 0
   for i = 1, #a do worst = largest_of(worst, math.abs(a[i] - b[i])) end
-  print(("a corner that turns: in double precision its tip differs by %.1e m"):format(worst))
+  print(("a corner that rotates: in double precision its tip differs by %.1e m"):format(worst))
   expect(exact.max - exact.min > 0.1 and worst < 1e-6,
     "double precision: the tip differs by %g m, moving by %g m", worst, exact.max - exact.min)
 end
