@@ -13,7 +13,10 @@ namespace {
 
 using contact::Contact;
 
-/// Steps between renewals of the ties' tangent where nothing began: they turn slowly, by some mrad a step.
+/// Steps between renewals of the ties' tangent where nothing began: they turn slowly, by some mrad a step. Of 125 runs
+/// of tests/hard (contacts and breaking, 1 to 8 times a scene's step) 116 or 117 keep their bounds with 1 to 40 steps,
+/// 114 with 80 and 113 if it is never renewed. The first 0.06 s of Case I renew it 352 times with 20 steps, 4746 with
+/// 1, and take as many iterations within 2 %.
 constexpr long steps_of_tangent = 20;
 
 class ContactEffect : public Effect {
@@ -242,6 +245,7 @@ private:
             const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square,
                          near = far != 0 ? -work / k.square / far : 1;
             const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
+            // in 125 runs of tests/hard 116 keep their bounds so, or if exact is always taken; 113 at 0.1, 114 at 0
             if (std::abs(exact - 1) < 0.5) x = exact;
         }
         add_to_trial(x, k);
