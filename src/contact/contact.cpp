@@ -123,9 +123,9 @@ double Contact::advance(const Motion& motion, double dt) {
     return std::sqrt(fast) * dt;
 }
 
-// All pairs whose bars could come into contact before anything has travelled a margin. The margin is about a hundred steps of the
-// fastest end, so that the list's cost is spread over them, but no longer than half an element, so that the list stays
-// short.
+// All pairs whose bars could come into contact before anything has travelled a margin. The margin is about a hundred
+// steps of the fastest end, so that the list's cost is spread over them, but no longer than half an element, so that
+// the list stays short.
 //
 // The margin's numbers change what it costs, never what is found: all runs below gave the same bits. 100 steps: the
 // first 0.06 s of Case I list 93 times and measure 78,000 pairs for the lists and 149,000 in steps; with 25 steps 107
@@ -227,8 +227,10 @@ double Contact::farness(const Candidate& pair, const Two& two, const Closest& cl
 void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
     const double far = farness(pair, two, closest);
     if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
-    // nearer than this a direction is rounding; 1e-9 to 1e-4 of the contact distance, 0 to 1e-7 of the lengths: the same in tests/hard
-    const double cutting = 1e-6 * pair.contact_distance + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
+    // nearer than this a direction is rounding; 1e-9 to 1e-4 of the contact distance, 0 to 1e-7 of the lengths: the
+    // same in tests/hard
+    const double cutting =
+        1e-6 * pair.contact_distance + 1e-9 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1]));
     if (closest.distance <= cutting) return;
     const Vec3 direction = closest.between / closest.distance;
     if (closest.distance > pair.contact_distance || direction.dot(pair.normal) > 0) pair.normal = direction;
@@ -461,8 +463,8 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
     }
 }
 
-// A slip that moved by less than 1/100 of the penetration is settled. Of 125 runs of tests/hard 116 keep their bounds with
-// 1/10, 1/100 and 1/1000, which ask for 53, 67 and 110 more iterations, and 115 if a slip is never looked at.
+// A slip that moved by less than 1/100 of the penetration is settled. Of 125 runs of tests/hard 116 keep their bounds
+// with 1/10, 1/100 and 1/1000, which ask for 53, 67 and 110 more iterations, and 115 if a slip is never looked at.
 bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
     return std::any_of(surface_contacts_.begin(), surface_contacts_.end(), [&](SurfaceContact contact) {
         const bool before = contact.penetration > 0;

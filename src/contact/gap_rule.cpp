@@ -158,10 +158,11 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& no
 
     // Inside a span nothing but distances counts. They change no faster than `bound` per step, so what is missing says
     // how far ahead the next look may be (conservative advancement); the least stride bounds the work when bars slide
-    // along each other. From 1e-3 to 1 of touch and from 1/16 to 1e-6 of the step the scenes of tests/hard, at up to
-    // 256 times their step, find the same contacts; at a whole step bars pass through each other at 1000 m/s. The first
-    // 0.06 s of Case I take 64 % more looks with 1e-3 of touch, 5 % fewer with 0.1.
-    const double least = std::max(1.0 / 256, std::min(1.0, 0.01 * touch / std::max(bound, 1e-300)));
+    // along each other. From 1e-3 to 1 of the contact distance and from 1/16 to 1e-6 of the step the scenes of
+    // tests/hard, at up to 256 times their step, find the same contacts; at a whole step bars pass through each other
+    // at 1000 m/s. The first 0.06 s of Case I take 64 % more looks with 1e-3 of the contact distance, 5 % fewer with
+    // 0.1.
+    const double least = std::max(1.0 / 256, std::min(1.0, 0.01 * contact_distance / std::max(bound, 1e-300)));
     const double stretch = (moving.move.a[1] - moving.move.a[0]).norm() + (moving.move.b[1] - moving.move.b[0]).norm();
     for (int i = 0; i < n; ++i) {
         double tau = spans[i].from;
@@ -174,8 +175,8 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& no
                 if (beyond > 0) wait = std::max(wait, beyond / (4 * bound + numbers.contact_length * stretch));
             }
             if (!(wait > 1e-12)) {  // rounding, here and in the next; 1e-8 gives tests/hard the same bits
-                const Approach met = approach(moving, now, closest, side, touch);
-                if (met.rate > 1e-12 * touch) return {true, tau, closest.s, closest.t, met.direction};
+                const Approach found = approach(moving, now, closest, normal, contact_distance);
+                if (found.rate > 1e-12 * contact_distance) return {true, tau, closest.s, closest.t, found.direction};
             }
             if (tau >= spans[i].to) break;
             tau = std::min(spans[i].to, tau + std::max(wait, least));

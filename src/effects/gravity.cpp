@@ -34,9 +34,8 @@ private:
     double potential(const State& state) const {
         const Structure& s = w_.structure;
         Vec3 moment = Vec3::Zero();  // of mass about the origin
-        for_each_weight(s, state, [&](int node, double mass) {
-            moment += mass * (s.position()[node] + state.displacement[node]);
-        });
+        for_each_weight(
+            s, state, [&](int node, double mass) { moment += mass * (s.position()[node] + state.displacement[node]); });
         for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
             if (state.offset_mass[i].mass > 0)
                 moment += state.offset_mass[i].mass * (s.position()[i] + state.displacement[i]) +

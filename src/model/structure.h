@@ -26,9 +26,9 @@ struct Element {
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
     const beam::YieldSurface& yield;
-    double radius;  ///< half the smaller side of the section, m
-    int fracture;   ///< index of its rule, -1 for none
-    bool collides;  ///< takes part in contact
+    double radius;                                                        ///< half the smaller side of the section, m
+    int fracture;                                                         ///< index of its rule, -1 for none
+    bool collides;                                                        ///< takes part in contact
     double mass() const { return beam::element_mass(rigidity, length); }  ///< kg
 };
 
