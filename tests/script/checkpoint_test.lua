@@ -376,7 +376,7 @@ expect(status == 0 and complaint:find("--resume: there is no "
   .. path "fresh/impact.checkpoint; the run starts from its beginning", 1, true),
   "--resume without a checkpoint: %s %s", status, complaint)
 status, _, complaint = run(command("fresh", "--resume duration=0.004"))
-expect(status == 2 and complaint:find("not the same duration", 1, true), "--resume of another run: %s %s",
+expect(status == 2 and complaint:find("differs in duration", 1, true), "--resume of another run: %s %s",
   status, complaint)
 status, _, complaint = run(command("fresh", "duration=0.004"))
 expect(status == 0 and not support.is_there(path "fresh/impact.checkpoint.before"),

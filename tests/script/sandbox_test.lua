@@ -118,7 +118,7 @@ local ways = { -- script -> status, message
   { "require 'hinge.runner'", 2,
     "s.lua:1: require: module 'hinge.runner' is not available to a script in the sandbox; ..." },
   { "require 'secret'", 2, "s.lua:1: require: module 'secret' is not available to a script in the sandbox; ..." },
-  { "require 'hinge.../../secret'", 2, "s.lua:1: require: module 'hinge.../../secret' is not there..." },
+  { "require 'hinge.../../secret'", 2, "s.lua:1: require: module 'hinge.../../secret' is not available..." },
   { "collectgarbage 'stop'", 2,
     "s.lua:1: collectgarbage: option 'stop' is not available to a script in the sandbox; 'collect', ..." },
   { "assert(load('\\27Lua'))", 2, "attempt to load a binary chunk (mode is 't')" },
