@@ -79,11 +79,12 @@ private:
     std::unique_ptr<Blocks> blocks_;  ///< consistent, from the first renew on
 };
 
-/// A stub's far end was not moving as its carrier bids. Of all motions in which it does, this takes the one nearest to
-/// the motion of before, the nearest in kinetic energy: M v' = T^T M v, which is M (v' - v) = impulse with M as it is
-/// after the breaks. It keeps both momenta, and as a projection it cannot gain energy. (When the carrier's velocity
-/// alone was made to keep the momenta, debris with little inertia was flung about: 51 MJ out of nothing in one impact
-/// of 112 MJ.) Books and returns the kinetic energy that takes, J; books what supports that move do beside it.
+/// The free end of a broken element was not moving rigidly with its carrier. Of all motions in which it does, this
+/// takes the one nearest to the motion of before, the nearest in kinetic energy: M v' = T^T M v, which is M (v' - v) =
+/// impulse with M as it is after the breaks. It keeps both momenta, and as a projection it cannot gain energy. (When
+/// the carrier's velocity alone was made to keep the momenta, debris with little inertia was flung about: 51 MJ out of
+/// nothing in one impact of 112 MJ.) Counts and returns the kinetic energy lost in this, J; counts the work of moving
+/// supports too.
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse);
 
 }  // namespace hinge

@@ -15,8 +15,8 @@ namespace {
 /// Part of the elastic stiffness by which a plastic tangent may differ from the one in the effective stiffness, in
 /// short steps: inertia rules there, and one solution a step does not see the difference. In the first 0.06 s of Case I
 /// of the ten-storey impact 0, 0.05, 0.2 and 0.8 rebuild 296,000, 34,000, 18,000 and 15,000 elements, all with 37,300
-/// to 37,400 iterations of conjugate gradients and a remainder of 0.002 to 0.003 % of the energy. In tests/hard, with
-/// 1/4 to 1/64 of a scene's step, remainders grow by up to 0.3 % at 0.4 and by up to 8 % at 0.8 and above.
+/// to 37,400 iterations of conjugate gradients and an energy error of 0.002 to 0.003 % of the energy. In tests/hard,
+/// with 1/4 to 1/64 of a scene's step, it grows by up to 0.3 % at 0.4 and by up to 8 % at 0.8 and above.
 constexpr double same_tangent = 0.2;
 
 /// A change of the velocities by this part of themselves is rounding: at rest or in free flight there is nothing to
@@ -49,8 +49,8 @@ bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
 /// Whether steps are longer than damping lets a velocity be predicted with the acceleration held: the force of damping
 /// would fling it. Elements of which inertia alone is the faster are left to axial_courant_number: a half tells the two
 /// apart. In 15 runs of a cantilever (2 to 50 % of critical, 100 to 20,000 steps a period) parts from 0.1 to 2 made no
-/// difference; without the rule one run failed, and remainders of five others rose from below 1e-9 of the energy, one
-/// to 2e-3.
+/// difference; without the rule one run failed, and the energy errors of five others rose from below 1e-9 of the
+/// energy, one to 2e-3.
 bool damped_stiffly(const Structure& structure, double dt) {
     const std::vector<ElementDamping> damping = damping_of(structure);
     if (damping.empty()) return false;

@@ -19,12 +19,12 @@ void for_each_weight(const Structure& structure, const State& state, F f) {
 struct LumpedMass {
     double mass = 0;    ///< kg
     double rotary = 0;  ///< kg m^2, about every axis
-    /// Of each freedom, 1/kg and 1/(kg m^2); zero where `held` has it or nothing is left.
+    /// Of each degree of freedom, 1/kg and 1/(kg m^2); zero where `held` has it or nothing is left.
     Vec6 inverse(std::uint8_t held) const;
 };
 LumpedMass lumped_mass_at(const Structure& structure, const State& state, int node);
 
-/// The mass hung on a node, 6 x 6 in space (kg, kg m, kg m^2).
-Mat6 offset_mass_in_space(const OffsetMass& hung, const Quat& rotation);
+/// The mass attached to a node, 6 x 6 in space (kg, kg m, kg m^2).
+Mat6 offset_mass_in_space(const OffsetMass& offset, const Quat& rotation);
 
 }  // namespace hinge

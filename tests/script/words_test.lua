@@ -33,11 +33,6 @@ local allowed = {
   { "^lua/hinge/hinge%.d%.lua$", "remainder", before = "@field $", why = "the same key" },
   { "^lua/hinge/library%.d%.lua$", "remainder", before = "contact, $", why = "the same key, of impact.result" },
   { "^lua/hinge/cost/", "remainder", why = "the same key, in cost.csv, effects.csv and the results" },
-  { "^src/contact/", "stub", why = "contact's own words" },
-  { "^src/contact/", "stubs", why = "contact's own words" },
-  { "^src/contact/", "heed", why = "contact's own words" },
-  { "^src/contact/", "lets-go", why = "contact's own words" },
-  { "^src/contact/", "to-the-letter", why = "contact's own words" },
 }
 local skipped = { -- files that are not looked at
   ["tests/script/words_test.lua"] = "it lists the words",
