@@ -26,10 +26,10 @@ struct Element {
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
     const beam::YieldSurface& yield;
-    double radius;                                                        ///< half the smaller side of the section, m
-    int fracture;                                                         ///< index of its rule, -1 for none
-    bool collides;                                                        ///< takes part in contact
-    double mass() const { return beam::element_mass(rigidity, length); }  ///< kg
+    double radius;  ///< half the smaller side of the section, m
+    int fracture;   ///< index of its rule, -1 for none
+    bool collides;  ///< takes part in contact
+    double mass() const { return beam::element_mass(rigidity, length); }
 };
 
 enum class MassKind : std::uint8_t { consistent, lumped };

@@ -214,8 +214,8 @@ refused("a byte more", "checkpoint " .. file .. " is damaged: ...", victim.resum
 support.write(file, "speed,height\n" .. bytes)
 refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume,
   victim, file)
-refused("no file", "cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume, victim,
-  path "none")
+refused("no file", "cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume,
+  victim, path "none")
 
 -- Another version: the checksum (CRC-32 of all behind it) is right.
 local function crc(text)

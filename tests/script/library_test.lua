@@ -119,8 +119,8 @@ complains(function() hinge.section.h { 0.4 } end, "stands without a name")
 complains(function() return hinge.section.bx end, "did you mean 'box'?")
 complains(function() return hinge.modell end, "did you mean 'model'?")
 complains(function() building.add() end, "the model is missing")
-for word, meant in pairs { ["elements per member"] = "elements_per_member", sizte = "size", szie = "size", SIZE = "size",
-  asi_gauss = "asi-gauss", vx = "vz" } do
+for word, meant in pairs { ["elements per member"] = "elements_per_member", sizte = "size", szie = "size",
+  SIZE = "size", asi_gauss = "asi-gauss", vx = "vz" } do
   local said = core.did_you_mean(word, { "dt", "elements_per_member", "size", "asi-gauss", "vz" })
   expect(said == (" (did you mean '%s'?)"):format(meant), word .. said)
 end
