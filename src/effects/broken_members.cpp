@@ -35,7 +35,9 @@ public:
             tried_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
             resisting[i].head<3>() += h.mass * a + tried_rate_[i];
             resisting[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
-            if (w_.trial.rotation[i].coeffs().dot(built_[i].coeffs()) < lag_cosine) renew(int(i));
+            const bool lags = w_.solved_at_once ? w_.trial.rotation[i].coeffs() != built_[i].coeffs()
+                                                : w_.trial.rotation[i].coeffs().dot(built_[i].coeffs()) < lag_cosine;
+            if (lags) renew(int(i));
         }
     }
 

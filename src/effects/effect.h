@@ -65,6 +65,9 @@ struct Workspace {
                                                 ///< last step and of this one
     std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
     bool points_moved = false;  ///< integration points have moved: the sweep takes them up when the step is kept
+    /// A step is solved once, with all that it moves in what is solved for: a mass there that lags behind the one that
+    /// is met loses velocity, by as much in a short step as in a long one.
+    bool solved_at_once = false;
 };
 
 /// An element that breaks at the end of a step, at end 1 or 2.

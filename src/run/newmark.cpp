@@ -103,6 +103,7 @@ void Newmark::begin(const EffectList& effects) {
     const bool bends = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e->blocks_follow(); });
     if (settings_.iterations == 0 && displacement_predictor_ && bends)
         iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
+    w_.solved_at_once = displacement_predictor_ && iterations_ == 1;
     const Keeping keeping = settings_.solver.direct                        ? Keeping::direct
                             : settings_.narrow && !displacement_predictor_ ? Keeping::narrow
                                                                            : Keeping::iterative;
