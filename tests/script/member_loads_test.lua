@@ -341,6 +341,34 @@ local plain, idle = scene(), scene(function(s) s.model:load { group = "beam", q 
 plain:finish()
 idle:finish()
 equal(idle.hash, plain.hash, "a load of nothing: state")
+do -- left out of a comparison it is as not declared; statics too
+  local core = require "hinge.core"
+  local function hash(declare, left_out)
+    core.leave_out(left_out)
+    local run, s = scene(declare)
+    local rest = s.model:static { steps = 1 }
+    core.leave_out(nil)
+    run:finish()
+    rest:finish()
+    equal(run.verdict .. rest.verdict, "completedcompleted", "verdicts, left out: " .. tostring(left_out))
+    return run.hash .. rest.hash
+  end
+  expect(hash(loaded) ~= hash(), "loads on members change nothing")
+  equal(hash(loaded, "member loads"), hash(), "left out: states")
+end
+do -- the plan says that a history is asked, and where
+  local function hooks(declare)
+    for _, effect in ipairs(scene(declare).effects) do
+      if effect.name == "hooks" then return effect end
+    end
+  end
+  local line = hooks(loaded)
+  equal(line.active, true, "plan of a history: active")
+  equal(line.because, "a load's history", "plan of a history: why")
+  expect(line.asked_at and line.asked_at:find "member_loads_test.lua:%d+", "plan of a history: where: %s",
+    tostring(line.asked_at))
+  equal(hooks(function(s) s.model:load { group = "beam", q = { 0, 0, 1 } } end).active, false, "plan without one")
+end
 do -- a history that fails takes the step back, and nothing of it stays
   local fails = false
   local function sine(s)
