@@ -1,4 +1,5 @@
 // Loads on nodes: numbers with a history, or functions of time and the run.
+#include <algorithm>
 #include <map>
 
 #include "effects/kinds.h"
@@ -15,7 +16,7 @@ public:
                 place[load.node] = int(loaded_.size());
                 loaded_.push_back({load.node, Vec6::Zero()});
             }
-            if (load.follows_state()) asked_[load_at_.size()] = Vec6::Zero();
+            if (load.follows_state()) asked_[load_at_.size()] = {};
             load_at_.push_back(place[load.node]);
         }
     }
@@ -33,32 +34,27 @@ public:
         }
     }
 
-    /// F at the end of the step.
+    /// F at the end of the step. What functions of the state give where a run begins is known in its first step only:
+    /// the first acceleration is found anew with it.
     void begin(const Step& step) override {
-        for (auto& [i, acting] : asked_) {
-            const NodalLoad& load = declared()[i];
-            if (w_.state.gone[load.node]) continue;
-            if (load.force_rule) acting.head<3>() = load.force_rule(step.end());
-            if (load.moment_rule) acting.tail<3>() = load.moment_rule(step.end());
+        if (!begun_ && !asked_.empty()) {
+            ask(step.begin);
+            keep_asked();
+            found_anew_ =
+                std::any_of(asked_.begin(), asked_.end(), [](const auto& a) { return !a.second.kept.isZero(0); });
+            if (found_anew_) return host_.accelerations_anew();
+            begun_ = true;
         }
-        loads_at(step.end());
+        ask(step.end());
+        act(step.end(), &Asked::tried);
     }
-
-    /// Only nodes with loads change.
-    void loads_at(double t) override {
-        for (Loaded& l : loaded_) l.now.setZero();
-        for (std::size_t i = 0; i < declared().size(); ++i) {
-            const NodalLoad& load = declared()[i];
-            if (w_.state.gone[load.node]) continue;
-            const double factor = load.history ? load.history(t) : 1.0;
-            loaded_[load_at_[i]].now.head<3>() += factor * load.force;
-            loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
-        }
-        for (const auto& [i, acting] : asked_)
-            if (!w_.state.gone[declared()[i].node]) loaded_[load_at_[i]].now += acting;
-        for (const Loaded& l : loaded_)
-            if (w_.resting.empty() || w_.resting[l.node] < 0) w_.external[l.node] = l.steady + l.now;
+    void loads_at(double time) override { act(time, &Asked::kept); }
+    void restart_ends() override {
+        if (!found_anew_) return;
+        begun_ = true, found_anew_ = false;
+        for (Loaded& l : loaded_) l.before = l.now;
     }
+    bool makes_forces_vanish() const override { return !asked_.empty(); }
 
     void started(const std::vector<Vec6>&) override {
         for (Loaded& l : loaded_) l.before = l.now;
@@ -77,6 +73,7 @@ public:
 
     void keep(const Step&) override {
         for (Loaded& l : loaded_) l.before = l.now;
+        keep_asked();
     }
 
     void steady_load_changed(int node, const Vec3& force) override {
@@ -113,16 +110,50 @@ private:
         int node;
         Vec6 steady, now = Vec6::Zero(), before = Vec6::Zero();
     };
+    /// What a function of the state gave where the last step ended, and for the end of this one.
+    struct Asked {
+        Vec6 kept = Vec6::Zero(), tried = Vec6::Zero();
+    };
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         for (auto& l : s.loaded_) a(l.steady, l.now, l.before);
-        for (auto& [load, acting] : s.asked_) a(acting);
+        for (auto& [load, asked] : s.asked_) a(asked.kept);
+        a(s.begun_);
     }
     const std::vector<NodalLoad>& declared() const { return w_.structure.model().loads(); }
 
+    void ask(double t) {
+        for (auto& [i, asked] : asked_) {
+            const NodalLoad& load = declared()[i];
+            if (w_.state.gone[load.node]) continue;
+            if (load.force_rule) asked.tried.head<3>() = load.force_rule(t);
+            if (load.moment_rule) asked.tried.tail<3>() = load.moment_rule(t);
+        }
+    }
+    void keep_asked() {
+        for (auto& [i, asked] : asked_) asked.kept = asked.tried;
+    }
+    /// Only nodes with loads change.
+    void act(double t, Vec6 Asked::*said) {
+        for (Loaded& l : loaded_) l.now.setZero();
+        for (std::size_t i = 0; i < declared().size(); ++i) {
+            const NodalLoad& load = declared()[i];
+            if (w_.state.gone[load.node]) continue;
+            const double factor = load.history ? load.history(t) : 1.0;
+            loaded_[load_at_[i]].now.head<3>() += factor * load.force;
+            loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
+        }
+        for (const auto& [i, asked] : asked_)
+            if (!w_.state.gone[declared()[i].node]) loaded_[load_at_[i]].now += asked.*said;
+        for (const Loaded& l : loaded_)
+            if (w_.resting.empty() || w_.resting[l.node] < 0) w_.external[l.node] = l.steady + l.now;
+    }
+
     std::vector<Loaded> loaded_;
-    std::map<std::size_t, Vec6> asked_;  ///< of the loads that are functions of the state: what they said last
-    std::vector<int> load_at_;           ///< of each of the model's loads, its place in loaded_
+    std::map<std::size_t, Asked> asked_;  ///< of the loads that are functions of the state
+    std::vector<int> load_at_;            ///< of each of the model's loads, its place in loaded_
+    bool begun_ = false;                  ///< the functions were asked where the run begins
+    bool found_anew_ = false;             ///< with what they gave there the acceleration is being found
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

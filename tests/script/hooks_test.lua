@@ -353,6 +353,33 @@ local function scene(when, fail)
     return run
   end, b
 end
+
+-- A load that is a function acts from where the run begins; an error between the first two questions changes no bit.
+do
+  local function from_start(fails)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:member { a, b, section = bar, material = elastic }
+    local times = {}
+    model:load { node = b, force = function(t, run)
+      times[#times + 1] = t
+      checks.near(run.time, math.max(0, t - 1e-5), 1e-15, "the run that it sees at " .. t)
+      if fails and #times == 2 then error "once" end
+      return { 500, 0, 0 }
+    end }
+    return model:dynamic { dt = 1e-5, duration = 2e-5, record = false }, times
+  end
+  local run, times = from_start(false)
+  run:finish()
+  checks.equal(table.concat(times, " "), "0.0 1e-05 2e-05", "when it is asked")
+  checks.near(run:momentum().linear[1], 500 * 2e-5, 1e-10, "momentum of a load from the start")
+  local again, more = from_start(true)
+  checks.expect(not pcall(again.finish, again), "the error is raised")
+  again:finish()
+  checks.equal(table.concat(more, " "), "0.0 1e-05 1e-05 2e-05", "when it is asked again")
+  checks.equal(again.hash, run.hash, "state after an error in the first step")
+end
+
 local hooks = {
   fracture = function(model, once)
     model:fracture { rule = function(s) once() return math.abs(s.curvature_x) > 0.3 end, keep = { "n" } }
