@@ -47,13 +47,9 @@ public:
         for (std::size_t n = 0; n < now_.size(); ++n) resisting[n] += now_[n];
     }
 
-    /// Where the step ends. Explicit steps took the forces at the predicted velocity, and those do the work.
+    /// Where the step ends, before contact gives impulses: the accelerations of this step and of the next one follow
+    /// from these forces. Explicit steps took those at the predicted velocity, and those do the work.
     void solved(const Step&, const std::vector<Vec6>&) override {
-        if (!w_.kind.explicit_steps) find_forces();
-    }
-
-    /// Contact may have changed the velocities once more.
-    void end(const Step&) override {
         if (!w_.kind.explicit_steps) find_forces();
     }
 
