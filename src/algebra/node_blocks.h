@@ -25,11 +25,16 @@ struct Coupling {
 /// The left side is (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
 class Blocks {
 public:
-    /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves.
-    explicit Blocks(double of_damping = 0) : of_damping_(of_damping) {}
+    /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves. Without stiffness: damping alone.
+    explicit Blocks(double of_damping = 0, bool with_stiffness = true)
+        : of_damping_(of_damping), with_stiffness_(with_stiffness) {}
     /// d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], and of one node against the ground; N/m, N, N m.
-    void stiffness(int a, int b, const Mat12& K) { pairs.push_back({a, b, K}); }
-    void stiffness(int node, const Mat6& K) { nodes.push_back({node, K}); }
+    void stiffness(int a, int b, const Mat12& K) {
+        if (with_stiffness_) pairs.push_back({a, b, K});
+    }
+    void stiffness(int node, const Mat6& K) {
+        if (with_stiffness_) nodes.push_back({node, K});
+    }
     /// d(force)/d(velocity), N s/m, N s, N m s.
     void damping(int a, int b, const Mat12& C) {
         if (of_damping_ != 0) pairs.push_back({a, b, of_damping_ * C});
@@ -51,6 +56,7 @@ public:
 
 private:
     double of_damping_;
+    bool with_stiffness_;
 };
 
 }  // namespace hinge

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "algebra/node_blocks.h"
-#include "model/structure.h"
+#include "state/state.h"
 
 namespace hinge {
 
@@ -18,6 +18,22 @@ struct StableStep {
     int element;
 };
 StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping = {});
+
+/// The same where effects join nodes by stiffness and damping of their own, over and above the elements': 2 / (c +
+/// sqrt(c^2 + omega^2)), omega^2 and c the sums of the elements' highest at the nodes that hang together so and of a
+/// bound for what the effects add to them there (that of the matrix of the blocks' norms, by Collatz and Wielandt: no
+/// less than the highest, and the highest itself for a chain of springs). Masses are lumped, rigid offset masses with
+/// them. `node`: one of those that ask for it.
+struct JoinedStep {
+    double dt;
+    int node;
+};
+JoinedStep stable_step_of_joined(const Structure& structure, const State& state,
+                                 std::span<const ElementDamping> damping, const Blocks& stiffness,
+                                 const Blocks& of_damping);
+/// The square of the highest frequency that the nodes' masses have on those blocks alone, or a bound above it, 1/s^2;
+/// rotations held.
+double fastest_of_joined(const Structure& structure, const State& state, const Blocks& stiffness);
 
 /// The part of it that a run takes of itself: room for large rotations and for what contact adds. A touch is as stiff
 /// as its softer element, which takes a node's frequency up by the root of 3/2; gap elements are four springs of half

@@ -5,7 +5,6 @@
 // the nodes are B^T f: they are in balance, moments too, wherever the nodes have gone.
 #include "effects/connectors.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -141,15 +140,7 @@ public:
             for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], p.deformation[k]).slope;
             Mat12 K = p.B.transpose() * slope.asDiagonal() * p.B;
             if (w_.structure.large() && w_.kind.geometric) add_turning(p, now.force(), c.a < 0, K);
-            const Vec6 rate = c.damping + now.law_rate_slope;
-            const Mat12 C = p.B.transpose() * rate.asDiagonal() * p.B;
-            if (c.a < 0) {
-                blocks.stiffness(c.b, K.bottomRightCorner<6, 6>());
-                if (!rate.isZero(0)) blocks.damping(c.b, Mat6(C.bottomRightCorner<6, 6>()));
-            } else {
-                blocks.stiffness(c.a, c.b, K);
-                if (!rate.isZero(0)) blocks.damping(c.a, c.b, C);
-            }
+            add(c, K, p.B, c.damping + now.law_rate_slope, blocks);
         }
     }
 
@@ -221,29 +212,16 @@ public:
                 if (node >= 0 && !list()[i].broken && bodies.of_node[node] >= 0) rests[bodies.of_node[node]] = 0;
     }
 
-    /// Of central differences whose dashpots meet the velocity that is foreseen: (w dt / 2)^2 + (c/m) dt = 1.
-    LongestStep longest_step() const override {
-        LongestStep longest;
+    /// With a curve's steepest piece. The slope of a law is not known.
+    void add_stiffest(Blocks& most) const override {
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
             const Connector& c = declared()[i];
             const Placed p = place(i, w_.state, list()[i]);
-            Vec12 inverse = Vec12::Zero();
-            if (c.a >= 0) inverse.head<6>() = inverse_mass(c.a);
-            inverse.tail<6>() = inverse_mass(c.b);
-            const Mat6 flexible = p.B * inverse.asDiagonal() * p.B.transpose();
-            Vec6 k = c.stiffness;
-            for (int n = 0; n < 6; ++n) k[n] += steepest(c.curve[n]);
-            const auto fastest = [&](const Vec6& of) {
-                const Vec6 root = of.cwiseSqrt();
-                const Mat6 m = root.asDiagonal() * flexible * root.asDiagonal();
-                return std::max(0.0, Eigen::SelfAdjointEigenSolver<Mat6>(m).eigenvalues()[5]);
-            };
-            const double square = fastest(k), decay = fastest(c.damping);
-            const double dt = 2 / (decay + std::sqrt(decay * decay + square));
-            if (dt < longest.dt) longest = {dt, name_of(i) + ", with the lumped masses of its nodes"};
+            Vec6 slope = c.stiffness;
+            for (int k = 0; k < 6; ++k) slope[k] += steepest(c.curve[k]);
+            add(c, p.B.transpose() * slope.asDiagonal() * p.B, p.B, c.damping, most);
         }
-        return longest;
     }
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
@@ -297,10 +275,6 @@ private:
                         : " between " + w_.structure.node_name(c.a) + " and " + w_.structure.node_name(c.b));
     }
 
-    Vec6 inverse_mass(int node) const {
-        return lumped_mass_at(w_.structure, w_.state, node).inverse(w_.state.held[node]);
-    }
-
     /// Of rotations that differ by multiples of 2 pi the one next to where it was counts.
     Placed place(std::size_t i, const Places& at, const ConnectorNow& before) const {
         const Connector& c = declared()[i];
@@ -352,6 +326,18 @@ private:
         Vec6 force = c.stiffness.cwiseProduct(deformation);
         for (int k = 0; k < 6; ++k) force[k] += on_curve(c.curve[k], deformation[k]).force;
         return force;
+    }
+
+    /// `rate`: N s/m and N m s/rad, in the connector's axes.
+    static void add(const Connector& c, const Mat12& K, const Mat6x12& B, const Vec6& rate, Blocks& blocks) {
+        const Mat12 C = B.transpose() * rate.asDiagonal() * B;
+        if (c.a < 0) {
+            blocks.stiffness(c.b, K.bottomRightCorner<6, 6>());
+            if (!rate.isZero(0)) blocks.damping(c.b, Mat6(C.bottomRightCorner<6, 6>()));
+        } else {
+            blocks.stiffness(c.a, c.b, K);
+            if (!rate.isZero(0)) blocks.damping(c.a, c.b, C);
+        }
     }
 
     void evaluate(std::size_t i, const Placed& p, double dt) {

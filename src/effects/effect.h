@@ -6,7 +6,6 @@
 // effect holds only what it does. README.md in src/ shows how to add one.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -94,12 +93,6 @@ struct ImpulseResponse {
 /// The resultants of a section: N, N m; signs as run:forces has them.
 struct SectionForces {
     double N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0;
-};
-
-/// The longest explicit step that stays stable with an effect's own forces, s, and what asks for it.
-struct LongestStep {
-    double dt = std::numeric_limits<double>::infinity();
-    std::string why;
 };
 
 /// Something reached an element in this step, or broke it: a body at rest that it belongs to takes part again.
@@ -212,8 +205,9 @@ public:
     virtual void forget() {}
     virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
 
-    /// Asked once, where a run with explicit steps is made.
-    virtual LongestStep longest_step() const { return {}; }
+    /// Asked once, where a run is made: the most that its forces may ever add to stiffness and damping, as far as that
+    /// is known then. Explicit steps may not be longer than that allows, and dt = "auto" heeds it.
+    virtual void add_stiffest(Blocks& most) const { (void)most; }
 
     /// Whether forces may vanish at once, so that M by itself is needed.
     virtual bool makes_forces_vanish() const { return false; }

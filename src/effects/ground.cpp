@@ -105,20 +105,20 @@ public:
             const Point& p = points()[i];
             const Touch& t = touches_[i];
             if (!carries(p, t)) continue;
-            const Vec3& n = plane(p).normal;
-            Vec6 row;
-            row << n, t.arm.cross(n);
-            Mat6 K = p.stiffness * row * row.transpose();
-            if (plane(p).friction > 0 && !t.slides)
-                for (const Vec3& along : {Vec3(n.unitOrthogonal()), Vec3(n.cross(n.unitOrthogonal()))}) {
-                    row << along, surface(p, t.arm).cross(along);
-                    K += tangential(p) * row * row.transpose();
-                }
-            blocks.stiffness(p.node, K);
+            blocks.stiffness(p.node, slope(p, t.arm, plane(p).friction > 0 && !t.slides));
         }
     }
     bool has_blocks() const override { return has_ > 0 || had_ > 0; }
     bool blocks_follow() const override { return has_blocks(); }
+
+    /// A stiffness of its own, everywhere at once. That of the elements' own is within what steps leave free.
+    void add_stiffest(Blocks& most) const override {
+        for (const Point& p : points()) {
+            if (plane(p).stiffness == 0 || is_held(p)) continue;
+            const Vec3 arm = p.element < 0 ? Vec3(Vec3::Zero()) : Vec3(w_.state.rotation[p.node] * p.arm);
+            most.stiffness(p.node, slope(p, arm, plane(p).friction > 0));
+        }
+    }
 
     /// Another solution is needed where a point has come to touch, or no longer does, or friction has become another.
     bool settled() override {
@@ -230,6 +230,18 @@ private:
     /// From the node to the point of the surface that touches: in small displacement nodes have no rotation to follow.
     Vec3 surface(const Point& p, const Vec3& arm) const {
         return w_.structure.large() ? Vec3(arm - p.radius * plane(p).normal) : arm;
+    }
+    Mat6 slope(const Point& p, const Vec3& arm, bool sticks) const {
+        const Vec3& n = plane(p).normal;
+        Vec6 row;
+        row << n, arm.cross(n);
+        Mat6 K = p.stiffness * row * row.transpose();
+        if (sticks)
+            for (const Vec3& along : {Vec3(n.unitOrthogonal()), Vec3(n.cross(n.unitOrthogonal()))}) {
+                row << along, surface(p, arm).cross(along);
+                K += tangential(p) * row * row.transpose();
+            }
+        return K;
     }
     bool is_held(const Point& p) const { return (w_.state.held[p.node] & 7) == 7; }
     bool rests(const Point& p) const { return !w_.resting.empty() && w_.resting[p.node] >= 0; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/stable_step.h"
 #include "core/errors.h"
 #include "run/central_differences.h"
 #include "run/newmark.h"
@@ -10,8 +11,9 @@
 namespace hinge {
 namespace {
 
-constexpr double most_turn = 0.5;  ///< rad: of a node in a step, with step control
-constexpr long quiet_steps = 100;  ///< without anything to do after which an effect is said to sleep
+constexpr double most_turn = 0.5;   ///< rad: of a node in a step, with step control
+constexpr long quiet_steps = 100;   ///< without anything to do after which an effect is said to sleep
+constexpr double most_phase = 0.9;  ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
 RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.geometric, s.rest}; }
 
@@ -19,17 +21,16 @@ RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.
 
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start), kind_of(settings), settings.threads, !settings.explicit_steps()),
-      settings_(settings),
-      size_(settings.dt, settings.duration, settings.automatic, settings.controlled(), state_.time),
+      settings_(fitted(std::move(settings))),
+      size_(settings_.dt, settings_.duration, settings_.automatic, settings_.controlled(), state_.time),
       mass_(w_),
       largest_energy_(*structure_),
-      guard_(settings.energy_tolerance.value_or(structure_->model().options().shift == Shift::whole ? 0 : 0.1),
+      guard_(settings_.energy_tolerance.value_or(structure_->model().options().shift == Shift::whole ? 0 : 0.1),
              size_.whole()),
-      control_(settings.step_control) {
+      control_(settings_.step_control) {
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
-    if (explicit_steps()) refuse_unstable();
-    w_.scheme = {settings.beta, settings.gamma(), settings.alpha()};
+    w_.scheme = {settings_.beta, settings_.gamma(), settings_.alpha()};
     w_.turned.assign(structure_->position().size(), Vec3::Zero());
     meets_ = any_effect(&Effect::meets);
     breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
@@ -62,16 +63,28 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
 }
 
-/// Elements' own limit was looked at where the settings were read.
-void Dynamics::refuse_unstable() const {
-    for (const auto& e : effects_) {
-        const LongestStep longest = e->longest_step();
-        if (settings_.dt <= longest.dt) continue;
+/// A step for what effects add to the elements: a chosen one is shortened, too long an explicit one refused. Elements'
+/// own limit was looked at where the settings were read.
+DynamicSettings Dynamics::fitted(DynamicSettings s) const {
+    Blocks stiffness, damping(1, false);
+    for (const auto& e : effects_) e->add_stiffest(stiffness), e->add_stiffest(damping);
+    const bool none =
+        stiffness.pairs.empty() && stiffness.nodes.empty() && damping.pairs.empty() && damping.nodes.empty();
+    if (none || !(s.explicit_steps() || s.automatic)) return s;
+    const JoinedStep limit =
+        s.explicit_steps() ? stable_step_of_joined(*structure_, state_, damping_of(*structure_), stiffness, damping)
+                           : JoinedStep{most_phase / std::sqrt(fastest_of_joined(*structure_, state_, stiffness)), -1};
+    if (s.chosen) {
+        const double wanted = s.explicit_steps() ? usual_step({limit.dt, -1}, structure_->model()) : limit.dt;
+        if (wanted < s.dt) s.dt = s.duration / std::ceil(s.duration / wanted);
+    } else if (s.explicit_steps() && s.dt > limit.dt) {
         char text[120];
-        std::snprintf(text, sizeof text, "model:dynamic: dt = %.6g s; explicit steps stay stable up to %.6g s (",
-                      settings_.dt, longest.dt);
-        throw InputError(text + longest.why + "); give a shorter one, or integrator = 'newmark'");
+        std::snprintf(text, sizeof text, "model:dynamic: dt = %.6g s; explicit steps stay stable up to %.6g s (", s.dt,
+                      limit.dt);
+        throw InputError(text + std::string("with the springs and dashpots at ") + structure_->node_name(limit.node) +
+                         "); give a shorter one, dt = 'auto', or integrator = 'newmark'");
     }
+    return s;
 }
 
 // ---- a step -------------------------------------------------------------------------------------------------------

@@ -77,7 +77,7 @@ private:
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
     bool any_effect(bool (Effect::*asks)() const) const;
-    void refuse_unstable() const;
+    DynamicSettings fitted(DynamicSettings settings) const;
 
     template <class Self, class A>
     static void fields(Self& s, A& a);

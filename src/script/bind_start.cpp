@@ -190,6 +190,7 @@ int dynamic_run(lua_State* L) {
     bool automatic = false;
     s.dt = step_of(o, *structure, in_explicit_steps, s.duration, automatic);
     s.automatic = automatic && !in_explicit_steps;
+    s.chosen = automatic;
     if (s.duration < 0.5 * s.dt)
         o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
     if (s.duration / s.dt > 1e12)
@@ -242,12 +243,12 @@ int dynamic_run(lua_State* L) {
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
-    const long planned = std::llround(s.duration / s.dt);
-    const int every = record_every(o, int(std::max(1L, planned / 500)));
     State start = start_state(o, structure, m);
     refuse_lost_loads(*m, *structure, start, "model:dynamic");
     context(L)->running = L;
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
+    const long planned = std::llround(s.duration / run->settings().dt);
+    const int every = record_every(o, int(std::max(1L, planned / 500)));
     auto plan = read_checkpoint_plan(o, *m);
     make_run(L, std::move(run), m, every);
     find<RunBox>(L, -1)->value->checkpoint = std::move(plan);

@@ -112,6 +112,81 @@ for _, displacement in ipairs { "small", "large" } do
   near(error_of(run, mass * g * math.abs(uz)), 0, 1e-6, displacement .. ": energy balance at rest")
 end
 
+-- A groove of two planes of different stiffness: both carry, and a bar settles between them where they are in balance.
+do
+  local model = hinge.model {}
+  local angle = math.rad(40)
+  local s, c = math.sin(angle), math.cos(angle)
+  local up = side / 2 / c -- touches both
+  local a, b = model:node { 0, 0, up }, model:node { 0, 1, up }
+  model:member { a, b, section = bar, material = steel }
+  model:fix(a, "y,ry")
+  model:gravity { 0, 0, -g }
+  local k = { 1e4, 2e4 }
+  model:ground { normal = { s, 0, c }, stiffness = k[1] }
+  model:ground { normal = { -s, 0, c }, stiffness = k[2] }
+  local run = model:static { steps = 4 }
+  run:finish()
+  equal(run.verdict, "completed", "groove: " .. run.reason)
+  local push = mass * g / 3 / (2 * c) -- of each plane on each of the three nodes
+  local x, _, z = run:displacement(a)
+  local x_end, _, z_end = run:displacement(b)
+  local right, left = push / k[1], push / k[2] -- overlaps
+  for name, at in pairs { a = { x, z }, b = { x_end, z_end } } do
+    near(at[1] / ((left - right) / (2 * s)), 1, 1e-2, "groove: sideways, " .. name)
+    near(at[2] / (-(left + right) / (2 * c)), 1, 1e-2, "groove: down, " .. name)
+  end
+  near(error_of(run, -run.energy.gravity), 0, 1e-5, "groove: energy balance")
+end
+
+-- The members of a group alone meet a ground of its own; the others fall on, down to another.
+for _, o in ipairs { { dt = 2e-5 }, { integrator = "explicit", dt = "auto" } } do
+  local model, name = hinge.model {}, "groups, " .. (o.integrator or "newmark")
+  local tops = {}
+  for i, group in ipairs { "high", "low", "none" } do
+    local a, b = model:node { 0, i, side / 2 + 1e-3 }, model:node { 1, i, side / 2 + 1e-3 }
+    model:member { a, b, section = bar, material = steel, group = group }
+    tops[i] = a
+  end
+  model:gravity { 0, 0, -g }
+  model:ground { group = "high", restitution = 0 }
+  model:ground { group = "low", point = { 0, 0, -0.01 }, restitution = 0 }
+  local run = model:dynamic(with(o, { duration = 0.06, record = false }))
+  run:finish()
+  equal(run.verdict, "completed", name .. ": " .. run.reason)
+  for i, down in ipairs { 1e-3, 0.011, g * 0.06 ^ 2 / 2 } do
+    local _, _, z = run:displacement(tops[i])
+    near(z, -down, 2e-5, ("%s: bar %d"):format(name, i))
+  end
+end
+
+-- A stiffness of its own, far above that of the members: dt = "auto" heeds it in explicit steps, and too long ones are
+-- refused. A bar thrown down flat comes back with its speed.
+do
+  local function thrown(stiffness, friction)
+    local model, a = flat(1e-3, { stiffness = stiffness, friction = friction })
+    model:velocity("bar", { 0, 0, -1 })
+    return model, a
+  end
+  local options = { integrator = "explicit", dt = "auto", duration = 6e-3, record = false, energy_tolerance = 0 }
+  local usual = thrown(1e7):dynamic(options)
+  for friction = 0, 0.3, 0.3 do
+    local run = thrown(1e12, friction):dynamic(options)
+    expect(run.dt < 0.7 * usual.dt, "stiff ground: steps of %g s, soft %g s", run.dt, usual.dt)
+    run:finish()
+    equal(run.verdict, "completed", "stiff ground: " .. run.reason)
+    near(error_of(run, run.energy.initial), 0, 0.2, "stiff ground: energy balance") -- some three steps a period
+    local finer = thrown(1e12, friction):dynamic(with(options, { dt = 6e-3 / math.ceil(6e-3 / (run.dt / 5)) }))
+    finer:finish()
+    near(error_of(finer, finer.energy.initial), 0, 5e-3, "stiff ground: energy balance of finer steps")
+    expect(run:momentum().linear[3] > 0.5 * mass, "stiff ground: it comes back with %g of %g N s",
+      run:momentum().linear[3], mass)
+    local ok, why = pcall(function() return thrown(1e12, friction):dynamic(with(options, { dt = usual.dt })) end)
+    expect(not ok and tostring(why):find("stay stable up to", 1, true), "stiff ground: too long a step: %s",
+      tostring(why))
+  end
+end
+
 -- Bits: a ground that nothing reaches changes none; a checkpoint and steps taken back neither.
 do
   local function hash(ground)
