@@ -284,7 +284,8 @@ function model:member(options) end
 ---@field elements? integer default as the model's
 
 ---Adds a load on a node. Three numbers are fixed in direction; a function is called once a step with the time at its
----end (s) and the run as it is at its beginning (dynamics only). It returns three numbers, or a table of three.
+---end (s) and the run as it is at its beginning (dynamics only). It returns three numbers, or a table of three. In the
+---first step of a run it is also called with the time at which the run begins.
 ---
 ---Or a load on a member, or on each member that a group has by now: `q` and `moment` over its whole length, linear
 ---between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's end nodes get the
@@ -471,10 +472,12 @@ function model:contact(rule) end
 ---is the displacement of b from the end of that arm, along the axes (m), and the rotation vector of b relative to a
 ---(rad). Both are zero as the model is declared. In large displacement the axes rotate with a; those of the ground
 ---stay. A force pulls b back and a along with it, with its moment on a: momentum is kept. In statics dashpots have no
----force. Explicit steps must be shorter than 2 / (d + sqrt(d^2 + w^2)), w^2 and d the largest k/m and c/m with the
----lumped masses of the two nodes; dt = "auto" considers members only. Laws are not in this limit. Energy:
----run.energy.connector_stored and connector_dissipated. It is an error if nothing is given that acts, or if a run is
----made with a node that belongs to no member or with too long an explicit step.
+---force. Explicit steps must be shorter than 2 / (d + sqrt(d^2 + w^2)). Here w^2 (1/s^2) and d (1/s) are upper bounds
+---of k/m and c/m, summed over all connectors at a node, with the lumped masses of the nodes and the highest frequency
+---of the members there. dt = "auto" keeps this limit; Newmark's steps are at most 0.9 / w, with w of the springs alone.
+---Laws of a script are not in these limits. Energy: run.energy.connector_stored and connector_dissipated. It is an
+---error if nothing is given that acts, or if a run is made with a node that belongs to no member or with too long an
+---explicit step.
 ---@param options hinge.connector_options
 ---@return hinge.connector
 function model:connector(options) end
@@ -554,9 +557,13 @@ function model:ground(plane) end
 ---@class hinge.ground_plane
 ---@field point? vec3 m, on the plane; default {0, 0, 0}
 ---@field normal? vec3 out of the ground, of any length but 0; default {0, 0, 1}
----@field friction? number Coulomb's coefficient, 0 or above, default 0; acts where the surface touches
+---Coulomb's coefficient, 0 or above, default 0; acts where the surface touches. What sticks hangs on a spring along the
+---plane, 0.4 k: where the pressure falls below what the spring needs it slips by the difference, so that under shaking
+---it creeps a little
+---@field friction? number
 ---k of each point, N/m, above 0; default 0.4 EA / L of each element that meets there, with which explicit steps stay
----stable: a fall at v penetrates by about v / (0.9 c) L, c the speed of sound
+---stable: a fall at v penetrates by about v / (0.9 c) L, c the speed of sound. One that is given is part of the limit
+---of explicit steps and of dt = "auto", as those of connectors are, but for free ends of members that break in the run
 ---@field stiffness? number
 ---0..1, the part of the normal velocity that a point has left when it comes out of the ground, by Newton's law as an
 ---impulse of no length; default what the springs alone give, which lose nothing, but vibration takes its part
@@ -598,7 +605,7 @@ function model:dynamic(options) end
 ---s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that
 ---while nothing yields, breaks or touches and the accelerations hardly change, with step_control = 0.01;
 ---explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it
----allows is an error that names the element)
+---allows is an error that names the element). Stiff connectors, and a ground's own stiffness, shorten both
 ---@field dt number|"auto"
 ---@field duration number s
 ---@field integrator? "newmark"|"explicit" default newmark
