@@ -68,7 +68,7 @@ struct Dice {
             if (v.norm() > 0.1 && v.norm() < 1) return v.normalized();
         }
     }
-    Quat turn(double most = pi) { return Quat(Eigen::AngleAxisd((*this)(-most, most), direction())); }
+    Quat rotation(double most = pi) { return Quat(Eigen::AngleAxisd((*this)(-most, most), direction())); }
 };
 
 /// exp(v) by Eigen, not by the engine.

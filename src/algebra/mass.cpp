@@ -160,10 +160,10 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
         h.elements.diagonal() << Vec3::Constant(lumped.mass), Vec3::Constant(lumped.rotary);
         heavy_.push_back(h);
     }
-    turn_offset_masses(state, pose);
+    rotate_offset_masses(state, pose);
 }
 
-void Mass::turn_offset_masses(const State& state, const Pose& pose) {
+void Mass::rotate_offset_masses(const State& state, const Pose& pose) {
     for (Heavy& h : heavy_) {
         h.offsets = offset_mass_in_space(state.offset_mass[h.node], pose.rotation[h.node]);
         h.inverse = inverse_of_free(h.elements + h.offsets, state.held[h.node]);

@@ -24,7 +24,7 @@ public:
     /// them.
     void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
     /// Offset masses alone: where `pose` has rotated them.
-    void turn_offset_masses(const State& state, const Pose& pose);
+    void rotate_offset_masses(const State& state, const Pose& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
     /// `tolerance`: of the residual, relative; lumped masses need none.
     void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);

@@ -40,7 +40,7 @@ void for_each_element(const Structure& structure, std::span<const ElementDamping
 /// Blocks of effects against the masses of the nodes, M^-1/2 K M^-1/2 in blocks of 6 x 6, by their norms.
 class Joined {
 public:
-    /// `held`: freedoms that do not move, beside those that the state holds.
+    /// `held`: degrees of freedom that do not move, beside those that the state holds.
     Joined(const Structure& structure, const State& state, const Blocks& blocks, std::uint8_t held) {
         const auto root = [&](int node) -> Mat6 {
             Mat6 M = Mat6::Zero();

@@ -49,7 +49,7 @@ struct Triad {
 /// The triad of quaternion a * b: the element's axes at a node (a: the node's rotation, b: the element's axes at the
 /// start).
 template <class Real>
-[[gnu::always_inline]] inline Triad<Real> turned_triad(const Quadruple<Real>& a, const Quadruple<Real>& b) {
+[[gnu::always_inline]] inline Triad<Real> rotated_triad(const Quadruple<Real>& a, const Quadruple<Real>& b) {
     const Real w = a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z;
     const Real x = a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y;
     const Real y = a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x;
@@ -125,7 +125,7 @@ struct Placement {
 template <class Real>
 [[gnu::always_inline]] inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1,
                                                     const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
-    const Triad<Real> t1 = turned_triad(node1, axes), t2 = turned_triad(node2, axes);
+    const Triad<Real> t1 = rotated_triad(node1, axes), t2 = rotated_triad(node2, axes);
     const Real one = spread(1.0, chord.x), half = spread(0.5, chord.x);
     Placement<Real> p;
     p.length = square_root(dot(chord, chord));

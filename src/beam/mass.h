@@ -24,13 +24,13 @@ struct Inertia {
 
     /// 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes.
     Mat12 matrix(const Mat3& axes) const {
-        const auto turned = [&](const Vec3& J) -> Mat3 { return axes * J.asDiagonal() * axes.transpose(); };
-        const Mat3 between = turned(rotary_across);
+        const auto in_space = [&](const Vec3& J) -> Mat3 { return axes * J.asDiagonal() * axes.transpose(); };
+        const Mat3 between = in_space(rotary_across);
         Mat12 M = Mat12::Zero();
         for (int i : {0, 1}) {
             M.block<3, 3>(6 * i, 6 * i).diagonal().setConstant(own[i]);
             M.block<3, 3>(6 * i, 6 * (1 - i)).diagonal().setConstant(across);
-            M.block<3, 3>(6 * i + 3, 6 * i + 3) = turned(rotary[i]);
+            M.block<3, 3>(6 * i + 3, 6 * i + 3) = in_space(rotary[i]);
             M.block<3, 3>(6 * i + 3, 6 * (1 - i) + 3) = between;
         }
         return M;
@@ -57,11 +57,11 @@ inline Inertia linear_inertia(const Rigidity& c, double L) {
 /// position. Not in the paper.
 inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
     Inertia i = linear_inertia(c, L);
-    const double m = element_mass(c, L), root = 1 / std::sqrt(3.0), turning = m * L * L / 12;
+    const double m = element_mass(c, L), root = 1 / std::sqrt(3.0), tilting = m * L * L / 12;
     i.own[1 - middle] = 0.25 * m;
     i.own[middle] = (0.25 + root) * m;
     i.across = (0.25 - 0.5 * root) * m;
-    i.rotary[middle] += Vec3(turning, turning, 0);
+    i.rotary[middle] += Vec3(tilting, tilting, 0);
     return i;
 }
 

@@ -49,23 +49,23 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
         spin(2, 6 * i + 5) += place.y[i].y / (2 * py);
         spin(2, 6 * i + 4) -= place.y[i].z / (2 * py);
     }
-    Rows relative[2], turn[2];
+    Rows relative[2], rotation[2];
     Mat3 H[2];
     for (int i = 0; i < 2; ++i) {
         relative[i] = -spin;
         relative[i].block<3, 3>(0, 6 * i + 3) += Mat3::Identity();
         H[i] = inverse_tangent(eigen(place.theta[i]));
-        turn[i] = H[i] * relative[i];
+        rotation[i] = H[i] * relative[i];
     }
     Eigen::Matrix<double, 6, 12> T;
-    T.row(0) = turn[0].row(0);
-    T.row(1) = turn[1].row(0);
-    T.row(2) = turn[0].row(1);
-    T.row(3) = turn[1].row(1);
+    T.row(0) = rotation[0].row(0);
+    T.row(1) = rotation[1].row(0);
+    T.row(2) = rotation[0].row(1);
+    T.row(3) = rotation[1].row(1);
     T.row(4).setZero();
     T(4, 2) = -1;
     T(4, 8) = 1;
-    T.row(5) = turn[1].row(2) - turn[0].row(2);
+    T.row(5) = rotation[1].row(2) - rotation[0].row(2);
 
     // lazyProduct: at this size plain loops beat the packed product
     const Eigen::Matrix<double, 6, 12> kT = k.lazyProduct(T);
@@ -75,7 +75,7 @@ Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool
         const Vec3 mu[2] = {H[0].transpose() * m[0], H[1].transpose() * m[1]};
         Rows dmu[2], dy[2];
         for (int i = 0; i < 2; ++i) {
-            dmu[i] = inverse_tangent_derivative(eigen(place.theta[i]), m[i]) * turn[i];
+            dmu[i] = inverse_tangent_derivative(eigen(place.theta[i]), m[i]) * rotation[i];
             dy[i] = -skew(eigen(place.y[i])) * relative[i];
         }
         using Row = Eigen::Matrix<double, 1, 12>;

@@ -1,11 +1,11 @@
 // The linear Timoshenko beam element with one integration point that can move (paper, eqs 1-13).
 //
 // Local axes: z from node 1 to node 2, y the member's `up`, x = y x z. Rotations about x bend in the y-z plane.
-// The element's deformation, seen from a frame that moves with its chord, has six components:
+// The element's deformation, seen from a frame that moves with its chord, has six components, the basic deformations:
 //   d = [tx1 tx2 ty1 ty2 e phi]   end rotations about x and y relative to the chord (rad), extension (m), twist (rad)
-// and the forces p = [mx1 mx2 my1 my2 N Mz] do work on them (N m, N m, N m, N m, N, N m). At the ends, the section's
-// bending moments are M(-1) = -m1 and M(+1) = +m2. They are the same for every position s of the integration point:
-// moving s changes the stiffness k(s), never p.
+// and the basic forces p = [mx1 mx2 my1 my2 N Mz] do work on them (N m, N m, N m, N m, N, N m). At the ends, the
+// section's bending moments are M(-1) = -m1 and M(+1) = +m2. They are the same for every position s of the integration
+// point: moving s changes the stiffness k(s), never p.
 #pragma once
 
 #include "core/types.h"

@@ -424,12 +424,12 @@ double Contact::release(double time, std::vector<Released>* released) {
         bool due = age >= 1 - 1e-9;
         if (due && rule.hold_until_parting && age < rule.longest_hold) {
             // At the bottom of a swing, a low one, and not while the bars still press on towards the other side.
-            const bool turned = tie.falling && tie.energy >= tie.energy_before;
+            const bool swung_back = tie.falling && tie.energy >= tie.energy_before;
             const bool low = tie.energy <= rule.parting_energy * tie.energy_peak;
             // nothing left; with 0, 1e-4 or 1e-2 as many of 125 runs of tests/hard keep their bounds, 116
             const bool spent = tie.energy <= 1e-3 * tie.energy_peak;
             const bool closing = tie.opening < tie.opening_before;
-            due = ((turned && low) || spent) && !closing;
+            due = ((swung_back && low) || spent) && !closing;
         }
         tie.falling = tie.energy < tie.energy_before;
         tie.energy_before = tie.energy;

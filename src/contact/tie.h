@@ -1,4 +1,4 @@
-// A tie that holds two elements together: four gap elements, node to node (fig 7), turning as one.
+// A tie that holds two elements together: four gap elements, node to node (fig 7), rotating as one.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ struct Gap {
 ///   U = min over rotations Q of  sum over the four gaps of k/2 |r - Q r0|^2,   r = (x_b + R_b arm_b) - (x_a + R_a
 ///   arm_a) f = k (r - Q r0)  [N] resists at b, -f at a; a moment arises only from an arm.
 ///
-/// Q is how the four points have turned since binding as a whole. As it minimises U, it drops out of dU/du: the forces
+/// Q is how the four points have rotated since binding as a whole. As it minimises U, it drops out of dU/du: the forces
 /// above are the exact derivative, they sum to zero, and so do their moments, sum r x f = -sum k r x Q r0 = 0 being the
 /// very condition that defines Q. A tie that moves as one piece stores nothing. No direction is read from the line
 /// between two nodes, which flips when they pass each other.
@@ -72,8 +72,8 @@ void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vect
 /// The exact tangent, symmetric, as six blocks between two nodes each (the four gaps, and A1A2, B1B2, whose elements
 /// couple them already). For the points p of the four ends, with L_g dp = dr_g and s_g = Q r0_g:
 ///   K = sum k L^T L - G^T S^-1 G,   G = sum k [s] L,   S = sum k ((r.s) 1 - (r s^T + s r^T) / 2)
-/// The second term is what the turning of Q takes back. An arm R a carries K to its node by dp = dx - [R a] dtheta, and
-/// adds the symmetric part of [F][R a], F being the force at the point.
+/// The second term is what the rotation of Q takes back. An arm R a carries K to its node by dp = dx - [R a] dtheta,
+/// and adds the symmetric part of [F][R a], F being the force at the point.
 void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                        const AddStiffness& add);
 

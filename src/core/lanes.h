@@ -139,7 +139,7 @@ inline void add_six(double* p, const Lanes& v) {
 }
 
 /// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes: whole
-/// rows are read and turned.
+/// rows are read and transposed.
 template <int n>
 [[gnu::always_inline]] inline void pick_rows(const double* from, const int* index, int stride,
                                              Lanes (&out)[lane_count]) {
@@ -150,7 +150,7 @@ template <int n>
 
 /// The same of rows that follow each other; where there are fewer than eight, the last one stands for the rest.
 template <int n>
-[[gnu::always_inline]] inline void turn_rows(const double* from, int rows, Lanes (&out)[lane_count]) {
+[[gnu::always_inline]] inline void transpose_rows(const double* from, int rows, Lanes (&out)[lane_count]) {
     Lanes row[lane_count];
     for (int i = 0; i < lane_count; ++i) row[i] = load_row<n>(from + n * (i < rows ? i : rows - 1));
     transpose(row, out);

@@ -7,11 +7,10 @@
 
 namespace hinge {
 
-/// exp(turn) * q for a rotation vector in space, rad; the result is kept a unit quaternion.
-inline Quat turned(const Vec3& turn, const Quat& q) {
-    const double h =
-        0.25 * (turn.x() * turn.x() + turn.y() * turn.y() + turn.z() * turn.z());  // square of the half angle
-    double c, s;                                                                   // cos, sin(half)/(2 half)
+/// exp(by) * q for a rotation vector in space, rad; the result is kept a unit quaternion.
+inline Quat rotated(const Vec3& by, const Quat& q) {
+    const double h = 0.25 * (by.x() * by.x() + by.y() * by.y() + by.z() * by.z());  // square of the half angle
+    double c, s;                                                                    // cos, sin(half)/(2 half)
     if (h < 2e-4) {  // a step's rotation: series to rounding, without a division
         c = 1 - h * (1.0 / 2 - h * (1.0 / 24 - h * (1.0 / 720)));
         s = 0.5 - h * (1.0 / 12 - h * (1.0 / 240 - h * (1.0 / 10080)));
@@ -23,7 +22,7 @@ inline Quat turned(const Vec3& turn, const Quat& q) {
         c = std::cos(half);
         s = 0.5 * std::sin(half) / half;
     }
-    const double x = s * turn.x(), y = s * turn.y(), z = s * turn.z();
+    const double x = s * by.x(), y = s * by.y(), z = s * by.z();
     Quat r(c * q.w() - x * q.x() - y * q.y() - z * q.z(), c * q.x() + x * q.w() + y * q.z() - z * q.y(),
            c * q.y() - x * q.z() + y * q.w() + z * q.x(), c * q.z() + x * q.y() - y * q.x() + z * q.w());
     r.coeffs() *= 1.5 - 0.5 * ((r.x() * r.x() + r.y() * r.y()) + (r.z() * r.z() + r.w() * r.w()));

@@ -76,7 +76,7 @@ double steepest(const Curve& curve) {
 }
 
 /// d(rotation vector)/d(rotation on top of it).
-Mat3 of_turn(const Vec3& vector) {
+Mat3 tangent_of(const Vec3& vector) {
     const double angle = vector.norm();
     const double c =
         angle < 1e-3 ? 1.0 / 12 + angle * angle / 720 : (1 - 0.5 * angle / std::tan(0.5 * angle)) / (angle * angle);
@@ -86,7 +86,7 @@ Mat3 of_turn(const Vec3& vector) {
 
 /// Where a connector is.
 struct Placed {
-    Mat3 axes, of_turn;
+    Mat3 axes, tangent_of;
     Vec3 arm;          ///< from a to b
     Vec6 deformation;  ///< m, rad
     Mat6x12 B;
@@ -139,7 +139,7 @@ public:
             Vec6 slope = c.stiffness + now.law_slope;
             for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], p.deformation[k]).slope;
             Mat12 K = p.B.transpose() * slope.asDiagonal() * p.B;
-            if (w_.structure.large() && w_.kind.geometric) add_turning(p, now.force(), c.a < 0, K);
+            if (w_.structure.large() && w_.kind.geometric) add_rotation_of_axes(p, now.force(), c.a < 0, K);
             add(c, K, p.B, c.damping + now.law_rate_slope, blocks);
         }
     }
@@ -287,25 +287,25 @@ private:
             p.axes = of_a.toRotationMatrix() * c.axes;
             p.arm = arm + moved;
             p.deformation.head<3>() = p.axes.transpose() * p.arm - c.axes.transpose() * arm;
-            Vec3 turn = c.axes.transpose() * rotation_vector(of_a.conjugate() * at.rotation[c.b]);
-            if (const double angle = turn.norm(); angle > 0) {
+            Vec3 rotation = c.axes.transpose() * rotation_vector(of_a.conjugate() * at.rotation[c.b]);
+            if (const double angle = rotation.norm(); angle > 0) {
                 const double whole = 2 * std::numbers::pi;
-                turn +=
-                    std::round((before.deformation.tail<3>().dot(turn) / angle - angle) / whole) * whole / angle * turn;
+                rotation += std::round((before.deformation.tail<3>().dot(rotation) / angle - angle) / whole) * whole /
+                            angle * rotation;
             }
-            p.deformation.tail<3>() = turn;
-            p.of_turn = of_turn(turn);
+            p.deformation.tail<3>() = rotation;
+            p.tangent_of = tangent_of(rotation);
         } else {
-            const Vec3 turn = c.a < 0 ? Vec3(Vec3::Zero()) : at.turn[c.a];
+            const Vec3 rotation = c.a < 0 ? Vec3(Vec3::Zero()) : at.small_rotation[c.a];
             p.axes = c.axes;
             p.arm = arm;
-            p.deformation.head<3>() = c.axes.transpose() * (moved - turn.cross(arm));
-            p.deformation.tail<3>() = c.axes.transpose() * (at.turn[c.b] - turn);
-            p.of_turn.setIdentity();
+            p.deformation.head<3>() = c.axes.transpose() * (moved - rotation.cross(arm));
+            p.deformation.tail<3>() = c.axes.transpose() * (at.small_rotation[c.b] - rotation);
+            p.tangent_of.setIdentity();
         }
         p.B.setZero();
         p.B.block<3, 3>(0, 6) = p.axes.transpose();
-        p.B.block<3, 3>(3, 9) = p.of_turn * p.axes.transpose();
+        p.B.block<3, 3>(3, 9) = p.tangent_of * p.axes.transpose();
         if (c.a >= 0) {
             p.B.block<3, 3>(0, 0) = -p.axes.transpose();
             p.B.block<3, 3>(0, 3) = p.axes.transpose() * cross(p.arm);
@@ -386,18 +386,18 @@ private:
     }
 
     /// What the rotation of axes, arm and moments adds to the stiffness; its symmetric part.
-    static void add_turning(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
+    static void add_rotation_of_axes(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
         Mat12 G = Mat12::Zero();
         const Vec3 m = f.tail<3>();
         if (!m.isZero(0)) {
-            const Vec3 turn = p.deformation.tail<3>();
+            const Vec3 rotation = p.deformation.tail<3>();
             Mat3 slope;
             for (int k = 0; k < 3; ++k) {
                 const Vec3 by = 1e-6 * Vec3::Unit(k);
-                slope.col(k) = (of_turn(turn + by) - of_turn(turn - by)).transpose() * m / 2e-6;
+                slope.col(k) = (tangent_of(rotation + by) - tangent_of(rotation - by)).transpose() * m / 2e-6;
             }
-            const Mat3 P = p.axes * slope * p.of_turn * p.axes.transpose();
-            const Mat3 M = cross(p.axes * (p.of_turn.transpose() * m));
+            const Mat3 P = p.axes * slope * p.tangent_of * p.axes.transpose();
+            const Mat3 M = cross(p.axes * (p.tangent_of.transpose() * m));
             G.block<3, 3>(9, 9) = P;
             G.block<3, 3>(3, 9) = -P;
             G.block<3, 3>(9, 3) = -P - M;

@@ -13,10 +13,10 @@ namespace {
 
 using contact::Contact;
 
-/// Steps between renewals of the ties' tangent where nothing began: they turn slowly, by some mrad a step. Of 125 runs
-/// of tests/hard (contacts and breaking, 1 to 8 times a scene's step) 116 or 117 keep their bounds with 1 to 40 steps,
-/// 114 with 80 and 113 if it is never renewed. The first 0.06 s of Case I renew it 352 times with 20 steps, 4746 with
-/// 1, and take as many iterations within 2 %.
+/// Steps between renewals of the ties' tangent where nothing began: they rotate slowly, by some mrad a step. Of 125
+/// runs of tests/hard (contacts and breaking, 1 to 8 times a scene's step) 116 or 117 keep their bounds with 1 to 40
+/// steps, 114 with 80 and 113 if it is never renewed. The first 0.06 s of Case I renew it 352 times with 20 steps, 4746
+/// with 1, and take as many iterations within 2 %.
 constexpr long steps_of_tangent = 20;
 
 class ContactEffect : public Effect {

@@ -59,7 +59,7 @@ public:
         for (std::size_t n = 0; n < now_.size(); ++n) {
             const Vec6 mean = 0.5 * (before_[n] + now_[n]);
             work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
-                    mean.tail<3>().dot(w_.turned[n]);
+                    mean.tail<3>().dot(w_.rotation_step[n]);
         }
         sums["damping"] += work;
     }

@@ -53,7 +53,7 @@ struct Workspace {
     RunKind kind;
     Scheme scheme;
     Pose trial;                                 ///< where the step is tried to end
-    std::vector<Vec3> turned;                   ///< rotation vector of each node over the step, rad
+    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad
     std::vector<Vec6> external;                 ///< F of eq 15
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
@@ -206,7 +206,7 @@ public:
     virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
 
     /// Asked once, where a run is made: the most that its forces may ever add to stiffness and damping, as far as that
-    /// is known then. Explicit steps may not be longer than that allows, and dt = "auto" heeds it.
+    /// is known then. Explicit steps may not be longer than that allows, and dt = "auto" keeps that limit.
     virtual void add_stiffest(Blocks& most) const { (void)most; }
 
     /// Whether forces may vanish at once, so that M by itself is needed.

@@ -46,15 +46,15 @@ struct Point {
     double level = 0;         ///< m: how far it was inside where it began: there it is at rest
 
     // where a step begins
-    double overlap = 0;            ///< o, m; negative: apart
-    Vec3 slip = Vec3::Zero();      ///< e, m
-    Vec3 place = Vec3::Zero();     ///< of the point, m
-    Quat turn = Quat::Identity();  ///< of the node
+    double overlap = 0;                ///< o, m; negative: apart
+    Vec3 slip = Vec3::Zero();          ///< e, m
+    Vec3 place = Vec3::Zero();         ///< of the point, m
+    Quat rotation = Quat::Identity();  ///< of the node
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.overlap, s.slip,
-          s.place, s.turn);
+          s.place, s.rotation);
     }
 };
 
@@ -272,7 +272,7 @@ private:
         const Vec3& n = plane(p).normal;
         Vec3 moved = place_of(p, at, t.arm) - p.place;
         if (w_.structure.large())
-            moved -= rotation_vector(at.rotation[p.node] * p.turn.conjugate()).cross(p.radius * n);
+            moved -= rotation_vector(at.rotation[p.node] * p.rotation.conjugate()).cross(p.radius * n);
         moved -= moved.dot(n) * n;
         // of a step in which it comes to touch, the part that is left then
         const double part = p.overlap > 0 ? 1 : t.overlap > 0 ? t.overlap / (t.overlap - p.overlap) : 0;
@@ -305,7 +305,7 @@ private:
         p.slip = t.slip;
         if (plane(p).friction == 0) return;
         p.place = place_of(p, at, t.arm);
-        p.turn = at.rotation[p.node];
+        p.rotation = at.rotation[p.node];
     }
 
     /// What touches where the run begins is at rest there; what lies deeper is left out until it has left.
@@ -315,7 +315,7 @@ private:
         p.left_out = p.element < 0 && inside > (1 + buried) * p.radius;
         p.level = std::max(0.0, inside);
         p.overlap = inside - p.level;
-        p.place = place_of(p, state, arm), p.turn = state.rotation[p.node];
+        p.place = place_of(p, state, arm), p.rotation = state.rotation[p.node];
     }
     Point free_end(int plane, const Element& e, int element, const State& state) const {
         Point p;

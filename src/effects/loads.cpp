@@ -66,7 +66,7 @@ public:
         for (const Loaded& l : loaded_) {
             const Vec6 mean = 0.5 * (l.now + l.before);
             work += mean.head<3>().dot(w_.trial.displacement[l.node] - w_.state.displacement[l.node]) +
-                    mean.tail<3>().dot(w_.turned[l.node]);
+                    mean.tail<3>().dot(w_.rotation_step[l.node]);
         }
         sums["work"] += work;
     }

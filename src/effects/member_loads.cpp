@@ -140,7 +140,7 @@ public:
             const int n = nodes_[i];
             const Vec6 mean = 0.5 * (now[i] + before_[i]);
             work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
-                    mean.tail<3>().dot(w_.turned[n]);
+                    mean.tail<3>().dot(w_.rotation_step[n]);
         }
         sums["work"] += work;
     }
@@ -315,11 +315,11 @@ private:
                 continue;
             }
             const Share& share = l.shares[i];
-            const Mat3 turn =
+            const Mat3 to_space =
                 l.local ? Mat3(axes_of(place_element(w_.structure, element, at))) : Mat3(Mat3::Identity());
             for (int end : {0, 1}) {
                 Vec6 f;
-                f << factor * (turn * share.force[end]), factor * (turn * share.moment[end]);
+                f << factor * (to_space * share.force[end]), factor * (to_space * share.moment[end]);
                 add(elements[element].node[end], f);
             }
         }

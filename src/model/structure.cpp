@@ -48,7 +48,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         axes << x, y, z;
         const Material& mat = *member.material;
         const Section& sec = *member.section;
-        const Quat turn = Quat(axes).normalized();
+        const Quat rotation = Quat(axes).normalized();
         const double length = span.norm() / member.elements;
         int fracture = -1;
         for (std::size_t r = 0; r < m.fracture().size(); ++r) {
@@ -66,8 +66,8 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                 fixed_.push_back(0);
             }
             const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-            const auto [at, fresh] =
-                alike.try_emplace({&sec, &mat, length, s, {turn.w(), turn.x(), turn.y(), turn.z()}}, nullptr);
+            const auto [at, fresh] = alike.try_emplace(
+                {&sec, &mat, length, s, {rotation.w(), rotation.x(), rotation.y(), rotation.z()}}, nullptr);
             if (fresh) {
                 const beam::Rigidity rigidity = {mat.E * sec.Ix,
                                                  mat.E * sec.Iy,
@@ -78,7 +78,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                                                  mat.density * sec.area,
                                                  mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix),
                                                  mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-                kinds_.push_back({turn, rigidity, beam::stiffness(rigidity, length, s),
+                kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s),
                                   m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
                 at->second = &kinds_.back();
                 can_yield_ |= !kinds_.back().yield.elastic();

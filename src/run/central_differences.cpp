@@ -9,16 +9,16 @@ namespace hinge {
 /// du = dt v + dt^2 a / 2; offset masses say what they resist beside their mass times the acceleration.
 void CentralDifferences::predict(const Step& step) {
     const double dt = step.dt;
-    w_.pool.share(int(w_.turned.size()), some_nodes, [&](int first, int end, int) {
+    w_.pool.share(int(w_.rotation_step.size()), some_nodes, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Lanes v = load_row<6>(w_.state.velocity[i].data()), a = load_row<6>(w_.state.acceleration[i].data());
             const Lanes move = dt * v + (0.5 * dt * dt) * a;
             store_row<3>(w_.trial.displacement[i].data(), load_row<3>(w_.state.displacement[i].data()) + move);
-            store_row<3>(w_.turned[i].data(), second_three(move));
+            store_row<3>(w_.rotation_step[i].data(), second_three(move));
             store_row<6>(w_.trial.velocity[i].data(), v + dt * a);
             store_row<6>(w_.trial.acceleration[i].data(), Lanes{});
         }
-        move_to_turned(first, end);
+        move_to_rotated(first, end);
     });
 }
 
@@ -52,7 +52,7 @@ void CentralDifferences::accelerate(Step& step) {
         return;
     }
     take_reactions([&](int n, int c) { return w_.resisting[n][c] - w_.external[n][c]; });
-    if (!mass.heavy().empty()) mass.turn_offset_masses(w_.state, w_.trial);
+    if (!mass.heavy().empty()) mass.rotate_offset_masses(w_.state, w_.trial);
     for (const Mass::Heavy& h : mass.heavy()) {
         Vec6 a = h.inverse * (w_.external[h.node] - w_.resisting[h.node]);
         for (int c = 0; c < 6; ++c)

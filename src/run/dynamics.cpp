@@ -11,9 +11,9 @@
 namespace hinge {
 namespace {
 
-constexpr double most_turn = 0.5;   ///< rad: of a node in a step, with step control
-constexpr long quiet_steps = 100;   ///< without anything to do after which an effect is said to sleep
-constexpr double most_phase = 0.9;  ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
+constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step control
+constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
+constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
 RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.geometric, s.rest}; }
 
@@ -31,7 +31,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     w_.scheme = {settings_.beta, settings_.gamma(), settings_.alpha()};
-    w_.turned.assign(structure_->position().size(), Vec3::Zero());
+    w_.rotation_step.assign(structure_->position().size(), Vec3::Zero());
     meets_ = any_effect(&Effect::meets);
     breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
     for (const auto& e : effects_)
@@ -147,7 +147,7 @@ void Dynamics::recover(double time) {
     integrator_->recovered(step_);
     for (const auto& e : effects_) e->add_forces(time, w_.resisting);
     if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
-    for (int e : sweep_.turned()) stiffness_changed(e);
+    for (int e : sweep_.rotated()) stiffness_changed(e);
     if (step_.iteration == 0 && sweep_.twisted() >= 0) step_.failure = sweep_.twisted_reason();
 }
 
@@ -179,7 +179,7 @@ void Dynamics::commit() {
     integrator_->keep();
     state_.displacement.swap(w_.trial.displacement);
     state_.rotation.swap(w_.trial.rotation);
-    state_.turn.swap(w_.trial.turn);
+    state_.small_rotation.swap(w_.trial.small_rotation);
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
     state_.force.swap(w_.force);
@@ -410,7 +410,7 @@ Energy Dynamics::energy_of_trial() {
     std::vector<Vec6> plastic;
     const auto exchange = [this] {
         state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
-            state_.turn.swap(w_.trial.turn), state_.velocity.swap(w_.trial.velocity);
+            state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity);
     };
     for (const auto& e : effects_) e->add_up(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
@@ -429,11 +429,11 @@ Energy Dynamics::energy_of_trial() {
 /// Step control: whether the step is kept.
 void Dynamics::control_step() {
     if (structure_->large())
-        for (std::size_t i = 0; i < w_.turned.size(); ++i)
-            if (const double turn = w_.turned[i].norm(); !(turn <= most_turn)) {
+        for (std::size_t i = 0; i < w_.rotation_step.size(); ++i)
+            if (const double angle = w_.rotation_step[i].norm(); !(angle <= most_rotation)) {
                 char what[120];
-                std::snprintf(what, sizeof what, " would rotate by %.3g rad in a step, more than %.2g", turn,
-                              most_turn);
+                std::snprintf(what, sizeof what, " would rotate by %.3g rad in a step, more than %.2g", angle,
+                              most_rotation);
                 step_.failure = structure_->node_name(int(i)) + what;
                 return;
             }

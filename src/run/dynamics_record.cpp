@@ -39,7 +39,7 @@ std::vector<PlanLine> Dynamics::effects() const {
 }
 
 /// Parts of the effective stiffness, of M and of contact's list of pairs were made at one time or another and are
-/// renewed when something has turned or travelled far enough: they are kept as they are. What follows from the state
+/// renewed when something has rotated or travelled far enough: they are kept as they are. What follows from the state
 /// and from them alone (blocks condensed to the joints, bars, which sections elements share) is found anew.
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {

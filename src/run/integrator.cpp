@@ -1,12 +1,12 @@
 #include "run/integrator.h"
 
-#include "state/turning.h"
+#include "state/rotate.h"
 
 namespace hinge {
 
-void Integrator::move_to_turned(int first, int end) {
-    if (w_.structure.large()) return turn_all(w_.turned, w_.state.rotation, w_.trial.rotation, first, end);
-    for (int i = first; i < end; ++i) w_.trial.turn[i] = w_.state.turn[i] + w_.turned[i];
+void Integrator::move_to_rotated(int first, int end) {
+    if (w_.structure.large()) return rotate_all(w_.rotation_step, w_.state.rotation, w_.trial.rotation, first, end);
+    for (int i = first; i < end; ++i) w_.trial.small_rotation[i] = w_.state.small_rotation[i] + w_.rotation_step[i];
 }
 
 std::string Integrator::name_the_culprit() const {

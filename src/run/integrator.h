@@ -103,7 +103,7 @@ protected:
             if (f.speed > fastest.speed * fastest.speed) fastest = {std::sqrt(f.speed), f.node, time};
     }
     std::string name_the_culprit() const;
-    void move_to_turned(int first, int end);
+    void move_to_rotated(int first, int end);
 
     Workspace& w_;
     KeptMass& mass_;

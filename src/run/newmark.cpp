@@ -119,7 +119,7 @@ void Newmark::begin(const EffectList& effects) {
             damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
         }
     effective_->set_damping(std::move(damping), w_.scheme.gamma * settings_.dt);
-    if (w_.structure.large()) w_.sweep.watch_turning(settings_.rebuild_angle);
+    if (w_.structure.large()) w_.sweep.watch_rotation(settings_.rebuild_angle);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
 }
@@ -131,25 +131,25 @@ void Newmark::predict(const Step& step) {
     const State& s = w_.state;
     Pose& trial = w_.trial;
     if (displacement_predictor_) {
-        for (std::size_t i = 0; i < w_.turned.size(); ++i) {
+        for (std::size_t i = 0; i < w_.rotation_step.size(); ++i) {
             trial.displacement[i] = s.displacement[i];
-            w_.turned[i].setZero();
+            w_.rotation_step[i].setZero();
             trial.acceleration[i] = -1 / (beta * dt) * s.velocity[i] - (0.5 - beta) / beta * s.acceleration[i];
             trial.velocity[i] = s.velocity[i] + dt * ((1 - gamma) * s.acceleration[i] + gamma * trial.acceleration[i]);
             if (alpha != 0) trial.acceleration[i] = (1 - alpha) * trial.acceleration[i] + alpha * s.acceleration[i];
         }
-        return move_to_turned(0, int(w_.turned.size()));
+        return move_to_rotated(0, int(w_.rotation_step.size()));
     }
-    w_.pool.share(int(w_.turned.size()), some_nodes, [&](int first, int end, int) {
+    w_.pool.share(int(w_.rotation_step.size()), some_nodes, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Lanes v = load_row<6>(s.velocity[i].data()), a = load_row<6>(s.acceleration[i].data());
             const Lanes move = dt * v + (0.5 * dt * dt) * a;
             store_row<3>(trial.displacement[i].data(), load_row<3>(s.displacement[i].data()) + move);
-            store_row<3>(w_.turned[i].data(), second_three(move));
+            store_row<3>(w_.rotation_step[i].data(), second_three(move));
             store_row<6>(trial.velocity[i].data(), v + dt * a);
             store_row<6>(trial.acceleration[i].data(), a);
         }
-        move_to_turned(first, end);
+        move_to_rotated(first, end);
     });
 }
 
@@ -271,16 +271,16 @@ bool Newmark::correct(Step& step) {
     if (by_spin)  // a long step rotates far: what was solved for is a spin on top of the rotation so far, not a part of
                   // it
         for (std::size_t i = 0; i < change_.size(); ++i) {
-            const Vec3 before = w_.turned[i];
-            trial.rotation[i] = turned(to_u * change_[i].tail<3>(), trial.rotation[i]);
-            w_.turned[i] = rotation_vector(trial.rotation[i] * w_.state.rotation[i].conjugate());
-            change_[i].tail<3>() = (w_.turned[i] - before) / to_u;
+            const Vec3 before = w_.rotation_step[i];
+            trial.rotation[i] = rotated(to_u * change_[i].tail<3>(), trial.rotation[i]);
+            w_.rotation_step[i] = rotation_vector(trial.rotation[i] * w_.state.rotation[i].conjugate());
+            change_[i].tail<3>() = (w_.rotation_step[i] - before) / to_u;
         }
     Vec6 *a = trial.acceleration.data(), *v = trial.velocity.data();
-    Vec3 *u = trial.displacement.data(), *turned_by = w_.turned.data();
+    Vec3 *u = trial.displacement.data(), *rotation_by = w_.rotation_step.data();
     const Vec6* changes = change_.data();
     const double size =
-        w_.pool.sum(int(change_.size()), some_nodes, [&, a, v, u, turned_by, changes](int first, int end) {
+        w_.pool.sum(int(change_.size()), some_nodes, [&, a, v, u, rotation_by, changes](int first, int end) {
             Lanes sum{};
             for (int i = first; i < end; ++i) {
                 const Lanes change = load_row<6>(changes[i].data());
@@ -288,10 +288,11 @@ bool Newmark::correct(Step& step) {
                 store_row<6>(v[i].data(), load_row<6>(v[i].data()) + to_v * change);
                 store_row<3>(u[i].data(), load_row<3>(u[i].data()) + to_u * change);
                 if (!by_spin)
-                    store_row<3>(turned_by[i].data(), load_row<3>(turned_by[i].data()) + to_u * second_three(change));
+                    store_row<3>(rotation_by[i].data(),
+                                 load_row<3>(rotation_by[i].data()) + to_u * second_three(change));
                 sum += change * change;
             }
-            if (!by_spin) move_to_turned(first, end);
+            if (!by_spin) move_to_rotated(first, end);
             return sum[0] + sum[1] + sum[2];
         });
     if (settings_.automatic) {

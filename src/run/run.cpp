@@ -83,7 +83,7 @@ Vec6 Run::displacement(int node) const {
     if (structure_->large()) {
         d.tail<3>() = rotation_vector(state_.rotation[node]);
     } else {
-        d.tail<3>() = state_.turn[node];
+        d.tail<3>() = state_.small_rotation[node];
     }
     return d;
 }

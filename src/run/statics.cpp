@@ -33,7 +33,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
     for (auto* v : {&potential_, &right_, &change_, &response_, &last_move_}) v->assign(nodes, Vec6::Zero());
-    w_.turned.assign(nodes, Vec3::Zero());
+    w_.rotation_step.assign(nodes, Vec3::Zero());
     double length = 0;
     for (const Element& e : structure_->elements()) length += e.length;
     if (!structure_->elements().empty()) mean_length_ = length / double(structure_->elements().size());
@@ -149,9 +149,9 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
     trial_factor_ = factor;
     for (std::size_t i = 0; i < by.size(); ++i) {
         w_.trial.displacement[i] += by[i].head<3>();
-        w_.turned[i] += by[i].tail<3>();
-        if (structure_->large()) w_.trial.rotation[i] = turned(by[i].tail<3>(), w_.trial.rotation[i]);
-        else w_.trial.turn[i] += by[i].tail<3>();
+        w_.rotation_step[i] += by[i].tail<3>();
+        if (structure_->large()) w_.trial.rotation[i] = rotated(by[i].tail<3>(), w_.trial.rotation[i]);
+        else w_.trial.small_rotation[i] += by[i].tail<3>();
     }
 }
 
@@ -160,7 +160,7 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
 Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     w_.trial = pose_of(state_);
     trial_factor_ = state_.factor;
-    for (Vec3& m : w_.turned) m.setZero();
+    for (Vec3& m : w_.rotation_step) m.setZero();
     std::vector<Vec6> total(w_.resisting.size(), Vec6::Zero()), step(w_.resisting.size());
     double arc = 0;
     recover();
@@ -210,25 +210,25 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
                            ? r1
                            : r2;
         }
-        double size = 0, turn = 0;
+        double size = 0, angle = 0;
         for (std::size_t i = 0; i < step.size(); ++i) {
             step[i] = change_[i] + d_factor * response_[i];
             if (!step[i].allFinite()) return Outcome::diverged;
             size = std::max(size, step[i].head<3>().cwiseAbs().maxCoeff());
-            turn = std::max(turn, step[i].tail<3>().cwiseAbs().maxCoeff());
+            angle = std::max(angle, step[i].tail<3>().cwiseAbs().maxCoeff());
         }
-        if (!std::isfinite(size + turn) || size > 10 * reach_ || (structure_->large() && turn > 1.5))
+        if (!std::isfinite(size + angle) || size > 10 * reach_ || (structure_->large() && angle > 1.5))
             return Outcome::diverged;
         // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that
         // makes the balance worse is taken by half, and by half again.
         const Pose before = w_.trial;
-        const std::vector<Vec3> moved_before = w_.turned;
+        const std::vector<Vec3> moved_before = w_.rotation_step;
         const double factor_before = trial_factor_;
         double scale = 0, r = 0, share = 1;
         for (int halving = 0;; ++halving, share /= 2) {
             if (halving > 0) {
                 w_.trial = before;
-                w_.turned = moved_before;
+                w_.rotation_step = moved_before;
                 for (Vec6& v : step) v *= 0.5;
             }
             move(factor_before + share * d_factor, step);
@@ -240,7 +240,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         for (std::size_t i = 0; i < step.size(); ++i) total[i] += step[i];
         if (!std::isfinite(r)) return Outcome::diverged;
         if (iteration == 1) first = std::max(r, 1e-300);
-        const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && turn <= 1e-11 && r <= 1e-6 * scale;
+        const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && angle <= 1e-11 && r <= 1e-6 * scale;
         if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
             if (sweep_.twisted() >= 0) return Outcome::diverged;
             converged_in_ = iteration;
@@ -259,8 +259,8 @@ void Statics::commit(double before) {
         const Vec3 du = w_.trial.displacement[i] - state_.displacement[i];
         const double mean = 0.5 * (before + trial_factor_);
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
-        work += mean * (w_.external[i].head<3>().dot(du) + w_.external[i].tail<3>().dot(w_.turned[i])) -
-                (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.turned[i]));
+        work += mean * (w_.external[i].head<3>().dot(du) + w_.external[i].tail<3>().dot(w_.rotation_step[i])) -
+                (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.rotation_step[i]));
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
             for (int c = 0; c < 6; ++c)
@@ -271,7 +271,7 @@ void Statics::commit(double before) {
     for (const auto& e : effects_) e->keep(step);
     state_.displacement = w_.trial.displacement;
     state_.rotation = w_.trial.rotation;
-    state_.turn = w_.trial.turn;
+    state_.small_rotation = w_.trial.small_rotation;
     state_.force = w_.force;
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);

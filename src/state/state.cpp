@@ -11,7 +11,7 @@ State initial_state(const Structure& structure) {
     State s;
     s.displacement.assign(nodes, Vec3::Zero());
     s.rotation.assign(nodes, Quat::Identity());
-    if (!structure.large()) s.turn.assign(nodes, Vec3::Zero());
+    if (!structure.large()) s.small_rotation.assign(nodes, Vec3::Zero());
     s.velocity = structure.initial_velocity();
     s.acceleration.assign(nodes, Vec6::Zero());
     s.held = structure.fixed();
@@ -38,7 +38,7 @@ bool makes_sense(const State& s, const Structure& structure) {
     const auto none_or = [](std::size_t n, const auto& array) { return array.empty() || array.size() == n; };
     const bool whole =
         long_as(nodes, s.displacement, s.rotation, s.velocity, s.acceleration, s.held, s.gone) &&
-        long_as(structure.large() ? 0 : nodes, s.turn) &&
+        long_as(structure.large() ? 0 : nodes, s.small_rotation) &&
         long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) &&
         none_or(nodes, s.offset_mass) && none_or(elements, s.offset_arm);
     if (!whole) return false;

@@ -94,12 +94,12 @@ private:
 
 struct State {
     // nodes
-    std::vector<Vec3> displacement;  ///< m
-    std::vector<Quat> rotation;      ///< large displacement: since the start
-    std::vector<Vec3> turn;          ///< small displacement alone: rotation vector, rad
-    std::vector<Vec6> velocity;      ///< m/s and rad/s, in space
-    std::vector<Vec6> acceleration;  ///< m/s^2 and rad/s^2, in space
-    std::vector<std::uint8_t> held;  ///< bits as in Structure::fixed; all six for a node that has lost its elements
+    std::vector<Vec3> displacement;    ///< m
+    std::vector<Quat> rotation;        ///< large displacement: since the start
+    std::vector<Vec3> small_rotation;  ///< small displacement alone: rotation vector, rad
+    std::vector<Vec6> velocity;        ///< m/s and rad/s, in space
+    std::vector<Vec6> acceleration;    ///< m/s^2 and rad/s^2, in space
+    std::vector<std::uint8_t> held;    ///< bits as in Structure::fixed; all six for a node that has lost its elements
     std::vector<OffsetMass> offset_mass;  ///< empty until something breaks, then one a node
     // elements
     std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h
@@ -129,7 +129,7 @@ struct State {
     static void for_each_field(Self& s, F f) {
         f("displacement", s.displacement);
         f("rotation", s.rotation);
-        f("turn", s.turn);
+        f("small_rotation", s.small_rotation);
         f("velocity", s.velocity);
         f("acceleration", s.acceleration);
         f("held", s.held);

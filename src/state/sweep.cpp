@@ -14,7 +14,7 @@ using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
 
-Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.turn, s.velocity, s.acceleration}; }
+Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration}; }
 
 /// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
@@ -36,7 +36,7 @@ struct Sweep::Kind {
 
 struct Sweep::Found {
     std::vector<Yielding> yielding;
-    std::vector<int> turned;
+    std::vector<int> rotated;
     int twisted = -1;
 };
 
@@ -64,9 +64,9 @@ void Sweep::mark_built(int element, const Mat3& frame) {
         built[c][element % lane_count] = frame(c, 2), built[3 + c][element % lane_count] = frame(c, 1);
 }
 
-void Sweep::watch_turning(double tolerance) {
+void Sweep::watch_rotation(double tolerance) {
     watching_ = true;
-    turn_limit_ = tolerance * tolerance;
+    rotation_limit_ = tolerance * tolerance;
     built_.assign(6 * blocks_.size(), Lanes{});
 }
 
@@ -190,7 +190,7 @@ struct Motion {
 Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& length) {
     const Lanes zero = {}, one = spread(1.0, length);
     Placement<Lanes> p;
-    p.frame = beam::turned_triad(axes, {one, zero, zero, zero});
+    p.frame = beam::rotated_triad(axes, {one, zero, zero, zero});
     p.length = length;
     p.theta[0] = p.theta[1] = {zero, zero, zero};
     p.y[0] = p.y[1] = {zero, one, zero};
@@ -243,12 +243,14 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                     if (b.whole >> i & 1 && place.y_mean_y[i] <= least_mean_y) found.twisted = element + i;
         } else {
             place = start_placement(axes, kind.length);
-            linear_deformation(place, u2 - u1, gather(pose.turn, b.node[0]), gather(pose.turn, b.node[1]), d);
+            linear_deformation(place, u2 - u1, gather(pose.small_rotation, b.node[0]),
+                               gather(pose.small_rotation, b.node[1]), d);
         }
 
         // elastic forces, eqs 3, 7c and 12c: p = k (d - d_p)
         Lanes plastic[lane_count];
-        turn_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element), plastic);
+        transpose_rows<6>(state.plastic[element].data(), std::min(lane_count, int(state.plastic.size()) - element),
+                          plastic);
         for (int c = 0; c < 6; ++c) d[c] -= plastic[c];
         Lanes p[6] = {kind.k[0] * d[0] + kind.k[1] * d[1],
                       kind.k[1] * d[0] + kind.k[2] * d[1],
@@ -339,10 +341,10 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 const Triple<Lanes> way = now - Triple<Lanes>{then[0], then[1], then[2]};
                 return dot(way, way);
             };
-            const Lanes turned = square(place.frame.z, built) + square(place.frame.y, built + 3);
-            if (any_above(turned, turn_limit_))
+            const Lanes rotation_squared = square(place.frame.z, built) + square(place.frame.y, built + 3);
+            if (any_above(rotation_squared, rotation_limit_))
                 for (int i = 0; i < lane_count; ++i)
-                    if (turned[i] > turn_limit_ && b.whole >> i & 1) found.turned.push_back(element + i);
+                    if (rotation_squared[i] > rotation_limit_ && b.whole >> i & 1) found.rotated.push_back(element + i);
         }
     }
 }
@@ -369,7 +371,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     found_.resize((blocks_.size() + piece - 1) / piece);
     pool_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
-        found_[i].turned.clear();
+        found_[i].rotated.clear();
         found_[i].twisted = -1;
         const auto go_over = [&]<bool large>() {
             const auto run_blocks_of = !inertia_            ? &Sweep::run_blocks<large, false, false>
@@ -384,11 +386,11 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
             for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += left_[k];
     });
     yielding.clear();
-    turned_.clear();
+    rotated_.clear();
     twisted_ = -1;
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
-        turned_.insert(turned_.end(), f.turned.begin(), f.turned.end());
+        rotated_.insert(rotated_.end(), f.rotated.begin(), f.rotated.end());
         twisted_ = std::max(twisted_, f.twisted);
     }
     for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
@@ -433,8 +435,8 @@ Vec6 element_deformation(const Structure& structure, int index, const Places& at
     }
     const Mat3 axes = e.axes.toRotationMatrix().transpose();
     Vec12 u;
-    u << axes * at.displacement[e.node[0]], axes * at.turn[e.node[0]], axes * at.displacement[e.node[1]],
-        axes * at.turn[e.node[1]];
+    u << axes * at.displacement[e.node[0]], axes * at.small_rotation[e.node[0]], axes * at.displacement[e.node[1]],
+        axes * at.small_rotation[e.node[1]];
     return beam::linear_deformation(e.length) * u;
 }
 

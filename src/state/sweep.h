@@ -15,7 +15,7 @@ namespace hinge {
 struct Pose {
     std::vector<Vec3> displacement;
     std::vector<Quat> rotation;
-    std::vector<Vec3> turn;
+    std::vector<Vec3> small_rotation;
     std::vector<Vec6> velocity, acceleration;
 };
 
@@ -50,8 +50,8 @@ public:
              std::vector<Yielding>& yielding);
 
     /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked. Filled by run.
-    const std::vector<int>& turned() const { return turned_; }
-    void watch_turning(double tolerance);
+    const std::vector<int>& rotated() const { return rotated_; }
+    void watch_rotation(double tolerance);
     /// An element whose ends have twisted against each other by more than 160 degrees, near the 180 degrees at which
     /// its frame jumps; -1 when there is none. Filled by run; large displacement.
     int twisted() const { return twisted_; }
@@ -102,9 +102,9 @@ private:
     std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
     std::vector<Vec6> left_;
     std::vector<Lanes> built_;  ///< six a block: frame z and y at the last build
-    std::vector<int> turned_;
+    std::vector<int> rotated_;
     int twisted_ = -1;
-    double turn_limit_ = 1e300;
+    double rotation_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;
 };
@@ -113,9 +113,9 @@ private:
 struct Places {
     const std::vector<Vec3>& displacement;
     const std::vector<Quat>& rotation;
-    const std::vector<Vec3>& turn;
-    Places(const State& s) : displacement(s.displacement), rotation(s.rotation), turn(s.turn) {}
-    Places(const Pose& p) : displacement(p.displacement), rotation(p.rotation), turn(p.turn) {}
+    const std::vector<Vec3>& small_rotation;
+    Places(const State& s) : displacement(s.displacement), rotation(s.rotation), small_rotation(s.small_rotation) {}
+    Places(const Pose& p) : displacement(p.displacement), rotation(p.rotation), small_rotation(p.small_rotation) {}
 };
 
 /// Where one element is (for its tangent and for reading it).

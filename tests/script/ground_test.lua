@@ -160,7 +160,7 @@ for _, o in ipairs { { dt = 2e-5 }, { integrator = "explicit", dt = "auto" } } d
   end
 end
 
--- A stiffness of its own, far above that of the members: dt = "auto" heeds it in explicit steps, and too long ones are
+-- A stiffness of its own, far above the members': dt = "auto" keeps to it in explicit steps, and too long ones are
 -- refused. A bar thrown down flat comes back with its speed.
 do
   local function thrown(stiffness, friction)

@@ -317,7 +317,7 @@ for what, o in pairs {
     near(after.mass, bar_mass + 6, 1e-9, what .. ": mass")
     expect(size { v[4], v[5], v[6] } < 20, "%s: it spins at %g rad/s", what, size { v[4], v[5], v[6] })
   end
-  expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.initial, "%s: energy error %g of %g J", what,
+  expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.initial, "%s: energy error %g of %g J",
     run.energy.remainder, run.energy.initial)
 end
 
@@ -379,8 +379,8 @@ do
     local after = controlled:momentum()
     equal(controlled:count { state = "broken" }, o.breaks and 1 or 0, what .. ": members broken")
     expect(controlled.counts.rejected_steps > 0, "%s: nothing taken back", what)
-    expect(math.abs(controlled.energy.remainder) < 0.01 * controlled.energy.initial, "%s: energy error %g of %g J", what,
-      controlled.energy.remainder, controlled.energy.initial)
+    expect(math.abs(controlled.energy.remainder) < 0.01 * controlled.energy.initial, "%s: energy error %g of %g J",
+      what, controlled.energy.remainder, controlled.energy.initial)
     expect(apart(before.linear, after.linear) < 3e-6 * size(before.linear), "%s: momentum off by %g of %g", what,
       apart(before.linear, after.linear), size(before.linear))
     expect(controlled.index < 5000, "%s: it took %d steps", what, controlled.index)

@@ -37,8 +37,8 @@ struct Bar {
 Bar random_bar(Dice& dice, double deform) {
     Bar b;
     b.L = dice(0.3, 3);
-    b.axes = dice.turn();
-    const Quat turn = dice.turn();
+    b.axes = dice.rotation();
+    const Quat turn = dice.rotation();
     b.x[0] = dice.vector(10);
     b.x[1] = b.x[0] + turn * (b.axes * Vec3(0, 0, b.L)) + dice.vector(0.2 * deform * b.L);
     for (Quat& q : b.q) q = exponential(dice.vector(deform)) * turn;
@@ -49,11 +49,11 @@ Bar random_bar(Dice& dice, double deform) {
 
 TEST_CASE("1000 random finite rotations and shifts, one after the other, leave no strain (1e-12, issue)") {
     Dice dice(21);
-    double worst = 0, turned_by = 0;
+    double worst = 0, rotation_by = 0;
     for (int bar = 0; bar < 20; ++bar) {
         Bar b;
         b.L = dice(0.5, 2);
-        b.axes = dice.turn();
+        b.axes = dice.rotation();
         b.x[0] = dice.vector(3);
         b.x[1] = b.x[0] + b.axes * Vec3(0, 0, b.L);
         b.q[0] = b.q[1] = Quat::Identity();
@@ -61,7 +61,7 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
             const Vec3 turn = dice.vector(dice.pick(2) ? 3 : 0.01), about = dice.vector(2), shift = dice.vector(1);
             const Mat3 R = exponential(turn).toRotationMatrix();  // the positions by Eigen, the rotations by the engine
             for (Vec3& x : b.x) x = (R * (x - about) + about + shift).eval();
-            for (Quat& q : b.q) q = turned(turn, q);
+            for (Quat& q : b.q) q = rotated(turn, q);
             if (step % 7 ==
                 0) {  // back to where numbers are small: what is tested is rotation, not the size of coordinates
                 b.x[1] -= b.x[0];
@@ -70,10 +70,10 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
             const Vec6 d = b.deformation();
             worst = largest_of(worst, largest_entry(d.head<4>()), std::abs(d[4]) / b.L, std::abs(d[5]));
         }
-        turned_by = largest_of(turned_by, b.q[0].angularDistance(Quat::Identity()));
+        rotation_by = largest_of(rotation_by, b.q[0].angularDistance(Quat::Identity()));
     }
     CHECK_FIGURE("largest strain or end rotation after 1000 rigid motions", worst, 1e-12);
-    CHECK(turned_by > 1);
+    CHECK(rotation_by > 1);
 }
 
 TEST_CASE("a structure flown through 1000 rigid rotations by its state has no forces (1e-12 of EA, issue)") {
@@ -88,7 +88,7 @@ TEST_CASE("a structure flown through 1000 rigid rotations by its state has no fo
     sweep.take_up(state);
     Dice dice(22);
     Quat whole = Quat::Identity();
-    for (int i = 0; i < 1000; ++i) whole = turned(dice.vector(2), whole);
+    for (int i = 0; i < 1000; ++i) whole = rotated(dice.vector(2), whole);
     Pose pose = pose_of(state);
     for (std::size_t i = 0; i < pose.displacement.size(); ++i) {
         pose.rotation[i] = whole;
@@ -108,9 +108,9 @@ TEST_CASE("a rotation about any axis comes back as its rotation vector (1e-12), 
     double worst = 0;
     for (int trial = 0; trial < 2000; ++trial) {
         const Vec3 v = dice.direction() * (trial % 4 ? dice(0, 3) : dice(0, 0.3));
-        const Quat frame = dice.turn();
-        const Triad<double> f = turned_triad(quad(frame), quad(Quat::Identity())),
-                            n = turned_triad(quad(frame * exponential(v)), quad(Quat::Identity()));
+        const Quat frame = dice.rotation();
+        const Triad<double> f = rotated_triad(quad(frame), quad(Quat::Identity())),
+                            n = rotated_triad(quad(frame * exponential(v)), quad(Quat::Identity()));
         worst = largest_of(worst, (eigen(relative_rotation(f, n)) - v).norm());
     }
     CHECK_FIGURE("rotation vector of exp(v), rad", worst, 1e-12);
@@ -208,11 +208,11 @@ TEST_CASE("a rotation vector on top of a quaternion is Eigen's exponential, and 
     Quat q = Quat::Identity();
     for (int i = 0; i < 5000; ++i) {
         const Vec3 v = dice.vector(i % 3 == 0 ? 3 : i % 3 == 1 ? 0.1 : 1e-9);
-        const Quat by_eigen = exponential(v) * q, by_engine = turned(v, q);
+        const Quat by_eigen = exponential(v) * q, by_engine = rotated(v, q);
         worst = largest_of(worst, (by_eigen.coeffs() - by_engine.coeffs()).norm());
         q = by_engine;
         length = largest_of(length, std::abs(q.norm() - 1));
     }
-    CHECK_FIGURE("turned(v, q) against Eigen", worst, 2e-15);
+    CHECK_FIGURE("rotated(v, q) against Eigen", worst, 2e-15);
     CHECK_FIGURE("length of a quaternion after 5000 rotations", length, 1e-15);
 }

@@ -257,7 +257,7 @@ TEST_CASE("contact: bars that pass through each other within a step are found ev
                 for (int k = 0; k < 40; ++k) {
                     // Crossing at chosen places of both axes at a chosen moment, from a random direction, turning a
                     // little.
-                    const Quat all = dice.turn(pi);
+                    const Quat all = dice.rotation(pi);
                     const double rad = angle * pi / 180, la = dice(0.3, 2), lb = la * dice(0.6, 1.6);
                     const Vec3 da = all * Vec3(la, 0, 0), db = all * (lb * Vec3(std::cos(rad), std::sin(rad), 0));
                     const Vec3 way = all * Vec3(dice(-0.5, 0.5), dice(-0.5, 0.5), 1).normalized();

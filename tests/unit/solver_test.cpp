@@ -93,7 +93,7 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
 }
 
 /// The structure at rest, rotated by Q about the origin.
-State turned_state(const Structure& structure, const Quat& Q) {
+State rotated_state(const Structure& structure, const Quat& Q) {
     State state = initial_state(structure);
     for (std::size_t i = 0; i < state.displacement.size(); ++i) {
         state.displacement[i] = Q * structure.position()[i] - structure.position()[i];
@@ -223,7 +223,7 @@ TEST_CASE(
         const Odd frame;
         const Structure structure(frame.model, kind);
         const Quat Q(Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()));
-        State state = turned_state(structure, Q);
+        State state = rotated_state(structure, Q);
         std::vector<int> end(structure.elements().size(), 0);
         Mass mass(structure, state);
         CHECK_FIGURE(name + " M, whole", mass_error(structure, state, mass, dense_mass(structure, Q, end), 1), 1e-10);
@@ -257,12 +257,12 @@ TEST_CASE(
         }
         // the offset masses rotate with their nodes, and M with them
         const Quat other = Quat(Eigen::AngleAxisd(1.1, Vec3(0.3, 1, 1).normalized()));
-        State turned = turned_state(structure, other);
+        State turned = rotated_state(structure, other);
         turned.offset_mass = state.offset_mass;
         turned.broken = state.broken;
         turned.held = state.held;
         if (kind == MassKind::lumped) {
-            mass.turn_offset_masses(turned, pose_of(turned));
+            mass.rotate_offset_masses(turned, pose_of(turned));
             CHECK_FIGURE("lumped M, offset masses rotated alone",
                          mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }

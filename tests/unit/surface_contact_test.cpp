@@ -18,7 +18,7 @@ struct Pressed {
     SurfaceContact contact;
 
     Pressed(Dice& dice, Nearness kind, bool broken, double friction = 0) {
-        const Quat all = dice.turn();
+        const Quat all = dice.rotation();
         const double angle = kind == Nearness::crossing ? dice(0.3, 1.2) : dice(0.7, 1.2),
                      at = kind == Nearness::crossing ? 0.2 : 1.0;
         const Vec3 along(std::cos(angle), std::sin(angle), dice(-0.05, 0.05)), middle(0.1, 0, 0.045);
@@ -26,7 +26,7 @@ struct Pressed {
         const Vec3 place[4] = {{-0.5, 0, 0}, {0.6, 0.02, 0}, b1, middle + 0.8 * along};
         for (int i = 0; i < 4; ++i) {
             x.push_back(all * place[i]);
-            q.push_back(dice.turn());
+            q.push_back(dice.rotation());
             contact.end[i].node = i;
         }
         if (broken) {  // b follows node 2; node 3 is left alone
@@ -160,7 +160,7 @@ TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart t
     Dice dice(6);
     for (const auto& c : cases)
         for (int i = 0; i < 8; ++i) {  // as it stands, where the distance is zero to the bit, and turned
-            const Quat all = i < 2 ? Quat::Identity() : dice.turn();
+            const Quat all = i < 2 ? Quat::Identity() : dice.rotation();
             const Vec3 normal = all * Vec3::UnitZ();
             SurfaceContact contact;
             contact.radius[0] = 0.03, contact.radius[1] = 0.02;

@@ -49,13 +49,13 @@ struct Sample {
         c.GAy = dice(2e3, 5e3);
         L = dice(0.8, 1.6);
         s = dice(-1, 1);
-        axes = dice.turn();
+        axes = dice.rotation();
         k = stiffness(c, L, s);
         start.x[0] = dice.vector(1);
         start.x[1] = start.x[0] + axes * Vec3(0, 0, L);
         start.q[0] = start.q[1] = Quat::Identity();
         now = start;
-        const Quat turn = large ? dice.turn() : Quat::Identity();
+        const Quat turn = large ? dice.rotation() : Quat::Identity();
         for (int i = 0; i < 2; ++i) {
             now.x[i] = turn * start.x[i] + dice.vector(0.3 * deform);
             now.turn[i] = dice.vector(deform);

@@ -23,7 +23,7 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
     Bound out;
     for (int i = 0; i < 4; ++i) {
         out.x.push_back(dice.vector(0.5));
-        out.q.push_back(dice.turn(pi));
+        out.q.push_back(dice.rotation(pi));
     }
     for (int i = 0; i < 4; ++i) {
         out.tie.end[i].node = i;
@@ -37,12 +37,12 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
     out.tie.normal = Vec3::UnitZ();
     out.tie.at[0] = 0.3;
     out.tie.at[1] = 0.6;
-    const Quat all = dice.turn(turn_all);
+    const Quat all = dice.rotation(turn_all);
     out.tie.rotation = all;  // as a tie has that followed the whole so far
     const Vec3 shift = dice.vector(3);
     for (int i = 0; i < 4; ++i) {
         out.x[i] = all * out.x[i] + shift + dice.vector(stretch);
-        out.q[i] = dice.turn(turn_each) * all * out.q[i];
+        out.q[i] = dice.rotation(turn_each) * all * out.q[i];
     }
     return out;
 }
@@ -158,7 +158,7 @@ TEST_CASE("contact: ties in degenerate positions", "[contact]") {
         Dice dice(11);
         for (double stretch : {0.0, 1e-6, 1e-3, 0.1, 3.0}) {
             std::vector<Vec3> x = start;
-            std::vector<Quat> q(4, dice.turn(1));
+            std::vector<Quat> q(4, dice.rotation(1));
             for (Vec3& p : x) p = q[0] * p + dice.vector(stretch);
             std::vector<Vec6> f(4, Vec6::Zero());
             add_tie_forces(tie, x, q, f);

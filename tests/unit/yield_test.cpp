@@ -156,11 +156,11 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") 
         const auto structure = frame.build();
         for (int trial = 0; trial < 200; ++trial) {
             State state = initial_state(*structure);
-            state.turn.resize(state.displacement.size());
+            state.small_rotation.resize(state.displacement.size());
             for (std::size_t i = 0; i < state.displacement.size(); ++i) {
                 state.displacement[i] = dice.vector(1e-4);
-                state.turn[i] = dice.vector(1e-3);
-                state.rotation[i] = exponential(state.turn[i]);
+                state.small_rotation[i] = dice.vector(1e-3);
+                state.rotation[i] = exponential(state.small_rotation[i]);
             }
             for (Vec6& d : state.plastic)
                 for (double& v : d) v = dice(-1e-4, 1e-4);
