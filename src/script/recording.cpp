@@ -105,11 +105,17 @@ void note_what_went(RunRecord& r) {
             r.left_at[n] = now;
 }
 
+/// Whether messages go to a terminal; asked once, for it costs a call of the system.
+bool on_screen() {
+    static const bool screen = isatty(2);
+    return screen;
+}
+
 void show_progress(const Context& c, RunRecord& r, bool last) {
     if (!c.progress) return;
     const double wall = seconds(Clock::now() - r.start);
     if (last && wall < 2) return;
-    const bool screen = isatty(2);
+    const bool screen = on_screen();
     const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
     const double share = std::min(1.0, double(done) / double(std::max(1L, all)));
     const double left = now > 0 ? wall * double(std::max(0L, all - done)) / double(now) : 0;
@@ -205,11 +211,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     for (const auto& list = r.run->wakings(); r.wakings_shown < list.size(); ++r.wakings_shown)
         if (c->progress) {
             const Run::Waking& w = list[r.wakings_shown];
-            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", isatty(2) ? "\r\033[K" : "", w.time, w.effect.c_str(),
+            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", on_screen() ? "\r\033[K" : "", w.time, w.effect.c_str(),
                          w.awake ? "awake" : "asleep", w.why.c_str());
         }
-    const double pause = isatty(2) ? 0.2 : 10;
-    if (seconds(now - r.start) > (isatty(2) ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
+    const double pause = on_screen() ? 0.2 : 10;
+    if (seconds(now - r.start) > (on_screen() ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
         show_progress(*c, r, false);
         r.last_progress = now;
     }

@@ -1,13 +1,24 @@
 #include "state/energy.h"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
 
 namespace hinge {
 
 double& Accounts::operator[](std::string_view name) {
     for (auto& [known, sum] : sums_)
         if (known == name) return sum;
-    return sums_.emplace_back(name, 0).second;
+    return sums_.emplace_back(Sum{kept(name), 0}).value;
+}
+
+/// One text for each name ever used; runs of several threads may ask.
+std::string_view Accounts::kept(std::string_view name) {
+    static std::mutex guard;
+    static std::set<std::string, std::less<>> names;
+    const std::lock_guard lock(guard);
+    const auto at = names.find(name);
+    return at != names.end() ? *at : *names.emplace(name).first;
 }
 
 double Accounts::operator[](std::string_view name) const {

@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace hinge {
@@ -22,7 +21,18 @@ public:
     }
 
 private:
-    std::vector<std::pair<std::string, double>> sums_;  // a handful: going through them beats any map
+    struct Sum {
+        std::string_view name;  ///< of a text that is kept for good, so that a copy of the sums copies no text
+        double value;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            std::string text(s.name);
+            a(text, s.value);
+            if constexpr (A::reading) s.name = kept(text);
+        }
+    };
+    static std::string_view kept(std::string_view name);
+    std::vector<Sum> sums_;  // a handful: going through them beats any map
 };
 
 /// What an effect registers.

@@ -31,7 +31,7 @@ local settings = {
 local stated = quick and { ["1"] = { 39, 45 } } or {
   ["1"] = { 43, 49 }, ["1/4"] = { 39, 39 }, ["1/2"] = { 39, 39 }, ["2"] = { 39, 41 }, ["4"] = { 35, 41 },
   ["8"] = { 34, 41 }, ["8 control"] = { 41, 41 }, ["64 control"] = { 41, 41 }, ["8 damped"] = { 34, 41 },
-  ["as printed"] = { 33, 39 }, ["auto"] = { 34, 34 }, ["explicit"] = { 34, 35 },
+  ["as printed"] = { 35, 39 }, ["auto"] = { 34, 34 }, ["explicit"] = { 34, 35 },
 }
 local fewest_steps, most_times_the_steps = 4, 20 -- outside of these a setting is not tried
 
