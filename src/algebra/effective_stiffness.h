@@ -53,7 +53,7 @@ public:
 
     /// Takes up what changed.
     void assemble();
-    /// A x = right, six numbers a node. x may be the same vector as right.
+    /// A x = right, six numbers a node.
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
     /// Factorises A as it stands. False when it is singular.
     bool factorise();

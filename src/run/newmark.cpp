@@ -90,6 +90,7 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
     solve_stage_ = stages.add("solve", "inertia");
     correct_stage_ = stages.add("correct", "inertia");
     const std::size_t nodes = w.structure.position().size();
+    right_.assign(nodes, Vec6::Zero());
     change_.assign(nodes, Vec6::Zero());
     in_rebuild_.assign(w.structure.elements().size(), 0);
     lumped_.assign(nodes, 0);
@@ -214,7 +215,7 @@ void Newmark::renew_effective_stiffness() {
 void Newmark::solve_for_change(Step& step) {
     const int nodes = int(w_.resisting.size());
     const Vec6 *external = w_.external.data(), *resisting = w_.resisting.data();
-    Vec6* right = change_.data();  // the solution takes its place
+    Vec6* right = right_.data();
     const double check = w_.pool.sum(nodes, some_nodes, [external, resisting, right](int first, int end) {
         double sum = 0;
         for (int i = first; i < end; ++i) {
@@ -228,8 +229,8 @@ void Newmark::solve_for_change(Step& step) {
         return;
     }
     take_reactions([&](int n, int c) {
-        const double r = -change_[n][c];
-        change_[n][c] = 0;
+        const double r = -right_[n][c];
+        right_[n][c] = 0;
         return r;
     });
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
@@ -245,7 +246,7 @@ void Newmark::solve_for_change(Step& step) {
     note_fastest(step.end());
     SolverSettings solver = settings_.solver;
     solver.floor = motion_ * std::pow(rounding / step.dt, 2);
-    const SolveReport report = effective_->solve(change_, change_, solver);
+    const SolveReport report = effective_->solve(right_, change_, solver);
     if (!report.converged)
         step.failure = solver.direct ? "the effective stiffness could not be factorised"
                                      : "conjugate gradients did not converge in " + std::to_string(report.iterations) +

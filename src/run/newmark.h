@@ -59,7 +59,8 @@ private:
     double tolerance_;
     int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
     std::unique_ptr<EffectiveStiffness> effective_;
-    std::vector<Vec6> change_;    ///< of the acceleration; it is solved for in place of the right side of eq 15
+    std::vector<Vec6> right_;     ///< F - R - M a: the right side of eq 15
+    std::vector<Vec6> change_;    ///< of the acceleration
     std::vector<double> lumped_;  ///< kg, of each node: the weights of velocities and changes
     std::vector<int> rebuild_;    ///< elements whose effective stiffness is to be built anew
     std::vector<char> in_rebuild_;
