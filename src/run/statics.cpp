@@ -10,8 +10,15 @@
 namespace hinge {
 namespace {
 
-/// Keeps the tangent of a perfect hinge from being singular by itself; far below anything that shows in a result.
-constexpr double hinge_regularisation = 1e-4;
+/// Keeps the tangent from being singular where hinges stand on both sides of a node, or make a second mechanism beside
+/// the one that is driven: a share of the element's stiffness without hinges, in the tangent alone. Where N and M yield
+/// together, a mechanism keeps a small stiffness of its own, because N moves along the yield surface. A share that is
+/// larger than that lets Newton's method creep. So the share falls with what is out of balance, as a part of the
+/// forces at work.
+double hinge_regularisation(double off_balance) { return std::clamp(1e-3 * off_balance, 1e-9, 1e-4); }
+
+/// What a step leaves out of balance at first, before it is known.
+constexpr double first_off_balance = 1e-3;
 
 /// Of the whole: a step halved below this ends the run, at the limit load.
 constexpr double smallest_step = 1e-5;
@@ -82,7 +89,8 @@ void Statics::recover() {
     });
 }
 
-bool Statics::renew_and_factorise() {
+/// `off_balance`: what is out of balance, as a part of the forces at work.
+bool Statics::renew_and_factorise(double off_balance) {
     stages_.timed(stiffness_stage_, [&] {
         std::vector<int> list;
         if (structure_->large() || !built_) {
@@ -96,12 +104,13 @@ bool Statics::renew_and_factorise() {
         }
         was_yielding_.clear();
         std::vector<Mat6> tangents = yield_tangents(*structure_, state_, sweep_, w_.yielding);
+        const double share = hinge_regularisation(off_balance);
         for (std::size_t i = 0; i < tangents.size(); ++i) {
             const Element& e = structure_->elements()[w_.yielding[i].element];
             const beam::Rigidity& r = e.rigidity;
             Vec6 bare;
             bare << r.EIx, r.EIx, r.EIy, r.EIy, r.EA, r.GJ;
-            tangents[i] = tangents[i] + hinge_regularisation * bare.asDiagonal().toDenseMatrix() / e.length;
+            tangents[i] = tangents[i] + share * bare.asDiagonal().toDenseMatrix() / e.length;
             was_yielding_.push_back(w_.yielding[i].element);
         }
         w_.force.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
@@ -120,7 +129,7 @@ bool Statics::renew_and_factorise() {
 }
 
 void Statics::refuse_mechanism() {
-    renew_and_factorise();
+    renew_and_factorise(1);
     const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
     if (loose < 0) return;
     static const char* way[] = {"move along x",   "move along y",   "move along z",
@@ -166,9 +175,9 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     recover();
     // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
     w_.yielding = flowing_on ? hinges_ : std::vector<Yielding>{};
-    double first = 0, last_balance = 0;
+    double first = 0, last_balance = 0, off_balance = first_off_balance;
     for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
-        if (!renew_and_factorise()) return Outcome::diverged;
+        if (!renew_and_factorise(off_balance)) return Outcome::diverged;
         for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
             right_[i] = trial_factor_ * w_.external[i] - w_.resisting[i];
             for (int c = 0; c < 6; ++c)
@@ -237,6 +246,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             if (iteration == 1 || halving == 12 || !std::isfinite(r) || r <= (1 - 1e-3 * share) * last_balance) break;
         }
         last_balance = r;
+        off_balance = r / scale;
         for (std::size_t i = 0; i < step.size(); ++i) total[i] += step[i];
         if (!std::isfinite(r)) return Outcome::diverged;
         if (iteration == 1) first = std::max(r, 1e-300);

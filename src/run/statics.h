@@ -38,7 +38,7 @@ private:
     Outcome equilibrate(double increment, bool flowing_on);
     void find_loads();
     void recover();
-    bool renew_and_factorise();
+    bool renew_and_factorise(double off_balance);
     double out_of_balance(double& scale) const;
     void move(double factor, const std::vector<Vec6>& by);
     void commit(double factor);
