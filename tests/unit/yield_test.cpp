@@ -110,6 +110,82 @@ TEST_CASE("no other admissible state is nearer to the trial in the energy norm (
     CHECK_FIGURE("another admissible state nearer by", worst, 1e-9);
 }
 
+namespace {
+
+/// Forces with f = 1 at end 1 and f = `at_2` <= 1 at end 2, all six components at work; `axial` and `twist`: the parts
+/// of f that N and Mz make.
+Vec6 forces_on_surface(Dice& dice, const YieldSurface& w, double axial, double twist, double at_2) {
+    const auto sign = [&] { return dice(-1, 1) < 0 ? -1.0 : 1.0; };
+    Vec6 p;
+    for (int end = 0; end < 2; ++end) {
+        const double bending = (end == 0 ? 1 : at_2) - axial - twist, share = dice(0.1, 0.9);
+        p[end] = sign() * std::sqrt(share * bending / w.x);
+        p[2 + end] = sign() * std::sqrt((1 - share) * bending / w.y);
+    }
+    p[4] = sign() * std::sqrt(axial / w.n);
+    p[5] = sign() * std::sqrt(twist / w.z);
+    return p;
+}
+
+}  // namespace
+
+TEST_CASE("the return's tangent is its derivative, at one end and at both, near corners too (1e-6, issue)") {
+    // Made backwards: forces on the surface, and flow by given multipliers away from them. So the cases are where a
+    // random trial hardly comes: the other end about to flow, or flowing by a thousandth of the first.
+    Dice dice(35);
+    double off_point = 0, off_tangent = 0, without_curvature = 0;
+    int compared[2][2] = {};
+    for (int trial = 0; trial < 4000; ++trial) {
+        const Trial t = random_trial(dice);
+        const bool both = trial % 2, near = trial / 2 % 2;
+        const double axial = dice(0.02, 0.6), twist = dice(0.02, 0.3);
+        const double at_2 = both ? 1 : near ? 0.999 : dice(axial + twist + 0.02, 0.99);
+        const Vec6 p = forces_on_surface(dice, t.w, axial, twist, at_2);
+        const Vec6 a[2] = {yield_gradient(p, -1, t.w), yield_gradient(p, 1, t.w)};
+        // flow whose elastic way back is 0.01 to 3 times the forces' own size
+        double lambda[2] = {0, 0};
+        lambda[0] = dice(0.01, 3) / size_of(t.k.times(a[0]), t.w);
+        if (both) lambda[1] = (near ? 1e-3 : dice(0.01, 3)) / size_of(t.k.times(a[1]), t.w);
+        const Vec6 d = t.k.solve(p) + lambda[0] * a[0] + lambda[1] * a[1];
+        const auto returned = [&](const Vec6& deformation) {
+            return return_to_surface(t.k.times(deformation), t.k, t.w, ends, 2);
+        };
+        const Flow flow = returned(d);
+        off_point = largest_of(off_point, size_of(flow.p - p, t.w));
+        const bool active[2] = {flow.lambda[0] > 0, flow.lambda[1] > 0};
+        REQUIRE((active[0] && active[1] == both));
+        const Mat6 tangent = plastic_tangent(flow.p, t.k, t.w, ends, flow.lambda, active, 2);
+        const double none[2] = {0, 0};
+        const Mat6 straight = plastic_tangent(flow.p, t.k, t.w, ends, none, active, 2);
+        // unit of a deformation: what yields alone
+        const double limit[6] = {t.w.x, t.w.x, t.w.y, t.w.y, t.w.n, t.w.z};
+        bool same_ends = true;  // over the differences: else there is no derivative to compare with
+        double worst = 0;
+        for (int j = 0; j < 6; ++j) {
+            const double unit = 1 / std::sqrt(limit[j]) / t.k.matrix()(j, j), h = 1e-5 * unit;
+            const auto at = [&](double by) -> Vec6 {
+                const Flow there = returned(d + by * Vec6::Unit(j));
+                same_ends = same_ends && there.lambda[0] > 0 && (there.lambda[1] > 0) == both;
+                return there.p;
+            };
+            const Vec6 slope = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
+            worst = largest_of(worst, unit * size_of(tangent.col(j) - slope, t.w));
+            without_curvature = largest_of(without_curvature, unit * size_of(straight.col(j) - slope, t.w));
+        }
+        if (!same_ends) continue;
+        off_tangent = largest_of(off_tangent, worst);
+        ++compared[both][near];
+    }
+    CHECK_FIGURE("the point that flowed comes back, over the plastic resultants", off_point, 1e-9);
+    CHECK_FIGURE("tangent of the return against differences", off_tangent, 1e-6);
+    CHECK(without_curvature > 0.1);  // the surface's curvature counts
+    for (int both : {0, 1})
+        for (int near : {0, 1}) {
+            INFO((both ? "both ends flow" : "one end flows") << (near ? ", near a corner" : ""));
+            CHECK(compared[both][near] > 800);  // of 1000
+        }
+}
+
 TEST_CASE("the conventional element yields at its middle alone (1e-12)") {
     Dice dice(33);
     double worst = 0;
