@@ -34,7 +34,8 @@ function hinge.model(options) end
 ---pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi:
 ---in the middle while elastic. conventional: always in the middle
 ---@field formulation? "asi-gauss"|"asi"|"conventional"
----large (default): the geometry follows the motion (the paper's ULF). small: it stays as it was (TLF)
+---large (default): the geometry follows the motion (the paper's ULF), rotations and twist of any number of turns too.
+---small: it stays as it was (TLF)
 ---@field displacement? "large"|"small"
 ---what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of
 ---elements keeps its exact elastic stiffness and the energy balance closes. whole: as the paper prints it (eqs 6,
@@ -398,7 +399,7 @@ function model:fracture(rule) end
 ---@field curvature_x number 1/m
 ---@field curvature_y number 1/m
 ---@field axial_strain number
----@field twist number 1/m
+---@field twist number 1/m, turns counted
 ---@field plastic_curvature_x number 1/m
 ---@field plastic_curvature_y number 1/m
 ---@field plastic_axial_strain number

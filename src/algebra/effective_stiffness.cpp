@@ -35,11 +35,11 @@ void EffectiveStiffness::mark(int node) {
 
 Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
     const Element& e = structure_.elements()[index];
-    const beam::Placement<double> place = place_element(structure_, index, pose);
+    const PlacedElement place = place_element(structure_, index, pose);
     const Mat3 axes = axes_of(place);
     const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
     const auto stiffness_of = [&](const Mat6& k, bool geometric) {
-        return structure_.large() ? beam::tangent(place, state.force[index], k, geometric)
+        return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
                                   : beam::linear_tangent(axes.transpose(), e.length, k);
     };
     const auto stiffness = [&](bool geometric) { return stiffness_of(k, geometric); };

@@ -89,20 +89,12 @@ private:
         const bool rests = !w_.resting.empty() && w_.resting[e.node[0]] >= 0;
         if (w_.state.broken[index] || rests) return Vec12::Zero();
         const ElementDamping& c = damping_[index];
-        const beam::Placement<double> place = place_element(w_.structure, index, w_.trial);
+        const PlacedElement place = place_element(w_.structure, index, w_.trial);
         Vec12 v, force = Vec12::Zero();
         v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
         if (c.of_mass != 0) force = c.of_mass * (w_.structure.inertia(index).matrix(axes_of(place)) * v);
         if (c.of_stiffness != 0) {
-            Eigen::Matrix<double, 12, 6> to_nodes;
-            for (int i = 0; i < 6; ++i) {
-                double p[6] = {};
-                p[i] = 1;
-                const beam::NodalForces<double> f = beam::nodal_forces(place, p);
-                for (int end : {0, 1})
-                    to_nodes.col(i).segment<6>(6 * end) << f.force[end].x, f.force[end].y, f.force[end].z,
-                        f.moment[end].x, f.moment[end].y, f.moment[end].z;
-            }
+            const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
             const Vec6 rate = to_nodes.transpose() * v;
             force += to_nodes * (c.of_stiffness * stiffness_now(w_.structure, w_.state, index).times(rate));
         }

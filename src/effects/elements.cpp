@@ -16,7 +16,7 @@ public:
         double elastic = 0, kinetic = 0;
         for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
             if (state.broken[i]) continue;
-            const beam::Placement<double> placement = place_element(w_.structure, int(i), state);
+            const PlacedElement placement = place_element(w_.structure, int(i), state);
             const beam::Stiffness k = stiffness_now(w_.structure, state, int(i));
             const Vec6 d = element_deformation(w_.structure, int(i), state, placement) - state.plastic[i];
             elastic += 0.5 * d.dot(k.times(d));

@@ -148,7 +148,7 @@ void Dynamics::recover(double time) {
     for (const auto& e : effects_) e->add_forces(time, w_.resisting);
     if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
     for (int e : sweep_.rotated()) stiffness_changed(e);
-    if (step_.iteration == 0 && sweep_.twisted() >= 0) step_.failure = sweep_.twisted_reason();
+    if (step_.iteration == 0 && sweep_.folded() >= 0) step_.failure = sweep_.folded_reason();
 }
 
 /// True: another iteration follows.
@@ -183,6 +183,8 @@ void Dynamics::commit() {
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
     state_.force.swap(w_.force);
+    sweep_.keep_twist(state_);
+    w_.trial.twist = state_.twist;
     integrator_->kept();
     for (const auto& e : effects_) e->kept(step_);
     if (built::fracture && !step_.breaks.empty()) break_elements();

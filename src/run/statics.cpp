@@ -252,7 +252,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && angle <= 1e-11 && r <= 1e-6 * scale;
         if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
-            if (sweep_.twisted() >= 0) return Outcome::diverged;
+            if (sweep_.folded() >= 0) return Outcome::diverged;
             converged_in_ = iteration;
             last_move_ = total;
             return Outcome::converged;
@@ -283,6 +283,8 @@ void Statics::commit(double before) {
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
     state_.force = w_.force;
+    sweep_.keep_twist(state_);
+    w_.trial.twist = state_.twist;
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);
     for (const auto& e : effects_) e->kept(step);
@@ -312,7 +314,7 @@ bool Statics::advance() {
                           "mechanism or a snap; "
                           "control by displacement or arc length can go on",
                           state_.factor, state_.step + 1, increment);
-            fail(sweep_.twisted() >= 0 ? text + ("; " + sweep_.twisted_reason()) : text);
+            fail(sweep_.folded() >= 0 ? text + ("; " + sweep_.folded_reason()) : text);
             return false;
         }
         step_size_ = increment;

@@ -112,6 +112,8 @@ struct State {
     std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
     std::vector<Vec3> offset_arm;       ///< of broken elements: from the node that carries it to its free end, in that
                                         ///< node's frame, m; empty until something breaks
+    std::vector<double> twist;          ///< of an element's ends against each other, turns counted, rad; 0 up to a
+                                        ///< third of a turn (beam/winding.h); empty until one has twisted that far
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
@@ -143,6 +145,7 @@ struct State {
         f("touched", s.touched);
         f("broken", s.broken);
         f("offset_arm", s.offset_arm);
+        f("twist", s.twist);
         f("gone", s.gone);
         f("strained", s.strained);
         f("kept", s.kept);

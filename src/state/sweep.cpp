@@ -5,6 +5,7 @@
 #include <map>
 
 #include "beam/mass.h"
+#include "beam/tangent.h"
 #include "core/built.h"
 #include "state/hinges.h"
 
@@ -14,7 +15,9 @@ using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
 
-Pose pose_of(const State& s) { return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration}; }
+Pose pose_of(const State& s) {
+    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist};
+}
 
 /// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
@@ -36,13 +39,35 @@ struct Sweep::Kind {
 
 struct Sweep::Found {
     std::vector<Yielding> yielding;
-    std::vector<int> rotated;
-    int twisted = -1;
+    std::vector<int> rotated, wound;
+    int folded = -1;
+    // of a block with wound elements
+    beam::Winding winding[lane_count];
+    beam::Triad<Lanes> frame;
+    Lanes d[6], p[6];
+    beam::NodalForces<Lanes> out;
+
+    static void put(Triple<Lanes>& lanes, int i, const Triple<double>& of_element) {
+        lanes.x[i] = of_element.x, lanes.y[i] = of_element.y, lanes.z[i] = of_element.z;
+    }
+    /// Nodal forces of the wound elements, from p.
+    [[gnu::noinline]] void take_forces(unsigned which) {
+        for (int i = 0; i < lane_count; ++i) {
+            if (!(which >> i & 1)) continue;
+            Vec6 of_element;
+            for (int c = 0; c < 6; ++c) of_element[c] = p[c][i];
+            const Vec12 f = beam::rates(winding[i]).transpose() * of_element;
+            for (int end : {0, 1}) {
+                put(out.force[end], i, {f[6 * end], f[6 * end + 1], f[6 * end + 2]});
+                put(out.moment[end], i, {f[6 * end + 3], f[6 * end + 4], f[6 * end + 5]});
+            }
+        }
+    }
 };
 
-/// The mean of an element's two y axes, each of length one, where its ends have twisted against each other by 160
-/// degrees.
-constexpr double least_mean_y = 0.17;
+/// 1 + cos of the angle between a wound element's end and its chord, below which its bending angle has no direction:
+/// 177 degrees.
+constexpr double least_open = 1e-3;
 
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
@@ -219,6 +244,75 @@ Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<
 
 }  // namespace
 
+namespace {
+
+/// An element as winding.h takes it; `last`: State::twist, which may be empty.
+beam::Winding winding_of(const Element& e, int index, const Vec3& chord, const std::vector<Quat>& rotation,
+                         const std::vector<double>& last) {
+    const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
+    beam::Winding w;
+    w.chord = {chord.x(), chord.y(), chord.z()};
+    w.node[0] = quad(rotation[e.node[0]]);
+    w.node[1] = quad(rotation[e.node[1]]);
+    w.axes = quad(e.axes);
+    w.L = e.length;
+    w.last = last.empty() ? 0 : last[index];
+    return w;
+}
+
+/// Whether one of the eight elements from `element` on has a twist to be remembered.
+bool any_remembered(const std::vector<double>& twist, int element) {
+    const auto from = twist.begin() + std::min(std::size_t(element), twist.size());
+    return std::any_of(from, from + std::min<std::ptrdiff_t>(lane_count, twist.end() - from),
+                       [](double t) { return t != 0; });
+}
+
+Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement) {
+    return e.chord + (displacement[e.node[1]] - displacement[e.node[0]]);
+}
+
+}  // namespace
+
+/// Which elements of the block are wound, a bit each; puts their frame and deformation in the place of those found.
+[[gnu::noinline]] unsigned Sweep::find_wound(const Block& b, int element, const Lanes& rotated, const State& state,
+                                             const Pose& pose, Found& found) const {
+    unsigned wound = 0;
+    for (int i = 0; i < lane_count; ++i) {
+        const int index = element + i;
+        if (!(b.whole >> i & 1)) continue;
+        if (rotated[i] < beam::far_rotation && (state.twist.empty() || state.twist[index] == 0)) continue;
+        const Element& e = structure_.elements()[index];
+        beam::Winding& w = found.winding[i];
+        w = winding_of(e, index, chord_of(e, pose.displacement), pose.rotation, state.twist);
+        if (!beam::wind(w)) continue;
+        wound |= 1u << i;
+        found.wound.push_back(index);
+        if (w.open < least_open) found.folded = index;
+        Found::put(found.frame.x, i, w.frame.x);
+        Found::put(found.frame.y, i, w.frame.y);
+        Found::put(found.frame.z, i, w.frame.z);
+        for (int c = 0; c < 6; ++c) found.d[c][i] = w.d[c];
+    }
+    return wound;
+}
+
+/// An element's twist is remembered from a third of a turn on: below, it can be told from the nodes' rotations alone.
+void Sweep::keep_twist(State& state) const {
+    if (wound_.empty() && state.twist.empty()) return;
+    const auto keep = [&](int index) {
+        const Element& e = structure_.elements()[index];
+        beam::Winding w = winding_of(e, index, chord_of(e, state.displacement), state.rotation, state.twist);
+        beam::wind(w);
+        const bool far = std::abs(w.twist) > beam::remembered_twist && !state.broken[index];
+        if (far && state.twist.empty()) state.twist.assign(state.broken.size(), 0);
+        if (!state.twist.empty()) state.twist[index] = far ? w.twist : 0;
+    };
+    for (int index : wound_)
+        if (state.twist.empty() || state.twist[index] == 0) keep(index);
+    for (std::size_t i = 0; i < state.twist.size(); ++i)
+        if (state.twist[i] != 0) keep(int(i));
+}
+
 template <bool large, bool inertia, bool cubic>
 void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal,
                        std::vector<Vec6>& force, Found& found) {
@@ -234,13 +328,19 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         const Quadruple<Lanes> axes = {kind.axes[0], kind.axes[1], kind.axes[2], kind.axes[3]};
         Placement<Lanes> place;
         Lanes d[6];
+        unsigned wound = 0;
         if constexpr (large) {
             const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
             place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
             beam::deformation(place, kind.length, d);
-            if (any_not_below(Lanes{} - place.y_mean_y, -least_mean_y))
-                for (int i = 0; i < lane_count; ++i)
-                    if (b.whole >> i & 1 && place.y_mean_y[i] <= least_mean_y) found.twisted = element + i;
+            const Lanes rotated = dot(place.theta[0], place.theta[0]) + dot(place.theta[1], place.theta[1]);
+            if (any_not_below(rotated, beam::far_rotation) || any_remembered(state.twist, element)) {
+                found.frame = place.frame;
+                for (int c = 0; c < 6; ++c) found.d[c] = d[c];
+                wound = find_wound(b, element, rotated, state, pose, found);
+                place.frame = found.frame;
+                for (int c = 0; c < 6; ++c) d[c] = found.d[c];
+            }
         } else {
             place = start_placement(axes, kind.length);
             linear_deformation(place, u2 - u1, gather(pose.small_rotation, b.node[0]),
@@ -284,6 +384,12 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         }
 
         beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);  // eq 1: they do the work of p
+        if (wound) {
+            found.out = out;
+            for (int c = 0; c < 6; ++c) found.p[c] = p[c];
+            found.take_forces(wound);
+            out = found.out;
+        }
 
         if constexpr (inertia) {
             const Lanes two = spread(2.0, kind.mass);
@@ -372,7 +478,8 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     pool_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
         found_[i].rotated.clear();
-        found_[i].twisted = -1;
+        found_[i].wound.clear();
+        found_[i].folded = -1;
         const auto go_over = [&]<bool large>() {
             const auto run_blocks_of = !inertia_            ? &Sweep::run_blocks<large, false, false>
                                        : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
@@ -387,19 +494,20 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     });
     yielding.clear();
     rotated_.clear();
-    twisted_ = -1;
+    wound_.clear();
+    folded_ = -1;
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
         rotated_.insert(rotated_.end(), f.rotated.begin(), f.rotated.end());
-        twisted_ = std::max(twisted_, f.twisted);
+        wound_.insert(wound_.end(), f.wound.begin(), f.wound.end());
+        folded_ = std::max(folded_, f.folded);
     }
     for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
 }
 
-std::string Sweep::twisted_reason() const {
-    return "the two ends of " + structure_.element_name(twisted_) +
-           " have twisted by 160 degrees against each other, and at 180 degrees an element's frame jumps; more "
-           "elements a member, or fracture, may help";
+std::string Sweep::folded_reason() const {
+    return "an end of " + structure_.element_name(folded_) +
+           " has folded back against the element itself, by 177 degrees; more elements a member, or fracture, may help";
 }
 
 Mat3 axes_of(const beam::Placement<double>& p) {
@@ -409,28 +517,55 @@ Mat3 axes_of(const beam::Placement<double>& p) {
     return axes;
 }
 
-beam::Placement<double> place_element(const Structure& structure, int index, const Places& at) {
+PlacedElement place_element(const Structure& structure, int index, const Places& at) {
     const Element& e = structure.elements()[index];
     const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-    if (structure.large()) {
-        const Vec3 chord = e.chord + (at.displacement[e.node[1]] - at.displacement[e.node[0]]);
-        return beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]),
-                                   quad(at.rotation[e.node[1]]), quad(e.axes));
+    if (!structure.large())
+        return {beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes)),
+                {}};
+    const Vec3 chord = chord_of(e, at.displacement);
+    PlacedElement p = {beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]),
+                                           quad(at.rotation[e.node[1]]), quad(e.axes)),
+                       {}};
+    if (dot(p.theta[0], p.theta[0]) + dot(p.theta[1], p.theta[1]) < beam::far_rotation &&
+        (at.twist.empty() || at.twist[index] == 0))
+        return p;
+    p.wound = winding_of(e, index, chord, at.rotation, at.twist);
+    if (beam::wind(*p.wound)) p.frame = p.wound->frame;
+    else p.wound.reset();
+    return p;
+}
+
+Eigen::Matrix<double, 12, 6> forces_at_nodes(const PlacedElement& placement) {
+    if (placement.wound) return beam::rates(*placement.wound).transpose();
+    Eigen::Matrix<double, 12, 6> to_nodes;
+    for (int i = 0; i < 6; ++i) {
+        double p[6] = {};
+        p[i] = 1;
+        const beam::NodalForces<double> f = beam::nodal_forces(placement, p);
+        for (int end : {0, 1})
+            to_nodes.col(i).segment<6>(6 * end) << f.force[end].x, f.force[end].y, f.force[end].z, f.moment[end].x,
+                f.moment[end].y, f.moment[end].z;
     }
-    return beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes));
+    return to_nodes;
+}
+
+Mat12 element_tangent(const PlacedElement& placement, const Vec6& p, const Mat6& k, bool geometric) {
+    return placement.wound ? beam::tangent(*placement.wound, p, k, geometric)
+                           : beam::tangent(placement, p, k, geometric);
 }
 
 Vec6 element_deformation(const Structure& structure, int index, const Places& at) {
     return element_deformation(structure, index, at,
-                               structure.large() ? place_element(structure, index, at) : beam::Placement<double>{});
+                               structure.large() ? place_element(structure, index, at) : PlacedElement{});
 }
 
-Vec6 element_deformation(const Structure& structure, int index, const Places& at,
-                         const beam::Placement<double>& placement) {
+Vec6 element_deformation(const Structure& structure, int index, const Places& at, const PlacedElement& placement) {
     Vec6 d;
     const Element& e = structure.elements()[index];
     if (structure.large()) {
-        beam::deformation(placement, e.length, d.data());
+        if (placement.wound) std::copy_n(placement.wound->d, 6, d.data());
+        else beam::deformation(placement, e.length, d.data());
         return d;
     }
     const Mat3 axes = e.axes.toRotationMatrix().transpose();

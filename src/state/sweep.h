@@ -2,9 +2,11 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "beam/corotation.h"
+#include "beam/winding.h"
 #include "beam/yield.h"
 #include "core/thread_pool.h"
 #include "state/state.h"
@@ -17,6 +19,7 @@ struct Pose {
     std::vector<Quat> rotation;
     std::vector<Vec3> small_rotation;
     std::vector<Vec6> velocity, acceleration;
+    std::vector<double> twist;  ///< of the state that the step began with (State::twist)
 };
 
 /// A state's nodes as a pose.
@@ -52,10 +55,12 @@ public:
     /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
     void watch_rotation(double tolerance);
-    /// An element whose ends have twisted against each other by more than 160 degrees, near the 180 degrees at which
-    /// its frame jumps; -1 when there is none. Filled by run; large displacement.
-    int twisted() const { return twisted_; }
-    std::string twisted_reason() const;  ///< why a run cannot go on with it
+    /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound.
+    void keep_twist(State& state) const;
+    /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
+    /// there is none. Filled by run; large displacement.
+    int folded() const { return folded_; }
+    std::string folded_reason() const;  ///< why a run cannot go on with it
     /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
     void mark_built(int element, const Mat3& frame);
 
@@ -80,6 +85,8 @@ private:
     struct Kind;
     const Kind& add_kind(const State& state, const int* index);
     struct Found;  ///< what one piece of the sweep came upon
+    unsigned find_wound(const Block& b, int element, const Lanes& rotated, const State&, const Pose&,
+                        Found& found) const;
     template <bool large, bool inertia, bool cubic>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
                     Found& found);
@@ -103,7 +110,8 @@ private:
     std::vector<Vec6> left_;
     std::vector<Lanes> built_;  ///< six a block: frame z and y at the last build
     std::vector<int> rotated_;
-    int twisted_ = -1;
+    std::vector<int> wound_;
+    int folded_ = -1;
     double rotation_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;
@@ -114,15 +122,25 @@ struct Places {
     const std::vector<Vec3>& displacement;
     const std::vector<Quat>& rotation;
     const std::vector<Vec3>& small_rotation;
-    Places(const State& s) : displacement(s.displacement), rotation(s.rotation), small_rotation(s.small_rotation) {}
-    Places(const Pose& p) : displacement(p.displacement), rotation(p.rotation), small_rotation(p.small_rotation) {}
+    const std::vector<double>& twist;
+    Places(const State& s)
+        : displacement(s.displacement), rotation(s.rotation), small_rotation(s.small_rotation), twist(s.twist) {}
+    Places(const Pose& p)
+        : displacement(p.displacement), rotation(p.rotation), small_rotation(p.small_rotation), twist(p.twist) {}
+};
+
+/// Where an element is. Where it is wound, its end rotations and y axes say nothing: `wound` has its deformation.
+struct PlacedElement : beam::Placement<double> {
+    std::optional<beam::Winding> wound;
 };
 
 /// Where one element is (for its tangent and for reading it).
 Mat3 axes_of(const beam::Placement<double>& placement);  ///< columns: the local axes in space
-beam::Placement<double> place_element(const Structure& structure, int element, const Places& at);
+PlacedElement place_element(const Structure& structure, int element, const Places& at);
 Vec6 element_deformation(const Structure& structure, int element, const Places& at);
-Vec6 element_deformation(const Structure& structure, int element, const Places& at,
-                         const beam::Placement<double>& placement);
+Vec6 element_deformation(const Structure& structure, int element, const Places& at, const PlacedElement& placement);
+Eigen::Matrix<double, 12, 6> forces_at_nodes(const PlacedElement& placement);  ///< times p: nodal forces, in space
+/// Large displacement: see beam/tangent.h.
+Mat12 element_tangent(const PlacedElement& placement, const Vec6& p, const Mat6& k, bool geometric);
 
 }  // namespace hinge

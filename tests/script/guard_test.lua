@@ -41,7 +41,7 @@ local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
   "Newton: %s, energy error %g", held.verdict, held.energy.remainder)
 
--- An element that is twisted towards 180 degrees, where its frame would jump without a trace in the energy balance.
+-- An element that winds up by turns and turns: no reason for a run to end.
 for _, step_control in ipairs { 0, 0.01 } do
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
@@ -50,10 +50,7 @@ for _, step_control in ipairs { 0, 0.01 } do
   model:fix(a)
   model:velocity(b, { 0, 0, 0 }, { 6e4, 0, 0 })
   local twisted = model:dynamic { dt = 5e-6, duration = 0.01, step_control = step_control, record = false }:finish()
-  local says = "step ..., t = ... s: the two ends of element ... of member 1, nodes 1-2 have twisted by 160 degrees "
-    .. "against each other, and at 180 degrees an element's frame jumps; more elements a member, or fracture, may help"
-    .. (step_control > 0 and "; dt was halved down to ... s, and no shorter step is tried" or "")
-  checks.expect(support.says(twisted.reason, says), "twisted: %s, %s", twisted.verdict, twisted.reason)
+  checks.equal(twisted.verdict, "completed", "twisted: " .. twisted.reason)
   checks.expect(math.abs(twisted.energy.remainder) < 1e-2 * twisted.energy.initial,
     "twisted: its energy balance closes, %g", twisted.energy.remainder / twisted.energy.initial)
 end

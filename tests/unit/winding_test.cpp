@@ -1,0 +1,193 @@
+// An element that is wound up by any number of turns, or folded: deformation, nodal forces, tangent.
+#include "beam/winding.h"
+
+#include "beam/tangent.h"
+#include "beam/timoshenko.h"
+#include "helpers.h"
+
+using namespace hinge;
+using namespace hinge::beam;
+using namespace hinge::test;
+
+namespace {
+
+Quadruple<double> quad(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+
+struct Ends {
+    Vec3 chord;
+    Quat q[2];
+    Ends moved(int component, double by) const {
+        Ends n = *this;
+        const int i = component / 6, c = component % 6;
+        if (c < 3) n.chord[c] += i == 0 ? -by : by;
+        else n.q[i] = exponential(by * Vec3::Unit(c - 3)) * n.q[i];
+        return n;
+    }
+};
+
+/// An element whose ends are twisted against each other by `twist` and then rotated at random by up to `bend` each.
+struct Sample {
+    double L = 1.3, last = 0;
+    Quat axes = Quat::Identity();
+    Ends now;
+    Stiffness k;
+    Vec6 plastic = Vec6::Zero();
+
+    Sample(Dice& dice, double twist, double bend) : last(twist) {
+        Rigidity c;
+        c.EIx = dice(50, 200);
+        c.EIy = dice(50, 200);
+        c.EA = dice(5e2, 2e3);
+        c.GJ = dice(50, 200);
+        c.GAx = dice(2e2, 5e2);
+        c.GAy = dice(2e2, 5e2);
+        k = stiffness(c, L, dice(-1, 1));
+        axes = dice.rotation();
+        const Quat turn = dice.rotation();
+        const double first = dice(-1, 1) * std::abs(twist);
+        now.chord = turn * (axes * Vec3(0, 0, L)) + dice.vector(0.1);
+        const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
+        for (int i : {0, 1})
+            now.q[i] = turn * exponential(dice.vector(bend)) * axes * about_z(first + i * twist) * axes.conjugate();
+        for (int c : {0, 1, 2, 3, 4, 5}) plastic[c] = dice(-0.1, 0.1);
+        plastic[5] = twist + dice(-0.3, 0.3);
+    }
+    Winding at(const Ends& n) const {
+        Winding w;
+        w.chord = {n.chord.x(), n.chord.y(), n.chord.z()};
+        for (int i : {0, 1}) w.node[i] = quad(n.q[i]);
+        w.axes = quad(axes);
+        w.L = L;
+        w.last = last;
+        wind(w);
+        return w;
+    }
+    Vec6 deformation_at(const Ends& n) const {
+        const Winding w = at(n);
+        return Eigen::Map<const Vec6>(w.d);
+    }
+    Vec6 p(const Ends& n) const { return k.times(deformation_at(n) - plastic); }
+    double energy(const Ends& n) const { return 0.5 * (deformation_at(n) - plastic).dot(p(n)); }
+    Vec12 at_nodes(const Ends& n) const { return rates(at(n)).transpose() * p(n); }
+};
+
+void against_differences(const std::string& name, double twist, double bend, double least_share, double most_share) {
+    Dice dice(31);
+    double force = 0, stiffness = 0, material = 0;
+    int used = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const Sample s(dice, twist, bend);
+        const double share = s.at(s.now).share;
+        if (!(share >= least_share && share <= most_share)) continue;
+        ++used;
+        const double h = 3e-6;
+        Vec12 f;
+        Mat12 K;
+        for (int j = 0; j < 12; ++j) {
+            const Ends ahead = s.now.moved(j, h), behind = s.now.moved(j, -h);
+            f[j] = (s.energy(ahead) - s.energy(behind)) / (2 * h);
+            K.col(j) = (s.at_nodes(ahead) - s.at_nodes(behind)) / (2 * h);
+        }
+        const Mat6 k = s.k.matrix();
+        force = largest_of(force, (s.at_nodes(s.now) - f).norm() / f.norm());
+        stiffness = largest_of(stiffness, (tangent(s.at(s.now), s.p(s.now), k, true) - K).norm() / K.norm());
+        const auto T = rates(s.at(s.now));
+        material = largest_of(material, (tangent(s.at(s.now), s.p(s.now), k, false) - T.transpose() * k * T).norm());
+    }
+    CHECK(used >= 20);
+    CHECK_FIGURE("forces against differences of the energy, " + name, force, 1e-6);
+    CHECK_FIGURE("tangent against differences of the forces, " + name, stiffness, 1e-6);
+    CHECK_FIGURE("tangent without initial stress, " + name, material, 1e-9);
+}
+
+}  // namespace
+
+TEST_CASE("wound by 3.3 turns: forces and tangent against finite differences (1e-6, issue)") {
+    against_differences("3.3 turns", 3.3 * 2 * pi, 0.4, 1, 1);
+    against_differences("-3.3 turns", -3.3 * 2 * pi, 0.4, 1, 1);
+    against_differences("half a turn", pi, 0.4, 1, 1);
+    against_differences("six turns", 6 * 2 * pi, 0.4, 1, 1);
+}
+
+TEST_CASE("in the range of passage, 120 to 150 degrees: forces and tangent against finite differences (1e-6)") {
+    against_differences("135 degrees", 0.75 * pi, 0.2, 0.01, 0.99);
+    against_differences("-135 degrees", -0.75 * pi, 0.2, 0.01, 0.99);
+    against_differences("folded", 0, 1.6, 0.01, 0.99);
+}
+
+TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12, issue)") {
+    Dice dice(32);
+    double worst = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Sample s(dice, dice(-40, 40), 0.5);
+        const Quat turn = dice.rotation();
+        Ends rotated = s.now;
+        rotated.chord = turn * s.now.chord;
+        for (Quat& q : rotated.q) q = turn * q;
+        if (!(s.at(s.now).share > 0)) continue;
+        worst = largest_of(worst, largest_entry(s.deformation_at(rotated) - s.deformation_at(s.now)));
+        const Winding a = s.at(s.now), b = s.at(rotated);
+        const Vec3 before = turn * Vec3(a.frame.y.x, a.frame.y.y, a.frame.y.z);
+        worst = largest_of(worst, (before - Vec3(b.frame.y.x, b.frame.y.y, b.frame.y.z)).norm());
+    }
+    CHECK_FIGURE("deformation by a rigid rotation", worst, 1e-12);
+}
+
+TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and the twist is counted") {
+    Dice dice(33);
+    const Quat bend[2] = {exponential(dice.vector(0.1)), exponential(dice.vector(0.1))};
+    const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
+    const Vec3 chord(0.02, -0.03, 1.1);
+    Vec6 before = Vec6::Zero();
+    double last = 0, jump = 0, count = 0, first_difference = 0;
+    const int steps = 20000;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 10 * 2 * pi * i / steps;
+        const Quat q[2] = {bend[0], bend[1] * about_z(angle)};
+        Winding w;
+        w.chord = {chord.x(), chord.y(), chord.z()};
+        for (int e : {0, 1}) w.node[e] = quad(q[e]);
+        w.axes = quad(Quat::Identity());
+        w.L = 1;
+        w.last = last;
+        const bool wound = wind(w);
+        Vec6 d;
+        Placement<double> near = place<double>(w.chord, w.node[0], w.node[1], w.axes);
+        if (wound) d = Eigen::Map<const Vec6>(w.d);
+        else deformation(near, w.L, d.data());
+        if (!wound) {
+            Vec6 own = Eigen::Map<const Vec6>(w.d);
+            first_difference = largest_of(first_difference, largest_entry(own - d));
+        }
+        if (i > 0) jump = largest_of(jump, largest_entry(d - before) / (10 * 2 * pi / steps));
+        count = largest_of(count, std::abs(d[5] - angle));
+        before = d;
+        last = std::abs(w.twist) > remembered_twist ? w.twist : 0;
+    }
+    CHECK_FIGURE("largest rate of a deformation by the winding angle", jump, 1.1);
+    CHECK_FIGURE("twist against the winding angle, rad", count, 0.05);
+    CHECK_FIGURE("what corotation.h finds below the passage, against what is found here", first_difference, 1e-13);
+    CHECK(before[5] == Approx(20 * pi).margin(0.05));
+}
+
+TEST_CASE("a wound bar bends as one whose sections lie as its middle one does (1e-12)") {
+    const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
+    for (const double turns : {0.5, 1.0, 2.25}) {
+        const double twist = turns * 2 * pi;
+        const Vec3 slope[2] = {{0.1, 0.2, 0}, {-0.15, 0.05, 0}};  // swings from the chord, in space
+        Winding w;
+        w.chord = {0, 0, 1};
+        for (int e : {0, 1}) w.node[e] = quad(exponential(slope[e]) * about_z(e * twist));
+        w.axes = quad(Quat::Identity());
+        w.L = 1;
+        w.last = twist;
+        REQUIRE(wind(w));
+        const Mat3 to_middle = about_z(0.5 * twist).toRotationMatrix().transpose();
+        for (int e : {0, 1}) {
+            const Vec3 wanted = to_middle * slope[e];
+            CHECK(std::abs(w.d[e] - wanted.x()) <= 1e-12);
+            CHECK(std::abs(w.d[2 + e] - wanted.y()) <= 1e-12);
+        }
+        CHECK(std::abs(w.d[5] - twist) <= 1e-12);
+    }
+}
