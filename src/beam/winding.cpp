@@ -11,13 +11,13 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double far_twist = pi / 1.2;                ///< rad: 150 degrees, where the passage ends
 constexpr double long_mean = 0.35, short_mean = 0.2;  ///< of the mean y axis: the passage for ends that fold
-constexpr int freedoms = 9;                           ///< of the chord, of spin 1 and of spin 2, in space
+constexpr int directions = 9;                         ///< of the chord, of spin 1 and of spin 2, in space
 
 /// A number and its derivatives. T is double, or itself a number with derivatives: then there are second ones.
 template <class T>
 struct Dual {
     T value{};
-    std::array<T, freedoms> by{};
+    std::array<T, directions> by{};
     Dual() = default;
     Dual(double v) : value(v) {}
 
@@ -60,7 +60,7 @@ private:
     static Dual made(const T& value, F derivative) {
         Dual r;
         r.value = value;
-        for (int i = 0; i < freedoms; ++i) r.by[i] = derivative(i);
+        for (int i = 0; i < directions; ++i) r.by[i] = derivative(i);
         return r;
     }
 };
@@ -206,7 +206,7 @@ Quadruple<S> product(const Quadruple<S>& a, const Quadruple<S>& b) {
 
 /// The pose moved by chord and spins: the numbers in `by` are zero, their derivatives are not.
 template <class S>
-Pose<S> moved(const Winding& w, const std::array<std::array<S, freedoms>, 2>& by, int times) {
+Pose<S> moved(const Winding& w, const std::array<std::array<S, directions>, 2>& by, int times) {
     Pose<S> at;
     at.chord = {w.chord.x, w.chord.y, w.chord.z};
     Quadruple<S> node[2], axes = {w.axes.w, w.axes.x, w.axes.y, w.axes.z};
@@ -223,7 +223,7 @@ Pose<S> moved(const Winding& w, const std::array<std::array<S, freedoms>, 2>& by
     return at;
 }
 
-/// Nodal freedoms [u1 t1 u2 t2] from chord and spins, and the sign of each.
+/// Nodal degrees of freedom [u1 t1 u2 t2] from chord and spins, and the sign of each.
 constexpr int from[12] = {0, 1, 2, 3, 4, 5, 0, 1, 2, 6, 7, 8};
 constexpr double sign[12] = {-1, -1, -1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
 
@@ -240,8 +240,8 @@ bool wind(Winding& w) {
 }
 
 Eigen::Matrix<double, 6, 12> rates(const Winding& w) {
-    std::array<std::array<First, freedoms>, 2> by{};
-    for (int i = 0; i < freedoms; ++i) by[0][i].by[i] = 1;
+    std::array<std::array<First, directions>, 2> by{};
+    for (int i = 0; i < directions; ++i) by[0][i].by[i] = 1;
     const Measured<First> m = measure(moved(w, by, 1), w.L, w.last);
     Eigen::Matrix<double, 6, 12> T;
     for (int r = 0; r < 6; ++r)
@@ -254,8 +254,8 @@ Mat12 tangent(const Winding& w, const Vec6& p, const Mat6& k, bool geometric) {
         const Eigen::Matrix<double, 6, 12> T = rates(w);
         return T.transpose() * (k * T);
     }
-    std::array<std::array<Second, freedoms>, 2> by{};
-    for (int i = 0; i < freedoms; ++i) by[0][i].by[i] = 1, by[1][i].value.by[i] = 1;
+    std::array<std::array<Second, directions>, 2> by{};
+    for (int i = 0; i < directions; ++i) by[0][i].by[i] = 1, by[1][i].value.by[i] = 1;
     const Measured<Second> m = measure(moved(w, by, 2), w.L, w.last);
     Eigen::Matrix<double, 6, 12> T;
     for (int r = 0; r < 6; ++r)

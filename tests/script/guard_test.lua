@@ -41,7 +41,7 @@ local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
   "Newton: %s, energy error %g", held.verdict, held.energy.remainder)
 
--- An element that winds up by turns and turns: no reason for a run to end.
+-- An element that winds up turn after turn: no reason for a run to end.
 for _, step_control in ipairs { 0, 0.01 } do
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }

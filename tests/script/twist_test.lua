@@ -54,8 +54,8 @@ do
   close(static.factor, stiffness * turns, 1e-9, "statics: load")
 end
 
--- Let go: it swings to five turns the other way and back (closed form) ------------------------------------------------
-local function let_go(options, run_options)
+-- Released: it swings to five turns the other way and back (closed form) ------------------------------------------------
+local function released(options, run_options)
   local model, member, b, static = wound(options)
   for _, load in ipairs(model:loads()) do load:remove() end
   local o = { from = static, dt = newmark_period / 2000, duration = newmark_period, record = false }
@@ -67,7 +67,7 @@ for _, case in ipairs { { "newmark", {} }, { "explicit", { integrator = "explici
   { "step control", { step_control = 0.01 } }, { "threads", { threads = 2 } } } do
   local name, options = case[1], case[2]
   local period = period_of(name == "explicit" and 3 / 8 or 1 / 3)
-  local run, member, b = let_go({}, options)
+  local run, member, b = released({}, options)
   local start, worst, far = run.energy.initial, 0, 0
   close(start, 0.5 * stiffness * turns ^ 2, 1e-9, name .. ": energy at the start")
   for _ in run:steps() do
@@ -117,13 +117,14 @@ for _, integrator in ipairs { "newmark", "explicit" } do
   if os.getenv "HINGE_FIGURES" then print(name, "energy error", e.remainder / e.initial, e.plastic / Mz0 / ten) end
 end
 
--- Torn while it is wound and spins: the strain energy let go is that of the element's turns ---------------------------
+-- Torn while it is wound and spins: the strain energy released is that of the element's turns ---------------------------
 do
   local model, member, b, static = wound { elements = 4 }
   for _, load in ipairs(model:loads()) do load:remove() end
   model:fracture { where = "all", rule = function(s) return s.element == 3 and s["end"] == 1 and s.time > 0.02 end }
   model:velocity(b, { 0, 0.3, 0.1 }, { 20, 1, 0 })
-  local run = model:dynamic { from = static, dt = 2e-5, duration = 0.1, iterations = 20, step_control = 0.01, record = false }
+  local run = model:dynamic { from = static, dt = 2e-5, duration = 0.1, iterations = 20, step_control = 0.01,
+    record = false }
   local torque
   for step in run:steps() do
     if step.time < 0.02 then torque = select(2, member:forces(run)).Mz end
@@ -131,7 +132,7 @@ do
   equal(run.verdict, "completed", "torn: " .. run.reason)
   equal(run:count { state = "broken" }, 1, "torn: it broke")
   local e = run.energy
-  close(e.fracture_elastic, 0.5 * torque ^ 2 / stiffness / 4, 0.01, "torn: the energy let go")
+  close(e.fracture_elastic, 0.5 * torque ^ 2 / stiffness / 4, 0.01, "torn: the energy released")
   expect(math.abs(e.remainder) < 1e-3 * e.initial, "torn: energy error %g", e.remainder / e.initial)
 end
 
@@ -170,11 +171,11 @@ end
 -- A checkpoint on the way, threads, and a step that is taken back while it winds --------------------------------------
 do
   local file = os.tmpname()
-  local whole = let_go({}, { duration = 0.3 * newmark_period })
+  local whole = released({}, { duration = 0.3 * newmark_period })
   for step in whole:steps() do
     if step.index == 300 then whole:checkpoint(file) end
   end
-  local other = let_go({}, { duration = 0.3 * newmark_period, threads = 2 })
+  local other = released({}, { duration = 0.3 * newmark_period, threads = 2 })
   other:resume(file)
   other:finish()
   equal(other.hash, whole.hash, "a run that goes on from a checkpoint")

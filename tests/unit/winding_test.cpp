@@ -165,9 +165,9 @@ TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and 
         last = std::abs(w.twist) > remembered_twist ? w.twist : 0;
     }
     CHECK_FIGURE("largest rate of a deformation by the winding angle", jump, 1.1);
-    CHECK_FIGURE("twist against the winding angle, rad", count, 0.05);
+    CHECK_FIGURE("twist against the winding angle, rad (the ends are bent by up to 0.17 rad each)", count, 0.35);
     CHECK_FIGURE("what corotation.h finds below the passage, against what is found here", first_difference, 1e-13);
-    CHECK(before[5] == Approx(20 * pi).margin(0.05));
+    CHECK(before[5] == Approx(20 * pi).margin(0.35));
 }
 
 TEST_CASE("a wound bar bends as one whose sections lie as its middle one does (1e-12)") {
