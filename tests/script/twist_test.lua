@@ -54,7 +54,7 @@ do
   close(static.factor, stiffness * turns, 1e-9, "statics: load")
 end
 
--- Released: it swings to five turns the other way and back (closed form) ------------------------------------------------
+-- Released: it swings to five turns the other way and back (closed form) ----------------------------------------------
 local function released(options, run_options)
   local model, member, b, static = wound(options)
   for _, load in ipairs(model:loads()) do load:remove() end
@@ -117,7 +117,7 @@ for _, integrator in ipairs { "newmark", "explicit" } do
   if os.getenv "HINGE_FIGURES" then print(name, "energy error", e.remainder / e.initial, e.plastic / Mz0 / ten) end
 end
 
--- Torn while it is wound and spins: the strain energy released is that of the element's turns ---------------------------
+-- Torn while it is wound and spins: the strain energy released is that of the element's turns -------------------------
 do
   local model, member, b, static = wound { elements = 4 }
   for _, load in ipairs(model:loads()) do load:remove() end
