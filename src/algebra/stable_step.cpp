@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "beam/mass.h"
-#include "state/breaking.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -44,12 +44,8 @@ public:
     Joined(const Structure& structure, const State& state, const Blocks& blocks, std::uint8_t held) {
         const auto root = [&](int node) -> Mat6 {
             Mat6 M = Mat6::Zero();
-            for (const int e : structure.elements_at(node)) {
-                if (state.broken[e]) continue;
-                const Element& element = structure.elements()[e];
-                const beam::Inertia m = beam::lumped_inertia(element.rigidity, element.length);
-                M.diagonal() += (Vec6() << Vec3::Constant(m.own[0]), m.rotary[0]).finished();
-            }
+            const LumpedMass lumped = lumped_mass_at(structure, state, node);
+            M.diagonal() << Vec3::Constant(lumped.mass), Vec3::Constant(lumped.rotary);
             if (!state.offset_mass.empty() && state.offset_mass[node].mass > 0)
                 M += offset_mass_in_space(state.offset_mass[node], state.rotation[node]);
             std::uint8_t still = state.held[node] | held;
@@ -88,7 +84,7 @@ public:
         }
     }
 
-    /// Of each node that is joined to another, or to the ground: the bound of all that hang together.
+    /// Of each node that is joined to another, or to the ground: the bound of all that are connected.
     std::map<int, double> bounds() {
         std::map<int, double> x, bound, least;
         for (const auto& [node, unused] : group_) x[node] = 1;
@@ -112,7 +108,7 @@ public:
         for (const auto& [node, unused] : group_) of_nodes[node] = least[find(node)];
         return of_nodes;
     }
-    /// One of the nodes that hang together with this one; -1 where nothing is joined to it.
+    /// One of the nodes that are connected with this one; -1 where nothing is joined to it.
     int group(int node) { return group_.count(node) ? find(node) : -1; }
 
 private:
@@ -125,7 +121,7 @@ private:
         while (group_[node] != node) node = group_[node] = group_[group_[node]];
         return node;
     }
-    std::map<int, int> group_;  ///< of each node another one that it hangs together with; itself where it leads them
+    std::map<int, int> group_;  ///< of each node another one that it is connected with; itself for the first of them
     std::vector<Norm> norms_;
 };
 
@@ -145,7 +141,7 @@ StableStep stable_step(const Structure& structure, std::span<const ElementDampin
 JoinedStep stable_step_of_joined(const Structure& structure, const State& state,
                                  std::span<const ElementDamping> damping, const Blocks& stiffness,
                                  const Blocks& of_damping) {
-    Blocks both = stiffness;  // what hangs together by either
+    Blocks both = stiffness;  // connected by either
     for (Coupling p : of_damping.pairs) p.K.setZero(), both.pairs.push_back(p);
     for (Blocks::Node n : of_damping.nodes) n.K.setZero(), both.nodes.push_back(n);
     Joined joined(structure, state, both, 0);

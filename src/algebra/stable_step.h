@@ -20,7 +20,7 @@ struct StableStep {
 StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping = {});
 
 /// The same where effects join nodes by stiffness and damping of their own, over and above the elements': 2 / (c +
-/// sqrt(c^2 + omega^2)), omega^2 and c the sums of the elements' highest at the nodes that hang together so and of a
+/// sqrt(c^2 + omega^2)), omega^2 and c the sums of the elements' highest at the nodes that are connected so and of a
 /// bound for what the effects add to them there (that of the matrix of the blocks' norms, by Collatz and Wielandt: no
 /// less than the highest, and the highest itself for a chain of springs). Masses are lumped, rigid offset masses with
 /// them. `node`: one of those that ask for it.

@@ -19,21 +19,19 @@ double inverse_tangent_slope(double q) {
     return (t * (t + std::sin(t)) - 8 * s * s) / (4 * q * q * s * s);
 }
 
-/// H: d(theta) = H (spin of the node relative to the frame).
+}  // namespace
+
 Mat3 inverse_tangent(const Vec3& t) {
     const Mat3 S = skew(t);
     return Mat3::Identity() - 0.5 * S + inverse_tangent_coefficient(t.squaredNorm()) * S * S;
 }
 
-/// d(H^T m)/d(theta).
 Mat3 inverse_tangent_derivative(const Vec3& t, const Vec3& m) {
     const double q = t.squaredNorm();
     return -0.5 * skew(m) +
            inverse_tangent_coefficient(q) * (t.dot(m) * Mat3::Identity() + t * m.transpose() - 2 * m * t.transpose()) +
            inverse_tangent_slope(q) * t.cross(t.cross(m)) * t.transpose();
 }
-
-}  // namespace
 
 Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool geometric) {
     const double l = place.length, py = place.y_mean_y, slope = place.y_mean_z / py;

@@ -6,6 +6,12 @@
 
 namespace hinge::beam {
 
+/// d(rotation vector t)/d(spin on top of it), 3 x 3; t in rad, less than a full turn.
+Mat3 inverse_tangent(const Vec3& t);
+
+/// d(inverse_tangent(t)^T m)/dt for a fixed m, 3 x 3, in the unit of m.
+Mat3 inverse_tangent_derivative(const Vec3& t, const Vec3& m);
+
 /// d(nodal forces)/d(nodal displacements), 12 x 12, order [u1 t1 u2 t2], in space. Rotations are spins (a small
 /// rotation applied on top of the present one). Exact; symmetric only where the nodal moments vanish or balance, so a
 /// solver takes its symmetric part.

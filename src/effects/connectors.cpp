@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "beam/tangent.h"
 #include "core/errors.h"
 #include "core/rotation.h"
 #include "effects/kinds.h"
@@ -21,12 +22,6 @@ using Curve = std::vector<std::pair<double, double>>;
 
 /// Part of a deformation, or of its rate, by which a law's slope is told from a difference; and the least of both.
 constexpr double slope_part = 1e-6, slope_least = 1e-3;
-
-Mat3 cross(const Vec3& v) {
-    Mat3 m;
-    m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-    return m;
-}
 
 /// A curve from 0 on holds for both signs. Beyond its ends it goes on as straight as it ends.
 bool is_odd(const Curve& curve) { return curve.front().first >= 0; }
@@ -75,20 +70,11 @@ double steepest(const Curve& curve) {
     return most;
 }
 
-/// d(rotation vector)/d(rotation on top of it).
-Mat3 tangent_of(const Vec3& vector) {
-    const double angle = vector.norm();
-    const double c =
-        angle < 1e-3 ? 1.0 / 12 + angle * angle / 720 : (1 - 0.5 * angle / std::tan(0.5 * angle)) / (angle * angle);
-    const Mat3 w = cross(vector);
-    return Mat3::Identity() - 0.5 * w + c * w * w;
-}
-
 /// Where a connector is.
 struct Placed {
-    Mat3 axes, tangent_of;
-    Vec3 arm;          ///< from a to b
-    Vec6 deformation;  ///< m, rad
+    Mat3 axes, of_spin;  ///< of_spin: d(rotation vector)/d(rotation on top of it)
+    Vec3 arm;            ///< from a to b
+    Vec6 deformation;    ///< m, rad
     Mat6x12 B;
 };
 
@@ -294,21 +280,21 @@ private:
                             angle * rotation;
             }
             p.deformation.tail<3>() = rotation;
-            p.tangent_of = tangent_of(rotation);
+            p.of_spin = beam::inverse_tangent(rotation);
         } else {
             const Vec3 rotation = c.a < 0 ? Vec3(Vec3::Zero()) : at.small_rotation[c.a];
             p.axes = c.axes;
             p.arm = arm;
             p.deformation.head<3>() = c.axes.transpose() * (moved - rotation.cross(arm));
             p.deformation.tail<3>() = c.axes.transpose() * (at.small_rotation[c.b] - rotation);
-            p.tangent_of.setIdentity();
+            p.of_spin.setIdentity();
         }
         p.B.setZero();
         p.B.block<3, 3>(0, 6) = p.axes.transpose();
-        p.B.block<3, 3>(3, 9) = p.tangent_of * p.axes.transpose();
+        p.B.block<3, 3>(3, 9) = p.of_spin * p.axes.transpose();
         if (c.a >= 0) {
             p.B.block<3, 3>(0, 0) = -p.axes.transpose();
-            p.B.block<3, 3>(0, 3) = p.axes.transpose() * cross(p.arm);
+            p.B.block<3, 3>(0, 3) = p.axes.transpose() * skew(p.arm);
             p.B.block<3, 3>(3, 3) = -p.B.block<3, 3>(3, 9);
         }
         return p;
@@ -391,24 +377,20 @@ private:
         const Vec3 m = f.tail<3>();
         if (!m.isZero(0)) {
             const Vec3 rotation = p.deformation.tail<3>();
-            Mat3 slope;
-            for (int k = 0; k < 3; ++k) {
-                const Vec3 by = 1e-6 * Vec3::Unit(k);
-                slope.col(k) = (tangent_of(rotation + by) - tangent_of(rotation - by)).transpose() * m / 2e-6;
-            }
-            const Mat3 P = p.axes * slope * p.tangent_of * p.axes.transpose();
-            const Mat3 M = cross(p.axes * (p.tangent_of.transpose() * m));
+            const Mat3 slope = beam::inverse_tangent_derivative(rotation, m);
+            const Mat3 P = p.axes * slope * p.of_spin * p.axes.transpose();
+            const Mat3 M = skew(p.axes * (p.of_spin.transpose() * m));
             G.block<3, 3>(9, 9) = P;
             G.block<3, 3>(3, 9) = -P;
             G.block<3, 3>(9, 3) = -P - M;
             G.block<3, 3>(3, 3) = P + M;
         }
-        const Mat3 F = cross(p.axes * f.head<3>());
+        const Mat3 F = skew(p.axes * f.head<3>());
         G.block<3, 3>(6, 3) -= F;
         G.block<3, 3>(3, 6) += F;
         G.block<3, 3>(0, 3) += F;
         G.block<3, 3>(3, 0) -= F;
-        G.block<3, 3>(3, 3) += cross(p.arm) * F;
+        G.block<3, 3>(3, 3) += skew(p.arm) * F;
         if (ground) G.topRows<6>().setZero(), G.leftCols<6>().setZero();
         K += 0.5 * (G + G.transpose());
     }

@@ -360,11 +360,6 @@ private:
         impulse_[p.node].head<3>() += f;
         impulse_[p.node].tail<3>() += t.arm.cross(f);
     }
-    void add_to_trial(double x, const ImpulseResponse& response) {
-        w_.state.accumulated["work"] += x * response.by_supports;
-        for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
-    }
-
     /// A step takes the mean of the forces at its two ends. Where o changes its sign that is not the force that does
     /// the work -(U1 - U0) (contact/surface_contact.h): what is missing of it, times dt, is an impulse, scaled so that
     /// it does the work that was missed.
@@ -382,14 +377,7 @@ private:
         }
         const ImpulseResponse k = host_.respond(impulse_);
         if (!(k.square > 0)) return;
-        const double root = k.linear * k.linear + 4 * k.square * work;
-        double x = 1;
-        if (root >= 0) {
-            const double far = -0.5 * (k.linear + std::copysign(std::sqrt(root), k.linear)) / k.square,
-                         near = far != 0 ? -work / k.square / far : 1;
-            const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
-            if (std::abs(exact - 1) < 0.5) x = exact;
-        }
+        const double x = k.factor_for(work);
         add_to_trial(x, k);
         for (double& taken : taken_) taken *= x;
     }

@@ -1,4 +1,4 @@
-// Whether a snapshot hangs together, checked before anything walks its indices.
+// Whether the parts of a snapshot agree with each other, checked before anything walks its indices.
 #include "output/snapshot_check.h"
 
 #include "core/errors.h"

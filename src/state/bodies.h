@@ -1,4 +1,4 @@
-// Which parts of a structure hang together.
+// Which parts of a structure are connected.
 #pragma once
 
 #include "state/state.h"

@@ -13,9 +13,10 @@ Vec6 LumpedMass::inverse(std::uint8_t held) const {
 
 LumpedMass lumped_mass_at(const Structure& structure, const State& state, int node) {
     LumpedMass sum;
-    for (int element : structure.elements_at(node)) {
-        if (state.broken[element]) continue;
-        const beam::Inertia lumped = structure.inertia(element);
+    for (int index : structure.elements_at(node)) {
+        if (state.broken[index]) continue;
+        const Element& element = structure.elements()[index];
+        const beam::Inertia lumped = beam::lumped_inertia(element.rigidity, element.length);
         sum.mass += lumped.own[0];
         sum.rotary += lumped.rotary[0].x();
     }

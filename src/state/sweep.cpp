@@ -15,10 +15,6 @@ using beam::Placement;
 using beam::Quadruple;
 using beam::Triple;
 
-Pose pose_of(const State& s) {
-    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist};
-}
-
 /// Elements 8 i to 8 i + 7, in that order.
 struct Sweep::Block {
     int node[2][lane_count];
@@ -224,16 +220,16 @@ Placement<Lanes> start_placement(const Quadruple<Lanes>& axes, const Lanes& leng
     return p;
 }
 
-void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& turn1,
-                        const Triple<Lanes>& turn2, Lanes d[6]) {
+void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative, const Triple<Lanes>& rotation1,
+                        const Triple<Lanes>& rotation2, Lanes d[6]) {
     const auto& f = p.frame;  // d in the place of the strains of eqs 7b, 10b and 12b
     const Lanes u = dot(f.x, relative) / p.length, v = dot(f.y, relative) / p.length;
-    d[0] = dot(f.x, turn1) + v;
-    d[1] = dot(f.x, turn2) + v;
-    d[2] = dot(f.y, turn1) - u;
-    d[3] = dot(f.y, turn2) - u;
+    d[0] = dot(f.x, rotation1) + v;
+    d[1] = dot(f.x, rotation2) + v;
+    d[2] = dot(f.y, rotation1) - u;
+    d[3] = dot(f.y, rotation2) - u;
     d[4] = dot(f.z, relative);
-    d[5] = dot(f.z, turn2) - dot(f.z, turn1);
+    d[5] = dot(f.z, rotation2) - dot(f.z, rotation1);
 }
 
 /// Rotary inertia of a spin w and its rate a in the frame: J a + w x J w, per share of mass.
@@ -242,33 +238,11 @@ Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<
     return Triple<Lanes>{J[0] * a.x, J[1] * a.y, J[2] * a.z} + cross(w, h);
 }
 
-}  // namespace
-
-namespace {
-
-/// An element as winding.h takes it; `last`: State::twist, which may be empty.
-beam::Winding winding_of(const Element& e, int index, const Vec3& chord, const std::vector<Quat>& rotation,
-                         const std::vector<double>& last) {
-    const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-    beam::Winding w;
-    w.chord = {chord.x(), chord.y(), chord.z()};
-    w.node[0] = quad(rotation[e.node[0]]);
-    w.node[1] = quad(rotation[e.node[1]]);
-    w.axes = quad(e.axes);
-    w.L = e.length;
-    w.last = last.empty() ? 0 : last[index];
-    return w;
-}
-
 /// Whether one of the eight elements from `element` on has a twist to be remembered.
 bool any_remembered(const std::vector<double>& twist, int element) {
     const auto from = twist.begin() + std::min(std::size_t(element), twist.size());
     return std::any_of(from, from + std::min<std::ptrdiff_t>(lane_count, twist.end() - from),
                        [](double t) { return t != 0; });
-}
-
-Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement) {
-    return e.chord + (displacement[e.node[1]] - displacement[e.node[0]]);
 }
 
 }  // namespace
@@ -508,71 +482,6 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
 std::string Sweep::folded_reason() const {
     return "an end of " + structure_.element_name(folded_) +
            " has folded back against the element itself, by 177 degrees; more elements a member, or fracture, may help";
-}
-
-Mat3 axes_of(const beam::Placement<double>& p) {
-    Mat3 axes;
-    axes << p.frame.x.x, p.frame.y.x, p.frame.z.x, p.frame.x.y, p.frame.y.y, p.frame.z.y, p.frame.x.z, p.frame.y.z,
-        p.frame.z.z;
-    return axes;
-}
-
-PlacedElement place_element(const Structure& structure, int index, const Places& at) {
-    const Element& e = structure.elements()[index];
-    const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-    if (!structure.large())
-        return {beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quad(e.axes)),
-                {}};
-    const Vec3 chord = chord_of(e, at.displacement);
-    PlacedElement p = {beam::place<double>({chord.x(), chord.y(), chord.z()}, quad(at.rotation[e.node[0]]),
-                                           quad(at.rotation[e.node[1]]), quad(e.axes)),
-                       {}};
-    if (dot(p.theta[0], p.theta[0]) + dot(p.theta[1], p.theta[1]) < beam::far_rotation &&
-        (at.twist.empty() || at.twist[index] == 0))
-        return p;
-    p.wound = winding_of(e, index, chord, at.rotation, at.twist);
-    if (beam::wind(*p.wound)) p.frame = p.wound->frame;
-    else p.wound.reset();
-    return p;
-}
-
-Eigen::Matrix<double, 12, 6> forces_at_nodes(const PlacedElement& placement) {
-    if (placement.wound) return beam::rates(*placement.wound).transpose();
-    Eigen::Matrix<double, 12, 6> to_nodes;
-    for (int i = 0; i < 6; ++i) {
-        double p[6] = {};
-        p[i] = 1;
-        const beam::NodalForces<double> f = beam::nodal_forces(placement, p);
-        for (int end : {0, 1})
-            to_nodes.col(i).segment<6>(6 * end) << f.force[end].x, f.force[end].y, f.force[end].z, f.moment[end].x,
-                f.moment[end].y, f.moment[end].z;
-    }
-    return to_nodes;
-}
-
-Mat12 element_tangent(const PlacedElement& placement, const Vec6& p, const Mat6& k, bool geometric) {
-    return placement.wound ? beam::tangent(*placement.wound, p, k, geometric)
-                           : beam::tangent(placement, p, k, geometric);
-}
-
-Vec6 element_deformation(const Structure& structure, int index, const Places& at) {
-    return element_deformation(structure, index, at,
-                               structure.large() ? place_element(structure, index, at) : PlacedElement{});
-}
-
-Vec6 element_deformation(const Structure& structure, int index, const Places& at, const PlacedElement& placement) {
-    Vec6 d;
-    const Element& e = structure.elements()[index];
-    if (structure.large()) {
-        if (placement.wound) std::copy_n(placement.wound->d, 6, d.data());
-        else beam::deformation(placement, e.length, d.data());
-        return d;
-    }
-    const Mat3 axes = e.axes.toRotationMatrix().transpose();
-    Vec12 u;
-    u << axes * at.displacement[e.node[0]], axes * at.small_rotation[e.node[0]], axes * at.displacement[e.node[1]],
-        axes * at.small_rotation[e.node[1]];
-    return beam::linear_deformation(e.length) * u;
 }
 
 }  // namespace hinge

@@ -2,28 +2,13 @@
 #pragma once
 
 #include <deque>
-#include <optional>
 #include <vector>
 
-#include "beam/corotation.h"
-#include "beam/winding.h"
 #include "beam/yield.h"
 #include "core/thread_pool.h"
-#include "state/state.h"
+#include "state/pose.h"
 
 namespace hinge {
-
-/// Where the nodes are tried to be, and how they move there.
-struct Pose {
-    std::vector<Vec3> displacement;
-    std::vector<Quat> rotation;
-    std::vector<Vec3> small_rotation;
-    std::vector<Vec6> velocity, acceleration;
-    std::vector<double> twist;  ///< of the state that the step began with (State::twist)
-};
-
-/// A state's nodes as a pose.
-Pose pose_of(const State& state);
 
 /// What one element did on the way to the pose.
 struct Yielding {
@@ -116,31 +101,5 @@ private:
     bool watching_ = false;
     long updates_ = 0;
 };
-
-/// Where the nodes are, of a state or of a pose.
-struct Places {
-    const std::vector<Vec3>& displacement;
-    const std::vector<Quat>& rotation;
-    const std::vector<Vec3>& small_rotation;
-    const std::vector<double>& twist;
-    Places(const State& s)
-        : displacement(s.displacement), rotation(s.rotation), small_rotation(s.small_rotation), twist(s.twist) {}
-    Places(const Pose& p)
-        : displacement(p.displacement), rotation(p.rotation), small_rotation(p.small_rotation), twist(p.twist) {}
-};
-
-/// Where an element is. Where it is wound, its end rotations and y axes say nothing: `wound` has its deformation.
-struct PlacedElement : beam::Placement<double> {
-    std::optional<beam::Winding> wound;
-};
-
-/// Where one element is (for its tangent and for reading it).
-Mat3 axes_of(const beam::Placement<double>& placement);  ///< columns: the local axes in space
-PlacedElement place_element(const Structure& structure, int element, const Places& at);
-Vec6 element_deformation(const Structure& structure, int element, const Places& at);
-Vec6 element_deformation(const Structure& structure, int element, const Places& at, const PlacedElement& placement);
-Eigen::Matrix<double, 12, 6> forces_at_nodes(const PlacedElement& placement);  ///< times p: nodal forces, in space
-/// Large displacement: see beam/tangent.h.
-Mat12 element_tangent(const PlacedElement& placement, const Vec6& p, const Mat6& k, bool geometric);
 
 }  // namespace hinge

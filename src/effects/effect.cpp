@@ -1,0 +1,21 @@
+#include "effects/effect.h"
+
+#include <cmath>
+
+namespace hinge {
+
+double ImpulseResponse::factor_for(double work) const {
+    const double root = linear * linear + 4 * square * work;
+    if (!(root >= 0 && square > 0)) return 1;
+    const double far = -0.5 * (linear + std::copysign(std::sqrt(root), linear)) / square,
+                 near = far != 0 ? -work / square / far : 1;
+    const double exact = std::abs(far - 1) < std::abs(near - 1) ? far : near;
+    return std::abs(exact - 1) < 0.5 ? exact : 1;
+}
+
+void Effect::add_to_trial(double x, const ImpulseResponse& response) {
+    w_.state.accumulated["work"] += x * response.by_supports;
+    for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
+}
+
+}  // namespace hinge
