@@ -579,15 +579,27 @@ function model:group(name) end
 ---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
 function model:counts() end
 
----A static run: loads and gravity are brought to equilibrium in steps.
+---A static run: loads and gravity are brought to equilibrium in steps. In large displacement it tells where it comes
+---past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
+---asi-gauss elements see a pinned member buckle at 2.27 times Euler's load, four at 1.10, eight at 1.024, sixteen at
+---1.005.
 ---@param options? hinge.static_options
 ---@return hinge.run
 function model:static(options) end
 
 ---@class hinge.static_options
----@field steps? integer default 10
+---default 10; of arc length at most so many. A step that finds no equilibrium is halved, down to 1e-5 of the whole way,
+---and is still one step to run:steps(), run.index and history.csv; a limit load may cut the last one short
+---@field steps? integer
 ---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad)
 ---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
+---load control where the structure has become unstable (large displacement). fail (default): the run ends, with the
+---last equilibrium that can be held as its state. continue: it goes on, run.instability tells
+---@field unstable? "fail"|"continue"
+---load control up to the limit load: a run that ends where no further equilibrium is found, or where the structure
+---becomes unstable, then has the verdict "completed" and run.limit = true; run.factor is that of the limit load.
+---Default false
+---@field to_limit? boolean
 ---@field hold? hinge.group_like a group held in place during this run
 ---@field from? hinge.run goes on from another run's state
 ---@field iterations? integer at most so many a step before it is halved, default 30
@@ -669,6 +681,9 @@ function model:dynamic(options) end
 ---@field reason string why it failed, with the culprit's name
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
+---in statics: whether the run has ended at a limit load, see to_limit; nil in dynamics
+---@field limit? boolean
+---@field instability? hinge.instability in statics: where the structure became unstable; nil where it did not
 ---@field worst_remainder number J, the largest absolute value of energy.remainder so far
 ---@field contacts { bound: integer, released: integer } pairs of elements: ties made or contacts begun; released
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
@@ -689,6 +704,17 @@ local run = {}
 ---@field seconds number what it took
 ---@field asked_at string the script's line that asks for it, "" where none does
 
+---Where a static run came past a limit point or a branching point. Beyond it the tangent stiffness has more negative
+---eigenvalues than where the run began: under constant load the structure would not stay there.
+---@class hinge.instability
+---@field factor number load factor of the last equilibrium before it
+---@field beyond number load factor of the first equilibrium after it
+---@field count integer ways of moving that are no longer resisted, the most so far
+---@field node string with the largest motion in the first of these ways (rotations times the mean length of an element)
+---@field component hinge.component that motion: ux uy uz rx ry rz
+---@field member? hinge.member that its compression drives on most in it; nil where compression has no part
+---@field members hinge.member[] it and others of at least half its part, at most three
+
 ---The work that a run has done.
 ---@class hinge.work_counts
 ---@field element_updates integer elements whose forces were recovered
@@ -698,7 +724,8 @@ local run = {}
 ---@field factorisations integer
 ---@field pair_tests integer pairs of members looked at closely
 ---@field pair_lists integer lists of near pairs made
----@field rejected_steps integer steps that step control took back
+---@field rejected_steps integer steps that step control took back; in statics tries that were halved
+---@field substeps integer in statics equilibria found, several in a step that was halved; in dynamics steps
 
 ---The energy balance, J: eq 20 and what it leaves out.
 ---@class hinge.energy

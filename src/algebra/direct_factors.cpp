@@ -35,4 +35,38 @@ int DirectFactors::loosest_degree_of_freedom(double ratio) const {
     return worst < 0 ? -1 : ldlt_.permutationPinv().indices()[worst];
 }
 
+namespace {
+
+bool is_negative(double pivot, double diagonal) { return pivot < -1e-12 * std::abs(diagonal); }
+
+}  // namespace
+
+int DirectFactors::negative_pivots() const {
+    const Eigen::VectorXd pivots = ldlt_.vectorD();
+    const Eigen::VectorXd in_order = ldlt_.permutationP() * diagonal_;
+    int count = 0;
+    for (int i = 0; i < pivots.size(); ++i) count += is_negative(pivots[i], in_order[i]);
+    return count;
+}
+
+/// L^T y = (0 .. 1 at the pivot .. 0) makes y^T L D L^T y the pivot itself.
+Eigen::VectorXd DirectFactors::negative_direction() const {
+    const Eigen::VectorXd pivots = ldlt_.vectorD();
+    const Eigen::VectorXd in_order = ldlt_.permutationP() * diagonal_;
+    int last = int(pivots.size()) - 1;
+    while (last >= 0 && !is_negative(pivots[last], in_order[last])) --last;
+    if (last < 0) return {};
+    const Eigen::SparseMatrix<double>& below = ldlt_.matrixL().nestedExpression();  // by columns, without the ones
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(pivots.size());
+    y[last] = 1;
+    for (int column = last - 1; column >= 0; --column) {
+        double sum = 0;
+        for (Eigen::SparseMatrix<double>::InnerIterator it(below, column); it; ++it) sum += it.value() * y[it.row()];
+        y[column] = -sum;
+    }
+    return ldlt_.permutationPinv() * y;
+}
+
+bool DirectFactors::negative_determinant() const { return lu_->signDeterminant() < 0; }
+
 }  // namespace hinge

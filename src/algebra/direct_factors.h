@@ -36,6 +36,13 @@ public:
     /// Of the symmetric factors: the degree of freedom (6 node + component) whose pivot is the smallest part, below
     /// `ratio`, of its diagonal entry: it can move with next to no resistance. -1 when there is none.
     int loosest_degree_of_freedom(double ratio) const;
+    /// Of the symmetric factors: how many eigenvalues of the matrix are negative. Pivots within rounding of zero, 1e-12
+    /// of their diagonal entry, count as positive.
+    int negative_pivots() const;
+    /// Of the symmetric factors: x with x^T A x < 0, by the last negative pivot. Empty where there is none.
+    Eigen::VectorXd negative_direction() const;
+    /// Of the unsymmetric factors: whether the determinant is negative, an odd number of its eigenvalues.
+    bool negative_determinant() const;
 
 private:
     bool unsymmetric_;

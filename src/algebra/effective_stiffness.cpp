@@ -166,8 +166,42 @@ bool EffectiveStiffness::factorise() {
         for (int a : {0, 1})
             for (int b : {0, 1}) factors_.add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b));
     factor_valid_ = true;
+    symmetric_.reset();
     ++counts_.factorisations;
     return factors_.factorise(n);
+}
+
+const DirectFactors& EffectiveStiffness::symmetric_factors() {
+    if (keeping_ != Keeping::unsymmetric) return factors_;
+    if (symmetric_) return *symmetric_;
+    symmetric_ = std::make_unique<DirectFactors>(false);
+    const int n = int(structure_.position().size());
+    const auto add_half = [&](int a, int b, const Mat6& of_ab, const Mat6& of_ba) {
+        symmetric_->add(a, b, 0.5 * (of_ab + of_ba.transpose()));
+    };
+    for (int i = 0; i < n; ++i) {
+        const Mat6 own = matrices_.own(i);
+        add_half(i, i, own, own);
+    }
+    for (std::size_t e = 0; e < structure_.elements().size(); ++e) {
+        const Mat6 across[2] = {matrices_.across(int(e), 0), matrices_.across(int(e), 1)};
+        for (int end : {0, 1})
+            add_half(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], across[end],
+                     across[1 - end]);
+    }
+    for (const Coupling& p : couplings_)
+        for (int a : {0, 1})
+            for (int b : {0, 1})
+                add_half(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b),
+                         p.K.block<6, 6>(6 * b, 6 * a));
+    ++counts_.factorisations;
+    symmetric_->factorise(n);
+    return *symmetric_;
+}
+
+bool EffectiveStiffness::more_negative_modes(int known) const {
+    if (keeping_ == Keeping::unsymmetric) return factors_.negative_determinant() != (known % 2 == 1);
+    return factors_.negative_pivots() > known;
 }
 
 double EffectiveStiffness::time_product(int repeats) const {

@@ -58,6 +58,14 @@ public:
     /// Factorises A as it stands. False when it is singular.
     bool factorise();
     const DirectFactors& factors() const { return factors_; }
+    /// How many ways of moving A, factorised, does not resist but drives on: its negative eigenvalues, real ones where
+    /// A is not symmetric.
+    int negative_modes();
+    /// Whether there are more of them than `known`; where A is not symmetric, whether their number differs from it by
+    /// one, three, five: that costs next to nothing.
+    bool more_negative_modes(int known) const;
+    /// One of these, the one nearest to resisting, no component larger than 1. All zero where there is none.
+    std::vector<Vec6> negative_mode();
     /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the
     /// yardstick of a step.
     double time_product(int repeats) const;
@@ -80,6 +88,8 @@ public:
     }
 
 private:
+    const DirectFactors& symmetric_factors();
+    int real_negative_modes(int most);
     void mark(int node);
     bool take_up_all();
 
@@ -97,6 +107,7 @@ private:
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
     DirectFactors factors_;
+    std::unique_ptr<DirectFactors> symmetric_;  // of the symmetric part, made when asked for
     Counts counts_;
 };
 

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "algebra/modes.h"
 #include "core/errors.h"
 #include "core/rotation.h"
+#include "core/text.h"
 #include "run/yield_tangents.h"
 
 namespace hinge {
@@ -22,6 +25,15 @@ constexpr double first_off_balance = 1e-3;
 
 /// Of the whole: a step halved below this ends the run, at the limit load.
 constexpr double smallest_step = 1e-5;
+
+/// Whether supports leave some body of the structure a motion as if it were rigid.
+bool moves_freely(const Structure& structure, const State& state) {
+    const Bodies bodies = find_bodies(structure, state);
+    std::vector<std::vector<int>> nodes(bodies.count);
+    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
+        if (bodies.of_node[n] >= 0) nodes[bodies.of_node[n]].push_back(int(n));
+    return std::any_of(nodes.begin(), nodes.end(), [&](const auto& n) { return !free_motions(structure, n).empty(); });
+}
 
 double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit
     double sum = 0;
@@ -52,12 +64,14 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     noise_ *= std::sqrt(double(nodes));
     for (const auto& e : effects_) loads_follow_ = loads_follow_ || e->loads_follow();
     find_loads();
+    refuse_idle_loads();
     state_.factor = 0;
     sweep_.take_up(state_);
     effective_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
+    if (structure_->large()) modes_at_start_ = most_modes_ = effective_->negative_modes();
     const bool moments =
         std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     if ((moments || loads_follow_) && structure_->large()) {
@@ -136,10 +150,48 @@ void Statics::refuse_mechanism() {
                                 "rotate about x", "rotate about y", "rotate about z"};
     bool supported = false;
     for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
+    if (!moves_freely(*structure_, state_)) {  // rounding hides what resists
+        const Element* stiffest = nullptr;
+        double most = 0;
+        for (int i : structure_->elements_at(loose / 6)) {
+            const Element& e = structure_->elements()[i];
+            const beam::Rigidity& r = e.rigidity;
+            const double ratio = std::max(r.GAx / r.EIy, r.GAy / r.EIx) * e.length * e.length;
+            if (ratio > most) most = ratio, stiffest = &e;
+        }
+        throw InputError("what resists that " + structure_->node_name(loose / 6) + " can " + way[loose % 6] +
+                         " is lost in rounding: stiffnesses that meet there differ by more than 12 orders of "
+                         "magnitude. " +
+                         (most > 1e8 ? "The shear stiffness G A_s of member " + std::to_string(stiffest->member + 1) +
+                                           " is " + number_text(most, 2) +
+                                           " times EI / L^2 of its elements; a million times is as good as rigid: "
+                                           "give it a smaller shear area"
+                                     : std::string("Make the stiffest of them softer: a million times the others is as "
+                                                   "good as rigid")));
+    }
     throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
                      (supported ? "the structure, or a part of it, is a mechanism or not supported against it"
                                 : "the model has no supports, so it can move as a rigid body") +
                      "; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)");
+}
+
+/// Displacement and arc length find the load factor that keeps the structure where they drive it.
+void Statics::refuse_idle_loads() const {
+    if (settings_.control == Control::load) return;
+    for (std::size_t i = 0; i < w_.external.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (w_.external[i][c] != 0 && !(held_[i] >> c & 1)) return;
+    throw InputError(std::string("control by ") + (settings_.control == Control::arc ? "arc length" : "displacement") +
+                     " scales the loads that are declared, and none acts on a node that can move; declare the load "
+                     "that is to do it with model:load or model:gravity, of any size");
+}
+
+/// Of the tangent where a step has been brought to equilibrium, not kept yet. In small displacement it has none ever.
+int Statics::negative_modes() {
+    if (!structure_->large()) return modes_at_start_;
+    if (!renew_and_factorise(1)) return most_modes_ + 1;
+    tangent_known_ = w_.yielding.empty() && !had_blocks_;
+    return effective_->negative_modes();
 }
 
 double Statics::out_of_balance(double& scale) const {
@@ -176,8 +228,12 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
     w_.yielding = flowing_on ? hinges_ : std::vector<Yielding>{};
     double first = 0, last_balance = 0, off_balance = first_off_balance;
+    const bool tangent_known = tangent_known_ && w_.yielding.empty();
+    tangent_known_ = false;
     for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
-        if (!renew_and_factorise(off_balance)) return Outcome::diverged;
+        if (!(iteration == 1 && tangent_known) && !renew_and_factorise(off_balance)) return Outcome::diverged;
+        if (iteration > 1 && structure_->large())
+            wavered_ = wavered_ || effective_->more_negative_modes(modes_at_start_);
         for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
             right_[i] = trial_factor_ * w_.external[i] - w_.resisting[i];
             for (int c = 0; c < 6; ++c)
@@ -288,47 +344,205 @@ void Statics::commit(double before) {
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);
     for (const auto& e : effects_) e->kept(step);
+    tangent_known_ = tangent_known_ && !w_.points_moved;
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
-    ++state_.step;
+    ++substeps_;
+}
+
+/// An equilibrium that much further on, and whether it can be held as far as that could be where the run began. Under
+/// load control one that can, but that Newton's iteration came to by way of tangents that cannot, may lie beyond a
+/// snap: that is none.
+Statics::Found Statics::try_step(double increment) {
+    wavered_ = false;
+    if (equilibrate(increment, true) != Outcome::converged &&
+        (hinges_.empty() || equilibrate(increment, false) != Outcome::converged))
+        return Found::nothing;
+    modes_ = negative_modes();
+    if (modes_ > modes_at_start_) return Found::unstable;
+    const bool in_doubt = wavered_ && settings_.control == Control::load && !settings_.past_unstable;
+    return in_doubt ? Found::nothing : Found::stable;
+}
+
+/// The tangent at the end of a try has more negative eigenvalues than at the start of the run: halves the step until
+/// that is known closely where. Returns how far the last stable equilibrium is; what is tried is then the whole step
+/// again. `arrived_by`: the last move before it.
+double Statics::locate(double increment, const std::vector<Vec6>& arrived_by) {
+    const auto try_anew = [&](double part) {
+        last_move_ = arrived_by;
+        tangent_known_ = false;
+        return try_step(part);
+    };
+    Instability found;
+    double stable = 0, unstable = increment;
+    found.factor = state_.factor;
+    const double close = settings_.control == Control::arc ? 1e-4 * increment : 0.1 * smallest_step;
+    bool at_unstable = true;
+    while (unstable - stable > close) {
+        const double middle = 0.5 * (stable + unstable);
+        const Found there = try_anew(middle);
+        at_unstable = there == Found::unstable;
+        if (there == Found::stable) stable = middle, found.factor = trial_factor_;
+        else unstable = middle;
+    }
+    // and the first equilibrium beyond: there may be none close to it
+    for (double gap = unstable - stable; !at_unstable; gap *= 2) {
+        const double part = std::min(stable + gap, increment);
+        at_unstable = try_anew(part) == Found::unstable || part == increment;
+    }
+    found.beyond = trial_factor_;
+    found.count = std::max(1, modes_ - modes_at_start_);
+    instability_ = found;
+    describe_mode();
+    try_anew(increment);
+    return stable;
+}
+
+/// By what motion the structure gives way, and in which members, where the tangent has just been factorised: those that
+/// their compression drives on as they bend.
+void Statics::describe_mode() {
+    Instability& found = *instability_;
+    const std::vector<Vec6> mode = effective_->negative_mode();
+    double most = 0;
+    for (std::size_t i = 0; i < mode.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (const double size = std::abs(mode[i][c]) * (c < 3 ? 1 : mean_length_); size > most)
+                most = size, found.node = int(i), found.component = c;
+    std::map<int, double> driven;
+    for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
+        if (state_.broken[i]) continue;
+        const Element& e = structure_->elements()[i];
+        const auto place = [&](int n) -> Vec3 { return structure_->position()[n] + w_.trial.displacement[n]; };
+        const Vec3 along = (place(e.node[1]) - place(e.node[0])).normalized();
+        Vec3 across = mode[e.node[1]].head<3>() - mode[e.node[0]].head<3>();
+        across -= across.dot(along) * along;
+        driven[e.member] -= w_.force[i][4] / e.length * across.squaredNorm();
+    }
+    std::vector<std::pair<double, int>> by_drive;
+    for (const auto& [member, drive] : driven)
+        if (drive > 0) by_drive.emplace_back(-drive, member);
+    std::sort(by_drive.begin(), by_drive.end());
+    for (const auto& [drive, member] : by_drive)
+        if (found.members.size() < 3 && drive <= 0.5 * by_drive[0].first) found.members.push_back(member);
+}
+
+const char* Statics::component_name(int component) {
+    static const char* const name[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+    return name[component];
+}
+
+std::string Statics::instability_text() const {
+    if (!instability_) return {};
+    const Instability& i = *instability_;
+    const bool close = std::abs(i.beyond - i.factor) <= 1e-3 * std::abs(i.factor);
+    std::string text = "the structure becomes unstable " +
+                       (close ? "at load factor " + number_text(i.factor)
+                              : "between load factors " + number_text(i.factor) + " and " + number_text(i.beyond)) +
+                       (i.count > 1 ? ", in " + std::to_string(i.count) + " ways" : "");
+    if (i.node >= 0) text += ": " + structure_->node_name(i.node) + " gives way, " + component_name(i.component);
+    for (std::size_t k = 0; k < i.members.size(); ++k)
+        text += (k == 0 ? ", by compression of member " : " and ") + std::to_string(i.members[k] + 1);
+    return text;
+}
+
+/// Ends the run at a limit load: completed where the script asked for that and there was a way to it.
+void Statics::end_at_limit(const std::string& why, const std::string& advice) {
+    if (sweep_.folded() >= 0) return fail(why + advice + "; " + sweep_.folded_reason());
+    if (!settings_.to_limit || substeps_ == 0) return fail(why + advice);
+    verdict_ = Verdict::completed;
+    reason_ = "limit load: " + why;
+    limit_ = true;
+}
+
+/// No equilibrium is found from where the state is: why that may be, and what can be done about it.
+std::string Statics::advice_at_end() {
+    if (settings_.control == Control::load)
+        return ": a limit load, a mechanism or a snap; control by displacement or arc length can go on";
+    if (settings_.control == Control::arc)
+        return ": the path turns too sharply or ends there; more steps make a shorter arc";
+    const int n = settings_.node, c = settings_.component;
+    const std::string driven = std::string(component_name(c)) + " of " + structure_->node_name(n);
+    w_.trial = pose_of(state_);
+    recover();
+    w_.yielding = hinges_;
+    SolverSettings direct;
+    direct.direct = true;
+    tangent_known_ = false;
+    if (renew_and_factorise(1)) {
+        std::vector<Vec6> unit_load = w_.external;
+        for (std::size_t i = 0; i < unit_load.size(); ++i)
+            for (int k = 0; k < 6; ++k)
+                if (held_[i] >> k & 1) unit_load[i][k] = 0;
+        double most = 0;
+        const bool solved = effective_->solve(unit_load, response_, direct).converged;
+        const auto size = [&](std::size_t i, int k) { return std::abs(response_[i][k]) * (k < 3 ? 1 : mean_length_); };
+        for (std::size_t i = 0; solved && i < response_.size(); ++i)
+            for (int k = 0; k < 6; ++k) most = std::max(most, size(i, k));
+        if (solved && size(n, c) <= 1e-9 * most)
+            return ": the loads do not move " + driven + ", which is to be driven; drive what they move";
+    }
+    return ", where " + driven + " is " + number_text(displacement(n)[c]) + (c < 3 ? " m" : " rad") +
+           ": it would have to turn back there, or the structure comes apart in another way; drive what goes on moving "
+           "one way, or control by arc length";
 }
 
 bool Statics::advance() {
     if (verdict_ != Verdict::running) return false;
     // the way still to go: to factor 1, to the target, or the steps allowed
     const bool arc = settings_.control == Control::arc;
-    const double done = settings_.control == Control::displacement ? progress_ : state_.factor;
-    if (arc ? steps_done() >= settings_.steps : done >= 1 - 1e-12) {
+    const auto done = [&] { return settings_.control == Control::displacement ? progress_ : state_.factor; };
+    const auto over = [&] { return arc ? steps_done() >= settings_.steps : done() >= 1 - 1e-12; };
+    if (over()) {
         verdict_ = Verdict::completed;
         return false;
     }
-    double increment = arc ? arc_scale_ : std::min(step_size_, 1 - done);
-    if (!arc && 1 - done - increment < 1e-9) increment = 1 - done;
-    const double before = state_.factor;
-    while (equilibrate(increment, true) != Outcome::converged &&
-           (hinges_.empty() || equilibrate(increment, false) != Outcome::converged)) {
-        increment /= 2;
-        if (increment < smallest_step) {
-            char text[200];
-            std::snprintf(text, sizeof text,
-                          "no equilibrium found beyond load factor %.6g (step %ld halved to %.1e): a limit load, a "
-                          "mechanism or a snap; "
-                          "control by displacement or arc length can go on",
-                          state_.factor, state_.step + 1, increment);
-            fail(sweep_.folded() >= 0 ? text + ("; " + sweep_.folded_reason()) : text);
-            return false;
+    double left = arc ? arc_scale_ : std::min(1.0 / settings_.steps, 1 - done());
+    if (!arc && 1 - done() - left < 1e-9) left = 1 - done();
+    const long substeps_before = substeps_;
+    while (left > 0 && verdict_ == Verdict::running) {
+        double increment = arc ? left : std::min(step_size_, left);
+        if (!arc && left - increment < 1e-9) increment = left;
+        const double before = state_.factor;
+        const std::vector<Vec6> arrived_by = last_move_;
+        while (try_step(increment) == Found::nothing) {
+            ++rejected_;
+            increment /= 2;
+            if (increment < smallest_step) {
+                char step[80];
+                std::snprintf(step, sizeof step, " (step %ld halved to %.1e)", steps_done() + 1, increment);
+                end_at_limit("no equilibrium found beyond load factor " + number_text(state_.factor) + step,
+                             advice_at_end());
+                break;
+            }
+            step_size_ = increment;
+            if (arc) arc_scale_ = left = increment;
         }
-        step_size_ = increment;
-        if (arc) arc_scale_ = increment;
+        if (verdict_ != Verdict::running) break;
+        if (const int modes = modes_; modes > most_modes_) {
+            const bool first = !instability_;
+            const double stable = first ? locate(increment, arrived_by) : increment;
+            most_modes_ = modes;
+            if (settings_.control == Control::load && !settings_.past_unstable) {
+                if (stable > 0 && try_step(stable) == Found::stable) commit(before);
+                end_at_limit(
+                    instability_text(),
+                    ". Beyond it load control finds equilibria that cannot be held; give the structure a small "
+                    "imperfection and control by displacement or arc length, or follow it in time with "
+                    "model:dynamic; unstable = 'continue' goes on all the same");
+                break;
+            }
+            instability_->count = modes - modes_at_start_;
+        }
+        commit(before);
+        progress_ += increment;
+        left = increment == left ? 0 : left - increment;
+        if (arc)
+            arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5),
+                                  30.0);  // five iterations a step
+        else if (converged_in_ <= 6) step_size_ = std::min(2 * step_size_, 1.0 / settings_.steps);
     }
-    commit(before);
-    progress_ += increment;
-    if (arc)
-        arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5),
-                              30.0);  // five iterations a step
-    else if (converged_in_ <= 6) step_size_ = std::min(2 * step_size_, 1.0 / settings_.steps);
-    if (arc ? steps_done() >= settings_.steps
-            : (settings_.control == Control::displacement ? progress_ : state_.factor) >= 1 - 1e-12)
-        verdict_ = Verdict::completed;
+    if (substeps_ == substeps_before) return false;
+    ++state_.step;
+    if (verdict_ == Verdict::running && over()) verdict_ = Verdict::completed;
     return true;
 }
 

@@ -2,6 +2,8 @@
 // path.
 #pragma once
 
+#include <optional>
+
 #include "algebra/effective_stiffness.h"
 #include "run/stages.h"
 
@@ -19,6 +21,17 @@ struct StaticSettings {
     double tolerance =
         1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
     std::vector<std::uint8_t> held;  ///< extra supports for this run only (six bits a node), or empty
+    bool past_unstable = false;      ///< load control goes on where the structure has become unstable
+    bool to_limit = false;           ///< load control: a run that ends at a limit load has completed
+};
+
+/// Where a run came past a limit point or a branching point: its tangent has more negative eigenvalues than where the
+/// run began, and the equilibria beyond cannot be held at constant load.
+struct Instability {
+    double factor = 0, beyond = 0;  ///< load factors of the last equilibrium before it and of the first one after
+    int count = 0;                  ///< ways of moving that are not resisted; the most so far
+    int node = -1, component = 0;   ///< the largest motion of the first of these (0..5: ux uy uz rx ry rz)
+    std::vector<int> members;       ///< that their compression drives on in it, the first one most; at most three
 };
 
 class Statics : public Run {
@@ -32,6 +45,16 @@ public:
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
     EffectiveStiffness::Counts solver_counts() const { return effective_->counts(); }
+    long substeps() const { return substeps_; }  ///< equilibria found: a step that was halved takes several
+    long rejected() const { return rejected_; }  ///< tries that found none and were halved
+    bool limit() const { return limit_; }        ///< it has ended at a limit load
+    const std::vector<std::uint8_t>& held() const {
+        return held_;
+    }  ///< what supports and this run hold, six bits a node
+    const std::optional<Instability>& instability() const { return instability_; }
+    static const char* component_name(int component);  ///< ux uy uz rx ry rz
+    /// Of the instability: where, how many, by what motion and in which members.
+    std::string instability_text() const;
 
 private:
     enum class Outcome { converged, diverged };
@@ -41,8 +64,16 @@ private:
     bool renew_and_factorise(double off_balance);
     double out_of_balance(double& scale) const;
     void move(double factor, const std::vector<Vec6>& by);
+    enum class Found { nothing, stable, unstable };
+    Found try_step(double increment);
     void commit(double factor);
     void refuse_mechanism();
+    void refuse_idle_loads() const;
+    int negative_modes();
+    double locate(double increment, const std::vector<Vec6>& arrived_by);
+    void describe_mode();
+    void end_at_limit(const std::string& why, const std::string& advice);
+    std::string advice_at_end();
 
     StaticSettings settings_;
     std::vector<std::uint8_t> held_;
@@ -50,6 +81,12 @@ private:
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
            noise_ = 0;
     int converged_in_ = 0;
+    int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
+    long substeps_ = 0, rejected_ = 0;
+    bool limit_ = false;
+    bool wavered_ = false;        ///< a tangent on the way of Newton's iteration had more
+    bool tangent_known_ = false;  ///< what is factorised is the tangent where the state is
+    std::optional<Instability> instability_;
     std::vector<Vec6> potential_;       ///< the part of F that has a potential energy in an account of its own
     std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for
     std::vector<Vec6> response_;        ///< the move that F at factor 1 asks for

@@ -425,6 +425,18 @@ int write_summary(lua_State* L) {
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
             j["fastest_node"] = {
                 {"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
+        if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
+            j["limit"] = statics->limit();
+            if (const auto& i = statics->instability()) {
+                j["instability"] = {{"factor", i->factor}, {"beyond", i->beyond}, {"count", i->count}};
+                if (i->node >= 0) {
+                    j["instability"]["node"] = s.node_name(i->node);
+                    j["instability"]["component"] = Statics::component_name(i->component);
+                }
+                j["instability"]["members"] = Json::array();
+                for (int member : i->members) j["instability"]["members"].push_back(member + 1);
+            }
+        }
         j["state_hash"] = [&] {
             char t[20];
             std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state()));

@@ -220,7 +220,7 @@ int fields(lua_State* L) {
         const EffectiveStiffness::Counts c = d   ? d->solver_counts()
                                              : s ? s->solver_counts()
                                                  : EffectiveStiffness::Counts{};
-        lua_createtable(L, 0, 8);
+        lua_createtable(L, 0, 9);
         lua_pushinteger(L, c.built), lua_setfield(L, -2, "element_builds");
         lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
         lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
@@ -229,11 +229,34 @@ int fields(lua_State* L) {
                            : s ? s->element_updates()
                                : 0),
             lua_setfield(L, -2, "element_updates");
-        lua_pushinteger(L, d ? d->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
+        lua_pushinteger(L, d ? d->rejected() : s ? s->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
+        lua_pushinteger(L, s ? s->substeps() : run.steps_done()), lua_setfield(L, -2, "substeps");
         lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().pair_tests : 0),
             lua_setfield(L, -2, "pair_tests");
         lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().list_builds : 0),
             lua_setfield(L, -2, "pair_lists");
+    } else if (key == "limit") {
+        const auto* s = dynamic_cast<const Statics*>(&run);
+        s ? lua_pushboolean(L, s->limit()) : lua_pushnil(L);
+    } else if (key == "instability") {
+        const auto* s = dynamic_cast<const Statics*>(&run);
+        if (!s || !s->instability()) return lua_pushnil(L), 1;
+        const Instability& i = *s->instability();
+        lua_createtable(L, 0, 7);
+        lua_pushnumber(L, i.factor), lua_setfield(L, -2, "factor");
+        lua_pushnumber(L, i.beyond), lua_setfield(L, -2, "beyond");
+        lua_pushinteger(L, i.count), lua_setfield(L, -2, "count");
+        if (i.node >= 0) {
+            lua_pushstring(L, run.structure().node_name(i.node).c_str()), lua_setfield(L, -2, "node");
+            lua_pushstring(L, Statics::component_name(i.component)), lua_setfield(L, -2, "component");
+        }
+        lua_createtable(L, int(i.members.size()), 0);
+        for (std::size_t k = 0; k < i.members.size(); ++k) {
+            push_handle<MemberBox>(L, r.model, i.members[k]);
+            lua_rawseti(L, -2, lua_Integer(k) + 1);
+        }
+        lua_geti(L, -1, 1), lua_setfield(L, -3, "member");
+        lua_setfield(L, -2, "members");
     } else if (key == "wakings") {
         lua_newtable(L);
         int i = 0;
@@ -327,10 +350,11 @@ void open_run(lua_State* L) {
                                        {"snapshot", guarded<run_snapshot>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(
-        L, RunBox::lua_name,
-        {"kind", "time", "factor", "index", "planned_steps", "verdict", "reason", "energy", "worst_remainder",
-         "contacts", "stages", "effects", "wall_seconds", "fastest", "dt", "hash", "counts", "wakings", "probes"});
+    name_fields(L, RunBox::lua_name, {"kind",    "time",    "factor",       "index",           "planned_steps",
+                                      "verdict", "reason",  "energy",       "worst_remainder", "contacts",
+                                      "stages",  "effects", "wall_seconds", "fastest",         "dt",
+                                      "hash",    "counts",  "wakings",      "probes",          "instability",
+                                      "limit"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

@@ -94,6 +94,18 @@ int static_run(lua_State* L) {
         o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
     }
     lua_pop(L, 1);
+    s.past_unstable = o.word("unstable", {"fail", "continue"}, "fail") == "continue";
+    s.to_limit = o.flag("to_limit", false);
+    if (s.control != Control::load)
+        for (const char* field : {"unstable", "to_limit"})
+            if (o.has(field))
+                throw InputError(std::string("model:static: field '") + field +
+                                 "' has no meaning with control by displacement or arc length, which goes on past a "
+                                 "limit load; leave it out");
+    if (s.past_unstable && s.to_limit)
+        throw InputError(
+            "model:static: to_limit = true ends where the structure becomes unstable, unstable = 'continue' goes on; "
+            "leave one out");
     if (o.push_field("hold") != LUA_TNIL) {
         s.held.assign(structure->position().size(), 0);
         const int g = group_argument(L, -1, "model:static: field 'hold'", *m);

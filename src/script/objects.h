@@ -6,12 +6,14 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "script/model_registry.h"
 #include "run/dynamics.h"
+#include "run/energy_watch.h"
 #include "run/statics.h"
 
 namespace hinge::script {
@@ -153,6 +155,9 @@ struct RunRecord : Recorded {
     std::vector<LuaFunction> on_step;  ///< called after each step
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     std::size_t wakings_shown = 0;
+    bool instability_shown = false;
+    std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
+    double last_energy_share = 0;                 ///< the energy error as a part of it
 };
 struct RunBox {
     static constexpr const char* lua_name = "hinge.run";

@@ -67,6 +67,8 @@ void add_row(RunRecord& r) {
     const Energy e = r.run->energy();
     r.initial = e.initial;
     r.last_energy_error = e.error;
+    if (!r.largest_energy) r.largest_energy.emplace(r.run->structure());
+    r.last_energy_share = r.largest_energy->share(e, r.run->accounts());
     if (!std::isnan(r.worst_energy_error) && !(std::abs(e.error) <= r.worst_energy_error))
         r.worst_energy_error = std::abs(e.error);  // an error that is not a number stays
     const long step = r.run->state().step;
@@ -122,9 +124,8 @@ void show_progress(const Context& c, RunRecord& r, bool last) {
     std::string bar(24, '-');
     for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
     char energy_error[48] = "";
-    if (r.initial != 0)
-        std::snprintf(energy_error, sizeof energy_error, "  energy error %+.2g %%",
-                      100 * r.last_energy_error / std::abs(r.initial));
+    if (r.last_energy_error != 0)
+        std::snprintf(energy_error, sizeof energy_error, "  energy error %+.2g %%", 100 * r.last_energy_share);
     std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "",
                  r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
                  last ? "took " : "left ", last ? wall : left, energy_error, screen && !last ? "" : "\n");
@@ -214,6 +215,12 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
             std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", on_screen() ? "\r\033[K" : "", w.time, w.effect.c_str(),
                          w.awake ? "awake" : "asleep", w.why.c_str());
         }
+    const auto* statics = dynamic_cast<const Statics*>(r.run.get());
+    if (statics && statics->instability() && !r.instability_shown && r.run->verdict() != Verdict::failed) {
+        r.instability_shown = true;
+        if (c->progress)
+            std::fprintf(stderr, "%sstatic: %s\n", on_screen() ? "\r\033[K" : "", statics->instability_text().c_str());
+    }
     const double pause = on_screen() ? 0.2 : 10;
     if (seconds(now - r.start) > (on_screen() ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
         show_progress(*c, r, false);

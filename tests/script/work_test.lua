@@ -46,7 +46,7 @@ expect(run.contacts.bound > 0 and run:count { state = "yielded" } > 0,
 hold("Case I", run, {
   element_updates = 602536, -- 398 of the aircraft until it reaches the frame, then all 1698
   element_builds = 2684, pair_tests = 2088, rejected_steps = exactly(0), pair_lists = 8, cg_iterations = 2013,
-  solves = exactly(steps), factorisations = exactly(0),
+  solves = exactly(steps), factorisations = exactly(0), substeps = exactly(steps),
 })
 
 -- An elastic frame of some 1000 elements that moves: one sweep a step and one for the acceleration at the start.
@@ -62,7 +62,7 @@ run:finish()
 hold("elastic frame", run, {
   element_updates = exactly(elements * (steps + 1)), element_builds = exactly(elements), pair_tests = exactly(0),
   rejected_steps = exactly(0), pair_lists = exactly(0),
-  cg_iterations = 150, solves = exactly(steps), factorisations = exactly(0),
+  cg_iterations = 150, solves = exactly(steps), factorisations = exactly(0), substeps = exactly(steps),
 })
 
 -- A linear frame under gravity: built once and factorised once, however many load steps there are.
@@ -75,7 +75,7 @@ run:finish()
 hold("linear statics", run, {
   element_updates = exactly(elements * 21), -- two a load step and one where it begins
   element_builds = exactly(elements), pair_tests = exactly(0), rejected_steps = exactly(0), pair_lists = exactly(0),
-  cg_iterations = exactly(0), solves = exactly(20), factorisations = exactly(1),
+  cg_iterations = exactly(0), solves = exactly(20), factorisations = exactly(1), substeps = exactly(10),
 })
 
 -- A frame at rest is swept once, to see that it is in balance; then only the bar that flies by.

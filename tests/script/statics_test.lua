@@ -1,0 +1,301 @@
+-- Statics and what it says: where a structure becomes unstable, limit loads, steps that are halved, and why no
+-- equilibrium is found.
+--
+-- Run: lua5.4 tests/script/statics_test.lua BUILD_FOLDER, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "statics"
+local expect, equal, near = checks.expect, checks.equal, checks.near
+local quote = support.quote
+
+local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.06 } -- bends in one plane first
+local L = 3
+local euler = math.pi ^ 2 * 206e9 * 0.06 * 0.05 ^ 3 / 12 / L ^ 2
+
+-- A pinned column, pressed down by `times` Euler's load. options: eccentric: m; beside: a post that has nothing to do
+-- with it, declared first.
+local function column(times, options)
+  local model = hinge.model { elements_per_member = 8 }
+  if options.beside then
+    local a, b = model:node { 5, 0, 0 }, model:node { 5, 0, 1 }
+    model:fix(a, "all")
+    model:member { a, b, section = bar, material = steel }
+  end
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+  model:fix(foot, "xyz,rz")
+  model:fix(top, "xy,rz")
+  local member = model:member { foot, top, section = bar, material = steel, up = { 0, 1, 0 } }
+  local P = times * euler
+  model:load { node = top, force = { 0, 0, -P }, moment = options.eccentric and { 0, P * options.eccentric, 0 } or nil }
+  return model, member, top
+end
+
+-- Where a structure becomes unstable --------------------------------------------------------------------------------
+
+-- Eight elements see 1.0237 of Euler's load; with a moment the last equilibrium that is found lies a little before it.
+for name, options in pairs { ["straight"] = {}, ["a millionth off"] = { eccentric = 1e-6 * L },
+  ["beside another"] = { beside = true, eccentric = 1e-6 * L } } do
+  local model, member = column(56.7, options)
+  local within = options.eccentric and 0.015 or 1e-3
+  local run = model:static { steps = 10 }:finish()
+  equal(run.verdict, "failed", name .. ": verdict")
+  expect(run.reason:find("the structure becomes unstable ", 1, true) and run.reason:find("0.01[78]%d*[: ]")
+    and run.reason:find(", by compression of " .. tostring(member):match "member %d+", 1, true)
+    and run.reason:find "displacement or arc length" and run.reason:find "unstable = 'continue'", "%s: %s", name,
+    run.reason)
+  near(56.7 * run.factor, 1.0237, within, name .. ": the state is that before Euler's load")
+  local i = run.instability
+  if expect(i, "%s: no instability", name) then
+    equal(i.count, 1, name .. ": ways to buckle")
+    near(56.7 * i.factor, 1.0237, within, name .. ": load")
+    expect(i.beyond > i.factor and i.beyond < (1 + 4 * within) * i.factor, "%s: beyond %g %g", name, i.factor, i.beyond)
+    expect(i.node:find("inner node of member " .. tostring(member):match "member (%d+)", 1, true)
+      and i.node:find(", 1.5}", 1, true), "%s: in the middle: %s", name, i.node)
+    equal(i.component, "ux", name .. ": the weak way")
+    expect(i.member == member and #i.members == 1, "%s: in the column", name)
+  end
+  equal(run.limit, false, name .. ": limit")
+end
+
+-- A step that ends short of it says nothing; a run that goes on past it tells, and has the state that it always had.
+local run = column(0.98, { eccentric = 1e-6 * L }):static { steps = 10 }:finish()
+expect(run.verdict == "completed" and run.instability == nil, "below: %s %s", run.verdict, run.reason)
+run = column(56.7, { eccentric = 1e-6 * L }):static { steps = 10, unstable = "continue" }:finish()
+expect(run.verdict == "completed" and run.factor == 1 and run.reason == "", "continue: %s %s", run.verdict, run.reason)
+expect(run.instability and run.instability.count > 1, "continue: %s ways", run.instability and run.instability.count)
+near(56.7 * (run.instability or { factor = 0 }).factor, 1.0237, 0.015, "continue: load")
+
+-- Both ways at once where the section is square.
+local function square_column()
+  local model = hinge.model { elements_per_member = 8 }
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+  model:fix(foot, "xyz,rz")
+  model:fix(top, "xy,rz")
+  model:member { foot, top, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = steel }
+  model:load { node = top, force = { 0, 0, -2 * euler } }
+  return model
+end
+run = square_column():static { steps = 4 }:finish()
+expect(run.instability and run.instability.count == 2 and run.reason:find ", in 2 ways: ", "square: %s", run.reason)
+
+-- A shallow truss of two bars, driven through: a limit point, noted, and the run goes on.
+local function truss(load)
+  local model = hinge.model {}
+  local thin = hinge.section.general { area = 1e-3, Ix = 1e-9, Iy = 1e-9, J = 1e-9 }
+  local a, b, top = model:node { -1, 0, 0 }, model:node { 1, 0, 0 }, model:node { 0, 0, 0.1 }
+  model:fix({ a, b }, "all")
+  model:fix(top, "xy,rx,ry,rz")
+  model:member { a, top, section = thin, material = steel }
+  model:member { top, b, section = thin, material = steel }
+  model:load { node = top, force = { 0, 0, -load } }
+  return model, top
+end
+local model, top = truss(1e5)
+run = model:static { steps = 80, control = { node = top, "uz", to = -0.08 } }
+local most, at = 0, 0
+for _ in run:steps() do
+  local _, _, uz = run:displacement(top)
+  if run.factor > most then most, at = run.factor, uz end
+end
+expect(run.verdict == "completed" and run.instability, "truss: %s %s", run.verdict, run.reason)
+local i = run.instability or {}
+equal(i.count, 1, "truss: ways")
+near(i.factor, most, 1e-3, "truss: the limit load, where " .. at)
+expect(i.beyond <= i.factor * (1 + 1e-6) and i.node == "node 3 at {0, 0, 0.1} m" and i.component == "uz"
+  and #i.members == 2, "truss: %s %s %s", i.beyond, i.node, i.component)
+
+-- Under load control it fails where the limit load is, whatever the step jumps over.
+for _, steps in ipairs { 1, 2, 5, 20 } do
+  model = truss(1e5)
+  run = model:static { steps = steps }:finish()
+  expect(run.verdict == "failed" and math.abs(run.factor / most - 1) < 1e-3, "truss, %d steps: %s at %g, not %g", steps,
+    run.verdict, run.factor, most)
+end
+
+-- A frame that stands says nothing.
+model = hinge.model { elements_per_member = 4 }
+local feet = { model:node { 0, 0, 0 }, model:node { 4, 0, 0 } }
+local left, right = model:node { 0, 0, 3 }, model:node { 4, 0, 3 }
+model:fix(feet, "all")
+for _, ends in ipairs { { feet[1], left }, { left, right }, { right, feet[2] } } do
+  model:member { ends[1], ends[2], section = bar, material = steel }
+end
+for _, node in ipairs { left, right } do model:load { node = node, force = { 2e3, 0, -2e4 } } end
+run = model:static { steps = 5 }:finish()
+expect(run.verdict == "completed" and run.instability == nil and run.limit == false, "a frame: %s", run.reason)
+
+-- Limit loads that a script expects -----------------------------------------------------------------------------------
+
+run = column(56.7, {}):static { steps = 10, to_limit = true }:finish()
+expect(run.verdict == "completed" and run.limit and run.reason:find "^limit load: the structure becomes unstable at",
+  "to_limit, a column: %s %s", run.verdict, run.reason)
+near(56.7 * run.factor, 1.0237, 1e-3, "to_limit, a column")
+run = column(0.5, {}):static { steps = 10, to_limit = true }:finish()
+expect(run.verdict == "completed" and run.limit == false and run.factor == 1, "to_limit, below: %s", run.reason)
+
+local mild = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 245e6 }
+local _ -- a result that is not looked at
+local Mp = 0.05 ^ 3 / 4 * 245e6
+local function cantilever(load)
+  local m = hinge.model { displacement = "small" }
+  local wall, tip = m:node { 0, 0, 0 }, m:node { 1, 0, 0 }
+  m:fix(wall, "all")
+  m:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = mild }
+  m:load { node = tip, force = { 0, 0, -load } }
+  return m, tip
+end
+run = cantilever(2 * Mp):static { steps = 4, to_limit = true }:finish()
+expect(run.verdict == "completed" and run.limit and run.reason:find "^limit load: no equilibrium found beyond",
+  "to_limit, a hinge: %s %s", run.verdict, run.reason)
+near(run.factor, 0.5, 1e-3, "to_limit, a hinge")
+run = cantilever(2 * Mp):static { steps = 4 }:finish()
+expect(run.verdict == "failed" and run.limit == false, "a hinge, not expected: %s", run.verdict)
+
+-- Steps that are halved -----------------------------------------------------------------------------------------------
+
+-- Four iterations are too few for some quarter of this load; the steps that the script sees are quarters all the same.
+model, _, top = column(0, {})
+model:load { node = top, moment = { 0, 1e5, 0 } }
+run = model:static { steps = 4, iterations = 4 }
+local seen = {}
+for step in run:steps() do seen[#seen + 1] = step.factor end
+equal(#seen, 4, "steps that a script sees")
+for k, factor in ipairs(seen) do near(factor, k / 4, 1e-12, "factor of step " .. k) end
+equal(run.index, 4, "run.index")
+expect(run.counts.substeps > 4 and run.counts.rejected_steps > 0, "substeps %d, halved %d", run.counts.substeps,
+  run.counts.rejected_steps)
+run = column(0.5, {}):static { steps = 4 }:finish()
+expect(run.counts.substeps == 4 and run.counts.rejected_steps == 0, "none is halved: %d", run.counts.substeps)
+
+-- The last step is cut short at the limit: it is told too.
+run = cantilever(2 * Mp):static { steps = 3 }
+seen = {}
+for step in run:steps() do seen[#seen + 1] = step.factor end
+expect(#seen == 2 and run.index == 2 and seen[1] == 1 / 3, "up to the limit: %d steps", #seen)
+near(seen[2] or 0, 0.5, 1e-3, "the last one, at the limit")
+
+-- What is said where no equilibrium is found --------------------------------------------------------------------------
+
+-- Driven across: the loads do not move it.
+model = hinge.model {}
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall, "all")
+model:member { wall, tip, section = bar, material = steel }
+model:load { node = tip, force = { 0, 0, -1e3 } }
+run = model:static { steps = 2, control = { node = tip, "uy", to = 0.1 } }:finish()
+expect(run.verdict == "failed" and run.reason:find("the loads do not move uy of node 2 at {1, 0, 0} m", 1, true)
+  and not run.reason:find "by displacement", "driven across: %s", run.reason)
+
+-- Driven beyond what the steel reaches: no advice to do what is being done.
+model, tip = cantilever(1)
+run = model:static { steps = 1, iterations = 2, tolerance = 1e-15, control = { node = tip, "uz", to = -0.5 } }:finish()
+if run.verdict == "failed" then
+  expect(not run.reason:find "control by displacement" and run.reason:find "control by arc length", "driven: %s",
+    run.reason)
+end
+
+local function refused(pattern, f)
+  local good, message = pcall(f)
+  expect(not good and tostring(message):find(pattern), "%s: %s", pattern, tostring(message))
+end
+local function idle()
+  local m = hinge.model {}
+  local a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 }
+  m:fix(a, "all")
+  m:member { a, b, section = bar, material = steel }
+  return m, a, b
+end
+refused("control by displacement scales the loads that are declared, and none acts on a node that can move", function()
+  local m, _, b = idle()
+  m:static { control = { node = b, "uz", to = -0.1 } }
+end)
+refused("control by arc length scales the loads that are declared, and none acts", function()
+  local m, a = idle()
+  m:load { node = a, force = { 0, 0, -1 } }
+  m:static { control = "arc" }
+end)
+refused("field 'to_limit' has no meaning with control by displacement", function()
+  local m, _, b = idle()
+  m:load { node = b, force = { 0, 0, -1 } }
+  m:static { to_limit = true, control = { node = b, "uz", to = -0.1 } }
+end)
+refused("leave one out", function() idle():static { to_limit = true, unstable = "continue" } end)
+refused("did you mean 'continue'", function() idle():static { unstable = "continu" } end)
+
+-- A shear area that hides the bending stiffness is no mechanism.
+local function sheared(area)
+  local m = hinge.model {}
+  local a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 }
+  m:fix(a, "all")
+  m:member { a, b, material = steel, section = hinge.section.general { area = 1e-3, Ix = 1e-7, Iy = 1e-7, J = 1e-7,
+    shear_area_x = area, shear_area_y = area } }
+  m:load { node = b, force = { 0, 0, -1 } }
+  return m:static { steps = 1 }:finish()
+end
+equal(sheared(1e2).verdict, "completed", "a large shear area")
+refused("is lost in rounding: .* G A_s of member 1 is .* give it a smaller shear area", function() sheared(1e12) end)
+
+-- The program ---------------------------------------------------------------------------------------------------------
+
+local program, folder = quote(arg[1] .. "/hinge"), support.temporary_folder()
+local function script(name, text)
+  support.write(folder .. "/" .. name, text)
+  return quote(folder .. "/" .. name)
+end
+local scene = [[
+local hinge = require "hinge"
+local model = hinge.model { elements_per_member = 8 }
+local steel = hinge.material { E = 206e9, density = 7850 }
+local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+model:fix(foot, "xyz,rz")
+model:fix(top, "xy,rz")
+local bar = hinge.section.solid { width = 0.05, depth = 0.06 }
+model:member { foot, top, material = steel, section = bar, group = "posts" }
+model:load { node = top, force = { 0, 0, $load } }
+model:static { $options }:finish()
+]]
+local function run_scene(verb, load, options)
+  local text = scene:gsub("%$(%l+)", { load = load, options = options })
+  local out = verb == "run" and "--out " .. quote(folder .. "/out") or ""
+  return support.run(("%s %s %s %s"):format(program, verb, script("scene.lua", text), out))
+end
+local function summary() return support.json(support.read(folder .. "/out/summary.json")) end
+
+local status, _, complaint = run_scene("run", "-1e6", "steps = 3")
+expect(status == 1 and complaint:find "the structure becomes unstable at load factor 0%.1", "fails: %s", complaint)
+local s = summary()
+expect(s.verdict == "failed" and s.limit == false and s.instability.count == 1 and s.instability.members[1] == 1
+  and s.instability.factor > 0.13 and s.instability.component == "uy", "summary of a failed run")
+status, _, complaint = run_scene("run", "-1e6", "steps = 3, to_limit = true")
+expect(status == 0, "to_limit: status %s %s", status, complaint)
+s = summary()
+expect(s.verdict == "completed" and s.limit and s.reason:find "^limit load: " and s.factor > 0.13, "to_limit: summary")
+status, _, complaint = run_scene("run", "-1e6", "steps = 3, unstable = 'continue'")
+expect(status == 0 and complaint:find "static: the structure becomes unstable at load factor 0%.1.* member 1\n",
+  "continue: %s %s", status, complaint)
+run_scene("run", "-1e4", "steps = 3")
+s = summary()
+expect(s.verdict == "completed" and s.limit == false and s.instability == nil and s.reason == nil, "a quiet summary")
+
+-- The progress line gives the energy error as a part of the largest energy, not of what rounding leaves at the start.
+local slow = [[
+local hinge = require "hinge"
+local model = hinge.model {}
+local steel = hinge.material { E = 206e9, density = 7850 }
+local a, b = model:node { 0.1, 0.2, 0.3 }, model:node { 0.43, 0.97, 1.21 }
+model:fix(a, "all")
+model:member { a, b, material = steel, section = hinge.section.solid { width = 0.05, depth = 0.06 } }
+model:gravity { 0, 0, -9.80665 }
+local run = model:dynamic { dt = 1e-4, duration = 1e-2 }
+local until_then = os.clock() + 2.2
+run:on_step(function(r) while r.index == 100 and os.clock() < until_then do end end)
+run:finish()
+]]
+_, _, complaint = support.run(("%s run %s --out %s"):format(program, script("slow.lua", slow),
+  quote(folder .. "/slow")))
+local percent = complaint:match "energy error ([-+.%de]+) %%"
+expect(percent and math.abs(tonumber(percent)) < 1, "energy error: %s", complaint)
+
+checks.done()
