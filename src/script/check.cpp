@@ -11,8 +11,9 @@
 namespace hinge::script {
 namespace {
 
-constexpr int periods_told = 3, bodies_told = 5;
-constexpr int most_nodes = 20000;  // of a body whose periods are looked for: some ten seconds
+constexpr int periods_told = 3, bodies_told = 5, buckling_told = 10;
+constexpr double near_buckling = 0.5;  // of Euler's load
+constexpr int most_nodes = 20000;      // of a body whose periods are looked for: some ten seconds
 
 std::string digits(double v, int n = 4) { return number_text(v, n); }
 std::string count(std::size_t n, const std::string& what) {
@@ -144,6 +145,68 @@ std::string periods(const Structure& structure, const Piece& body, int rigid, co
     return text.empty() ? "nothing that vibrates" : "natural periods " + text + " s";
 }
 
+/// Members whose compression is beyond half of Euler's load, the worst first, by one linear solution of the loads that
+/// are declared. Bodies without supports are held; where there is no such solution nothing is said.
+std::vector<Warning> near_euler(const RunRecord& record, const std::vector<Piece>& bodies) {
+    const Structure& declared = record.run->structure();
+    if (int(declared.position().size()) > most_nodes) return {};
+    auto linear = std::make_shared<Model>(declared.model());
+    for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) linear->leave_out(effect);
+    const auto structure = std::make_shared<const Structure>(linear);
+    StaticSettings settings;
+    settings.steps = 1;
+    if (const auto* s = dynamic_cast<const Statics*>(record.run.get())) settings.held = s->held();
+    settings.held.resize(structure->position().size(), 0);
+    for (const Piece& body : bodies)
+        if (body.supports.empty())
+            for (int n : body.nodes) settings.held[n] = 63;
+    std::unique_ptr<Statics> run;
+    try {
+        run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
+    } catch (const InputError&) { return {}; }  // a mechanism, which has its own warning
+    run->advance();
+    if (run->verdict() != Verdict::completed) return {};
+
+    struct Member {
+        double part = 0, force = 0, euler = 0;  ///< force over Euler's load, N, N
+        int member = 0;
+    };
+    std::vector<Member> found;
+    const auto& elements = structure->elements();
+    for (int i = 0; i < int(elements.size()); ++i) {
+        const int member = elements[i].member;
+        const auto& ends = linear->members()[member].node;
+        const double length = (linear->nodes()[ends[1]].position - linear->nodes()[ends[0]].position).norm();
+        const beam::Rigidity& r = elements[i].rigidity;
+        const double pi = 3.14159265358979323846, euler = pi * pi * std::min(r.EIx, r.EIy) / (length * length);
+        for (double side : {-1.0, 1.0}) {
+            const double force = -run->section_forces(i, side).N;
+            if (!(force > near_buckling * euler)) continue;
+            if (found.empty() || found.back().member != member) found.push_back({0, 0, euler, member});
+            found.back().force = std::max(found.back().force, force);
+            found.back().part = found.back().force / euler;
+        }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Member& a, const Member& b) { return a.part > b.part; });
+    std::vector<Warning> list;
+    for (const Member& m : found) {
+        if (int(list.size()) == buckling_told) {
+            list.back().more = int(found.size()) - buckling_told;
+            break;
+        }
+        const auto& groups = linear->members()[m.member].groups;
+        list.push_back({"member " + std::to_string(m.member + 1) +
+                            (groups.empty() ? "" : " (" + linear->groups()[groups[0]] + ")") + " carries " +
+                            digits(m.force) + " N in compression in a linear solution of the loads, " +
+                            digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
+                            " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
+                        "it may buckle: that shows in large displacement with eight elements a member and a small "
+                        "imperfection",
+                        linear->asked_at("member " + std::to_string(m.member + 1))});
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string checked_run(const RunRecord& record) {
@@ -196,6 +259,7 @@ std::string checked_model(const RunRecord& record) {
                  "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
                  record.asked_at});
     }
+    for (Warning& d : near_euler(record, bodies)) list.push_back(std::move(d));
     for (const Warning& d : list) text += told(d);
     return text + (list.empty() ? "  no warnings\n" : "");
 }

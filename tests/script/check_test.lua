@@ -48,7 +48,9 @@ local function line_of(text, part)
 end
 local function warnings(printed)
   local list = {}
-  for line in printed:gmatch "  warning: ([^\n]*)" do list[#list + 1] = line end
+  for line in printed:gmatch "  warning: ([^\n]*)" do
+    if not line:find "Euler's load" then list[#list + 1] = line end -- statics_test.lua has those
+  end
   return list
 end
 
@@ -111,7 +113,7 @@ local function suspicious(what, changes, says, part, fine)
   expect((list[1] or ""):sub(1, #says) == says and (list[1] or ""):find(line, 1, true),
     "%s:\n    says   %s\n    wanted %s ... %s", what, list[1], says, line)
   local _, quiet = check(scene(fine))
-  expect(#warnings(quiet) == 0 and quiet:find "no warnings", "%s, where there is none:\n%s", what, quiet)
+  expect(#warnings(quiet) == 0, "%s, where there is none:\n%s", what, quiet)
 end
 
 suspicious("E in GPa", { E = "206", yields = "nil" }, "E is 206 Pa (the material of member 1)",

@@ -279,6 +279,37 @@ run_scene("run", "-1e4", "steps = 3")
 s = summary()
 expect(s.verdict == "completed" and s.limit == false and s.instability == nil and s.reason == nil, "a quiet summary")
 
+-- hinge check: compression against Euler's load.
+local _, told = run_scene("check", "-1e5", "")
+expect(told:find("member 1 (posts) carries 1e+05 N in compression in a linear solution of the loads, "
+  .. "0.708 times Euler's load 1.412e+05 N, pi^2 E I_min / L^2 between its nodes with effective length 1.0 (", 1, true),
+  "check: %s", told)
+for load, what in pairs { ["-7e4"] = "less than half", ["2e5"] = "in tension" } do
+  _, told = run_scene("check", load, "")
+  expect(told:find "no warnings", "check, %s: %s", what, told)
+end
+
+-- Ten are named, the worst first.
+local many = [[
+local hinge = require "hinge"
+local model = hinge.model {}
+local steel = hinge.material { E = 206e9, density = 7850 }
+for i = 1, 12 do
+  local foot, top = model:node { i, 0, 0 }, model:node { i, 0, 3 }
+  model:fix(foot, "all")
+  model:member { foot, top, material = steel, section = hinge.section.solid { width = 0.05, depth = 0.06 } }
+  model:load { node = top, force = { 0, 0, -1e5 - 1e3 * i } }
+end
+local a, b = model:node { 50, 0, 0 }, model:node { 51, 0, 0 } -- a body that nothing holds
+model:member { a, b, material = steel, section = hinge.section.solid { width = 0.05, depth = 0.06 } }
+model:dynamic { dt = 1e-5, duration = 1e-3 }:finish()
+]]
+_, told = support.run(("%s check %s"):format(program, script("many.lua", many)))
+local named = {}
+for number in told:gmatch "warning: member (%d+) carries" do named[#named + 1] = number end
+equal(table.concat(named, " "), "12 11 10 9 8 7 6 5 4 3", "the worst first: " .. told)
+expect(told:find "and 2 more like it", "and how many more: %s", told)
+
 -- The progress line gives the energy error as a part of the largest energy, not of what rounding leaves at the start.
 local slow = [[
 local hinge = require "hinge"
