@@ -595,6 +595,7 @@ function model:static(options) end
 ---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
 ---load control where the structure has become unstable (large displacement). fail (default): the run ends, with the
 ---last equilibrium that can be held as its state. continue: it goes on, run.instability tells
+---A step that leaps over a whole snap at once, at many times the limit load, may still go unnoticed: take short ones
 ---@field unstable? "fail"|"continue"
 ---load control up to the limit load: a run that ends where no further equilibrium is found, or where the structure
 ---becomes unstable, then has the verdict "completed" and run.limit = true; run.factor is that of the limit load.

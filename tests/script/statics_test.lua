@@ -107,11 +107,13 @@ expect(i.beyond <= i.factor * (1 + 1e-6) and i.node == "node 3 at {0, 0, 0.1} m"
   and #i.members == 2, "truss: %s %s %s", i.beyond, i.node, i.component)
 
 -- Under load control it fails where the limit load is, whatever the step jumps over.
-for _, steps in ipairs { 1, 2, 5, 20 } do
-  model = truss(1e5)
-  run = model:static { steps = steps }:finish()
-  expect(run.verdict == "failed" and math.abs(run.factor / most - 1) < 1e-3, "truss, %d steps: %s at %g, not %g", steps,
-    run.verdict, run.factor, most)
+-- With 4e5 N Newton's iteration finds the truss hanging down, stable, beyond the snap: that is no answer.
+for _, load in ipairs { 1e5, 4e5, 1e6 } do
+  for _, steps in ipairs { 1, 2, 3, 5 } do
+    run = truss(load):static { steps = steps }:finish()
+    expect(run.verdict == "failed" and math.abs(run.factor * load / (1e5 * most) - 1) < 1e-3,
+      "truss, %g N in %d steps: %s at %g N, not %g", load, steps, run.verdict, run.factor * load, 1e5 * most)
+  end
 end
 
 -- A frame that stands says nothing.
