@@ -582,7 +582,8 @@ function model:counts() end
 ---A static run: loads and gravity are brought to equilibrium in steps. In large displacement it tells where it comes
 ---past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
 ---asi-gauss elements see a pinned member buckle at 2.27 times Euler's load, four at 1.10, eight at 1.024, sixteen at
----1.005.
+---1.005. Beams turn over sideways, too. They resist it by bending and torsion (G J) alone: not by warping, and nothing
+---but what the model has, such as a floor, holds them.
 ---@param options? hinge.static_options
 ---@return hinge.run
 function model:static(options) end
@@ -713,7 +714,10 @@ local run = {}
 ---@field count integer ways of moving that are no longer resisted, the most so far
 ---@field node string with the largest motion in the first of these ways (rotations times the mean length of an element)
 ---@field component hinge.component that motion: ux uy uz rx ry rz
----@field member? hinge.member that its compression drives on most in it; nil where compression has no part
+---what drives it: compression of members that bend, or bending, as of a beam that turns over sideways; nil where
+---neither does
+---@field by? "compression"|"bending"
+---@field member? hinge.member that this drives on most; nil where nothing does
 ---@field members hinge.member[] it and others of at least half its part, at most three
 
 ---The work that a run has done.

@@ -206,6 +206,9 @@ function space_frame.add(model, options) end
 ---@field building? ten_storey.options
 ---@field aircraft? aircraft.options
 ---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) declares other limits than the paper's
+---of simulate: of a building that its own weight makes unstable. fail (default): the run ends before the impact.
+---continue: the impact comes, from the equilibrium that a small motion would grow from
+---@field unstable? "fail"|"continue"
 
 ---What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
 ---broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work
@@ -213,7 +216,8 @@ function space_frame.add(model, options) end
 ---0: none); kinetic, elastic, plastic, fracture, contact, remainder (energy error); brought (momentum), own_kinetic,
 ---given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by
 ---0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts,
----below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; verdict
+---below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; unstable (factor, node,
+---component and by, as hinge.instability, of a building that cannot stand under its own weight; else nil); verdict
 ---("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason,
 ---time, seconds
 ---@alias impact.result table

@@ -190,7 +190,7 @@ void Statics::refuse_idle_loads() const {
 int Statics::negative_modes() {
     if (!structure_->large()) return modes_at_start_;
     if (!renew_and_factorise(1)) return most_modes_ + 1;
-    tangent_known_ = w_.yielding.empty() && !had_blocks_;
+    tangent_of_trial_ = w_.yielding.empty() && !had_blocks_;
     return effective_->negative_modes();
 }
 
@@ -229,7 +229,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     w_.yielding = flowing_on ? hinges_ : std::vector<Yielding>{};
     double first = 0, last_balance = 0, off_balance = first_off_balance;
     const bool tangent_known = tangent_known_ && w_.yielding.empty();
-    tangent_known_ = false;
+    tangent_known_ = tangent_of_trial_ = false;
     for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
         if (!(iteration == 1 && tangent_known) && !renew_and_factorise(off_balance)) return Outcome::diverged;
         if (iteration > 1 && structure_->large())
@@ -344,7 +344,7 @@ void Statics::commit(double before) {
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);
     for (const auto& e : effects_) e->kept(step);
-    tangent_known_ = tangent_known_ && !w_.points_moved;
+    tangent_known_ = tangent_of_trial_ && !w_.points_moved;
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
     ++substeps_;
 }
@@ -369,7 +369,6 @@ Statics::Found Statics::try_step(double increment) {
 double Statics::locate(double increment, const std::vector<Vec6>& arrived_by) {
     const auto try_anew = [&](double part) {
         last_move_ = arrived_by;
-        tangent_known_ = false;
         return try_step(part);
     };
     Instability found;
@@ -397,8 +396,9 @@ double Statics::locate(double increment, const std::vector<Vec6>& arrived_by) {
     return stable;
 }
 
-/// By what motion the structure gives way, and in which members, where the tangent has just been factorised: those that
-/// their compression drives on as they bend.
+/// By what motion the structure gives way, and in which members, where the tangent has just been factorised: those
+/// that compression drives on as they bend or, where that is less than half of what drives the motion, those that all
+/// their forces drive on.
 void Statics::describe_mode() {
     Instability& found = *instability_;
     const std::vector<Vec6> mode = effective_->negative_mode();
@@ -407,7 +407,8 @@ void Statics::describe_mode() {
         for (int c = 0; c < 6; ++c)
             if (const double size = std::abs(mode[i][c]) * (c < 3 ? 1 : mean_length_); size > most)
                 most = size, found.node = int(i), found.component = c;
-    std::map<int, double> driven;
+    std::map<int, double> by_compression, by_all_forces;
+    double of_compression = 0, of_all_forces = 0;
     for (std::size_t i = 0; i < structure_->elements().size(); ++i) {
         if (state_.broken[i]) continue;
         const Element& e = structure_->elements()[i];
@@ -415,10 +416,19 @@ void Statics::describe_mode() {
         const Vec3 along = (place(e.node[1]) - place(e.node[0])).normalized();
         Vec3 across = mode[e.node[1]].head<3>() - mode[e.node[0]].head<3>();
         across -= across.dot(along) * along;
-        driven[e.member] -= w_.force[i][4] / e.length * across.squaredNorm();
+        const double drive = -w_.force[i][4] / e.length * across.squaredNorm();
+        by_compression[e.member] += drive;
+        of_compression += std::max(drive, 0.0);
+        Eigen::Matrix<double, 12, 1> ends;
+        ends << mode[e.node[0]], mode[e.node[1]];
+        const PlacedElement placed = place_element(*structure_, int(i), w_.trial);
+        const double all = -ends.dot(element_tangent(placed, w_.force[i], Mat6::Zero(), true) * ends);
+        by_all_forces[e.member] += all;
+        of_all_forces += all;
     }
+    found.by_compression = of_compression >= 0.5 * of_all_forces;
     std::vector<std::pair<double, int>> by_drive;
-    for (const auto& [member, drive] : driven)
+    for (const auto& [member, drive] : found.by_compression ? by_compression : by_all_forces)
         if (drive > 0) by_drive.emplace_back(-drive, member);
     std::sort(by_drive.begin(), by_drive.end());
     for (const auto& [drive, member] : by_drive)
@@ -440,7 +450,10 @@ std::string Statics::instability_text() const {
                        (i.count > 1 ? ", in " + std::to_string(i.count) + " ways" : "");
     if (i.node >= 0) text += ": " + structure_->node_name(i.node) + " gives way, " + component_name(i.component);
     for (std::size_t k = 0; k < i.members.size(); ++k)
-        text += (k == 0 ? ", by compression of member " : " and ") + std::to_string(i.members[k] + 1);
+        text += (k > 0              ? " and "
+                 : i.by_compression ? ", by compression of member "
+                                    : ", by bending of member ") +
+                std::to_string(i.members[k] + 1);
     return text;
 }
 
@@ -466,7 +479,6 @@ std::string Statics::advice_at_end() {
     w_.yielding = hinges_;
     SolverSettings direct;
     direct.direct = true;
-    tangent_known_ = false;
     if (renew_and_factorise(1)) {
         std::vector<Vec6> unit_load = w_.external;
         for (std::size_t i = 0; i < unit_load.size(); ++i)

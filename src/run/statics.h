@@ -31,7 +31,8 @@ struct Instability {
     double factor = 0, beyond = 0;  ///< load factors of the last equilibrium before it and of the first one after
     int count = 0;                  ///< ways of moving that are not resisted; the most so far
     int node = -1, component = 0;   ///< the largest motion of the first of these (0..5: ux uy uz rx ry rz)
-    std::vector<int> members;       ///< that their compression drives on in it, the first one most; at most three
+    bool by_compression = true;     ///< or, where moments drive it, as a beam that turns over sideways, by bending
+    std::vector<int> members;       ///< that this drives on in it, the first one most; at most three
 };
 
 class Statics : public Run {
@@ -84,8 +85,9 @@ private:
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
     long substeps_ = 0, rejected_ = 0;
     bool limit_ = false;
-    bool wavered_ = false;        ///< a tangent on the way of Newton's iteration had more
-    bool tangent_known_ = false;  ///< what is factorised is the tangent where the state is
+    bool wavered_ = false;           ///< a tangent on the way of Newton's iteration had more
+    bool tangent_known_ = false;     ///< what is factorised is the tangent where the state is
+    bool tangent_of_trial_ = false;  ///< or where the step that was tried has arrived
     std::optional<Instability> instability_;
     std::vector<Vec6> potential_;       ///< the part of F that has a potential energy in an account of its own
     std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for

@@ -433,6 +433,7 @@ int write_summary(lua_State* L) {
                     j["instability"]["node"] = s.node_name(i->node);
                     j["instability"]["component"] = Statics::component_name(i->component);
                 }
+                if (!i->members.empty()) j["instability"]["by"] = i->by_compression ? "compression" : "bending";
                 j["instability"]["members"] = Json::array();
                 for (int member : i->members) j["instability"]["members"].push_back(member + 1);
             }

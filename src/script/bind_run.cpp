@@ -242,7 +242,7 @@ int fields(lua_State* L) {
         const auto* s = dynamic_cast<const Statics*>(&run);
         if (!s || !s->instability()) return lua_pushnil(L), 1;
         const Instability& i = *s->instability();
-        lua_createtable(L, 0, 7);
+        lua_createtable(L, 0, 8);
         lua_pushnumber(L, i.factor), lua_setfield(L, -2, "factor");
         lua_pushnumber(L, i.beyond), lua_setfield(L, -2, "beyond");
         lua_pushinteger(L, i.count), lua_setfield(L, -2, "count");
@@ -250,6 +250,8 @@ int fields(lua_State* L) {
             lua_pushstring(L, run.structure().node_name(i.node).c_str()), lua_setfield(L, -2, "node");
             lua_pushstring(L, Statics::component_name(i.component)), lua_setfield(L, -2, "component");
         }
+        if (!i.members.empty())
+            lua_pushstring(L, i.by_compression ? "compression" : "bending"), lua_setfield(L, -2, "by");
         lua_createtable(L, int(i.members.size()), 0);
         for (std::size_t k = 0; k < i.members.size(); ++k) {
             push_handle<MemberBox>(L, r.model, i.members[k]);

@@ -166,7 +166,7 @@ function look.ten_storey_cases(r)
   below(first, 1e-3, "first storey to feel the impact, s")
 end
 
-function look.ten_storey_sensitivity(r)
+function look.ten_storey_sensitivity(r, printed)
   findings(r.findings, { -- sections as reconstructed, hit in the middle of the eighth storey, 1 m of flight
     ["damage I > II and I > III"] = true,
     ["damage II > III"] = false,
@@ -182,6 +182,29 @@ function look.ten_storey_sensitivity(r)
     below(cause.curvature, 0.4, cause.change .. ": curvature")
     expect(cause.work > 0, "%s: plastic work %s J", cause.change, cause.work)
   end
+  -- With sections half as large the beams turn over sideways under the building's own weight: two elements a member
+  -- see that from 0.746 of it on. The others stand.
+  local function stands(row, what, weak)
+    local u = row.unstable
+    if not expect((u ~= nil) == weak, "%s: cannot stand: %s", what, u ~= nil) or not weak then return end
+    near(u.factor, 0.7457, 1e-3, what .. ": stands up to this part of its weight")
+    equal(u.by, "bending", what .. ": by")
+  end
+  local marked = 0
+  for _, cause in ipairs(r.why) do
+    local weak = cause.change:find "half as large" ~= nil
+    marked = marked + (weak and 1 or 0)
+    stands(cause, cause.change, weak)
+    local row = printed:find("\n  " .. cause.change .. "!", 1, true)
+    equal(row ~= nil, weak, cause.change .. ": marked in its row")
+  end
+  for _, case in ipairs(r.weak) do stands(case, "weak frame, Case " .. case.case, true) end
+  equal(marked, 2, "weak frames among the causes")
+  equal(#r.weak, 4, "weak frames")
+  equal(r.unstable_count, 6, "buildings that cannot stand")
+  expect(printed:find "note: 6 of 20 buildings cannot stand under their own weight, marked ! in the tables.-\n  Case I, "
+    and printed:find "weak frame, Case IV: unstable from 0%.746 of its weight on, by bending; inner node of member %d+",
+    "the list of them:\n%s", printed)
 end
 
 for i = 2, #arg do

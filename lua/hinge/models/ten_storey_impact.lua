@@ -28,6 +28,7 @@ local rules = {
   building = { "table", default = {} }, -- further options of the two models
   aircraft = { "table", default = {} },
   fracture = { "function", optional = true }, -- declares other limits: function(model, frame)
+  unstable = { "string", optional = true }, -- "continue": the impact comes even where the building cannot stand
 }
 
 --- The scenario parameters of the load case, with those of a script added.
@@ -159,7 +160,7 @@ end
 function impact.simulate(p, see)
   local model = hinge.model {}
   local frame, plane = impact.add(model, p)
-  local loaded = model:static { hold = plane }
+  local loaded = model:static { hold = plane, unstable = p.unstable }
   loaded:finish()
   local run = loaded -- where the building does not stand, there is no impact
   if loaded.verdict ~= "failed" then
@@ -180,6 +181,8 @@ function impact.simulate(p, see)
   local r, energy, brought = impact.damage(run, frame), run.energy, p.mass * p.speed
   r.verdict, r.reason, r.time, r.seconds, r.touched = run.verdict, run.reason, run.time, run.wall_seconds, watch.touched
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
+  local i = loaded.instability -- of the building under its own weight
+  r.unstable = i and { factor = i.factor, node = i.node, component = i.component, by = i.by } or nil
   for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do
     r[name] = energy[name]
   end
