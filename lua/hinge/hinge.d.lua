@@ -592,7 +592,9 @@ function model:static(options) end
 ---default 10; of arc length at most so many. A step that finds no equilibrium is halved, down to 1e-5 of the whole way,
 ---and is still one step to run:steps(), run.index and history.csv; a limit load may cut the last one short
 ---@field steps? integer
----equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad)
+---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad). Driven, a step that
+---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
+---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so
 ---@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
 ---load control where the structure has become unstable (large displacement). fail (default): the run ends, with the
 ---last equilibrium that can be held as its state. continue: it goes on, run.instability tells
@@ -680,7 +682,8 @@ function model:dynamic(options) end
 ---@field index integer steps done
 ---@field planned_steps integer
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----@field reason string why it failed, with the culprit's name
+---why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way
+---@field reason string
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
 ---in statics: whether the run has ended at a limit load, see to_limit; nil in dynamics

@@ -171,32 +171,48 @@ bool EffectiveStiffness::factorise() {
     return factors_.factorise(n);
 }
 
-const DirectFactors& EffectiveStiffness::symmetric_factors() {
-    if (keeping_ != Keeping::unsymmetric) return factors_;
-    if (symmetric_) return *symmetric_;
-    symmetric_ = std::make_unique<DirectFactors>(false);
-    const int n = int(structure_.position().size());
-    const auto add_half = [&](int a, int b, const Mat6& of_ab, const Mat6& of_ba) {
-        symmetric_->add(a, b, 0.5 * (of_ab + of_ba.transpose()));
+/// Adds A, or its symmetric part, and `on_diagonal` at each node.
+void EffectiveStiffness::add_to(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) const {
+    const auto add = [&](int a, int b, const Mat6& of_ab, const Mat6& of_ba) {
+        factors.add(a, b, symmetric_part ? 0.5 * (of_ab + of_ba.transpose()) : of_ab);
     };
-    for (int i = 0; i < n; ++i) {
-        const Mat6 own = matrices_.own(i);
-        add_half(i, i, own, own);
+    for (int i = 0; i < int(structure_.position().size()); ++i) {
+        Mat6 own = matrices_.own(i);
+        own.diagonal() += on_diagonal;
+        add(i, i, own, own);
     }
     for (std::size_t e = 0; e < structure_.elements().size(); ++e) {
         const Mat6 across[2] = {matrices_.across(int(e), 0), matrices_.across(int(e), 1)};
         for (int end : {0, 1})
-            add_half(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], across[end],
-                     across[1 - end]);
+            add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], across[end],
+                across[1 - end]);
     }
     for (const Coupling& p : couplings_)
         for (int a : {0, 1})
             for (int b : {0, 1})
-                add_half(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b),
-                         p.K.block<6, 6>(6 * b, 6 * a));
+                add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b),
+                    p.K.block<6, 6>(6 * b, 6 * a));
+}
+
+const DirectFactors& EffectiveStiffness::symmetric_factors() {
+    if (keeping_ != Keeping::unsymmetric) return factors_;
+    if (symmetric_) return *symmetric_;
+    symmetric_ = std::make_unique<DirectFactors>(false);
+    add_to(*symmetric_, true, Vec6::Zero());
     ++counts_.factorisations;
-    symmetric_->factorise(n);
+    symmetric_->factorise(int(structure_.position().size()));
     return *symmetric_;
+}
+
+bool EffectiveStiffness::factorise_shifted(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) {
+    add_to(factors, symmetric_part, on_diagonal);
+    ++counts_.factorisations;
+    return factors.factorise(int(structure_.position().size()));
+}
+
+bool EffectiveStiffness::solve_by(const DirectFactors& factors, const std::vector<Vec6>& right, std::vector<Vec6>& x) {
+    ++counts_.solves;
+    return factors.solve(right[0].data(), x[0].data(), int(right.size()));
 }
 
 bool EffectiveStiffness::more_negative_modes(int known) const {

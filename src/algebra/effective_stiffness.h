@@ -89,6 +89,9 @@ public:
 
 private:
     const DirectFactors& symmetric_factors();
+    void add_to(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) const;
+    bool factorise_shifted(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal);
+    bool solve_by(const DirectFactors& factors, const std::vector<Vec6>& right, std::vector<Vec6>& x);
     int real_negative_modes(int most);
     void mark(int node);
     bool take_up_all();

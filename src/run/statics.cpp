@@ -71,7 +71,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     step_size_ = 1.0 / settings_.steps;
     recover();
     refuse_mechanism();
-    if (structure_->large()) modes_at_start_ = most_modes_ = effective_->negative_modes();
+    if (structure_->large()) modes_at_start_ = most_modes_ = most_free_modes_ = effective_->negative_modes();
     const bool moments =
         std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     if ((moments || loads_follow_) && structure_->large()) {
@@ -258,6 +258,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             const double wanted =
                 iteration == 1 ? increment * settings_.target : increment * settings_.target - at(total);
             if (at(response_) == 0) return Outcome::diverged;
+            if (first_response_ == 0) first_response_ = at(response_);
             d_factor = (wanted - at(change_)) / at(response_);
         } else if (iteration == 1) {
             const double size = std::sqrt(dot(response_, response_));
@@ -349,6 +350,20 @@ void Statics::commit(double before) {
     ++substeps_;
 }
 
+/// Of the negative eigenvalues of the tangent just factorised, those that are left where displacement control holds
+/// what it drives: it takes one away beyond a limit load, where what is driven moves on as the load falls.
+int Statics::modes_under_control() {
+    if (settings_.control != Control::displacement || modes_ <= modes_at_start_) return modes_;
+    std::vector<Vec6> load = w_.external;
+    for (std::size_t i = 0; i < load.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (held_[i] >> c & 1) load[i][c] = 0;
+    SolverSettings direct;
+    direct.direct = true;
+    if (!effective_->solve(load, response_, direct).converged) return modes_;
+    return modes_ - (response_[settings_.node][settings_.component] * first_response_ < 0);
+}
+
 /// An equilibrium that much further on, and whether it can be held as far as that could be where the run began. Under
 /// load control one that can, but that Newton's iteration came to by way of tangents that cannot, may lie beyond a
 /// snap: that is none.
@@ -358,6 +373,7 @@ Statics::Found Statics::try_step(double increment) {
         (hinges_.empty() || equilibrate(increment, false) != Outcome::converged))
         return Found::nothing;
     modes_ = negative_modes();
+    free_modes_ = modes_under_control();
     if (modes_ > modes_at_start_) return Found::unstable;
     const bool in_doubt = wavered_ && settings_.control == Control::load && !settings_.past_unstable;
     return in_doubt ? Found::nothing : Found::stable;
@@ -515,7 +531,14 @@ bool Statics::advance() {
         if (!arc && left - increment < 1e-9) increment = left;
         const double before = state_.factor;
         const std::vector<Vec6> arrived_by = last_move_;
-        while (try_step(increment) == Found::nothing) {
+        // Driven by displacement, an equilibrium that even that cannot hold is that of another branch, which Newton's
+        // iteration has leapt to, or the structure's own beyond a branching point: that is so where no step is too
+        // short.
+        const auto left_the_path = [&] {
+            return settings_.control == Control::displacement && free_modes_ > most_free_modes_ &&
+                   increment / 2 >= smallest_step;
+        };
+        while (try_step(increment) == Found::nothing || left_the_path()) {
             ++rejected_;
             increment /= 2;
             if (increment < smallest_step) {
@@ -529,6 +552,10 @@ bool Statics::advance() {
             if (arc) arc_scale_ = left = increment;
         }
         if (verdict_ != Verdict::running) break;
+        if (settings_.control == Control::displacement && free_modes_ > most_free_modes_) {
+            most_free_modes_ = free_modes_;
+            if (!branching_) branching_ = state_.factor;
+        }
         if (const int modes = modes_; modes > most_modes_) {
             const bool first = !instability_;
             const double stable = first ? locate(increment, arrived_by) : increment;
@@ -554,7 +581,12 @@ bool Statics::advance() {
     }
     if (substeps_ == substeps_before) return false;
     ++state_.step;
-    if (verdict_ == Verdict::running && over()) verdict_ = Verdict::completed;
+    if (verdict_ == Verdict::running && over()) {
+        verdict_ = Verdict::completed;
+        if (branching_)
+            reason_ = "beyond a branching point at load factor " + number_text(*branching_) +
+                      ": these equilibria cannot be held, not even where they are driven";
+    }
     return true;
 }
 

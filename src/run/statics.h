@@ -71,6 +71,7 @@ private:
     void refuse_mechanism();
     void refuse_idle_loads() const;
     int negative_modes();
+    int modes_under_control();
     double locate(double increment, const std::vector<Vec6>& arrived_by);
     void describe_mode();
     void end_at_limit(const std::string& why, const std::string& advice);
@@ -83,6 +84,9 @@ private:
            noise_ = 0;
     int converged_in_ = 0;
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
+    int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
+    double first_response_ = 0;                 ///< of what is driven, to the loads at factor 1
+    std::optional<double> branching_;           ///< load factor where displacement control can no longer hold it
     long substeps_ = 0, rejected_ = 0;
     bool limit_ = false;
     bool wavered_ = false;           ///< a tangent on the way of Newton's iteration had more

@@ -15,9 +15,10 @@ local L = 3
 local euler = math.pi ^ 2 * 206e9 * 0.06 * 0.05 ^ 3 / 12 / L ^ 2
 
 -- A pinned column, pressed down by `times` Euler's load. options: eccentric: m; beside: a post that has nothing to do
--- with it, declared first.
+-- with it, declared first; elements: 8; square: as stiff one way as the other.
 local function column(times, options)
-  local model = hinge.model { elements_per_member = 8 }
+  local model = hinge.model { elements_per_member = options.elements or 8 }
+  local section = options.square and hinge.section.solid { width = 0.05, depth = 0.05 } or bar
   if options.beside then
     local a, b = model:node { 5, 0, 0 }, model:node { 5, 0, 1 }
     model:fix(a, "all")
@@ -26,8 +27,8 @@ local function column(times, options)
   local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, L }
   model:fix(foot, "xyz,rz")
   model:fix(top, "xy,rz")
-  local member = model:member { foot, top, section = bar, material = steel, up = { 0, 1, 0 } }
-  local P = times * euler
+  local member = model:member { foot, top, section = section, material = steel, up = { 0, 1, 0 } }
+  local P = times * euler * (options.square and 5 / 6 or 1)
   model:load { node = top, force = { 0, 0, -P }, moment = options.eccentric and { 0, P * options.eccentric, 0 } or nil }
   return model, member, top
 end
@@ -67,6 +68,28 @@ run = column(56.7, { eccentric = 1e-6 * L }):static { steps = 10, unstable = "co
 expect(run.verdict == "completed" and run.factor == 1 and run.reason == "", "continue: %s %s", run.verdict, run.reason)
 expect(run.instability and run.instability.count > 1, "continue: %s ways", run.instability and run.instability.count)
 near(56.7 * (run.instability or { factor = 0 }).factor, buckles, 0.015, "continue: load")
+
+-- Driven by displacement it bends: no step leaps to a branch at many times Euler's load that nothing could hold. Four
+-- elements see 1.1009, eight 1.0236 of it.
+for _, c in ipairs { { 4, 40 }, { 8, 1 }, { 8, 5 }, { 8, 20 } } do
+  local model, _, top = column(1, { eccentric = 1e-6 * L, elements = c[1], square = true })
+  run = model:static { steps = c[2], control = { node = top, "ry", to = 0.01 } }:finish()
+  local what = ("driven, %d elements, %d steps"):format(c[1], c[2])
+  near(run.factor, c[1] == 4 and 1.1009 or 1.0236, 2e-3, what)
+  expect(run.verdict == "completed" and run.instability == nil and run.index == c[2] and run.reason == "", "%s: %s %s",
+    what, run.verdict, run.reason)
+end
+local pressed, _, head = column(1, { eccentric = 1e-6 * L })
+run = pressed:static { steps = 40, control = { node = head, "uz", to = -0.05 } }:finish()
+near(run.factor, 1.032, 3e-3, "pressed down by 5 cm")
+equal(run.instability, nil, "pressed down by 5 cm: instability")
+
+-- A straight one has no way to bend: it stays straight, and the run says what that is worth.
+pressed, _, head = column(1, {})
+run = pressed:static { steps = 40, control = { node = head, "uz", to = -0.002 } }:finish()
+expect(run.verdict == "completed" and run.factor > 2.9 and run.instability
+  and run.reason:find "^beyond a branching point at load factor 1%.02" and run.instability.count == 2, "straight, driven: %s %s", run.verdict, run.reason)
+near((run.instability or { factor = 0 }).factor, buckles, 1e-3, "straight, driven: load")
 
 -- Both ways at once where the section is square.
 local function square_column()
