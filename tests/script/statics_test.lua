@@ -88,7 +88,8 @@ equal(run.instability, nil, "pressed down by 5 cm: instability")
 pressed, _, head = column(1, {})
 run = pressed:static { steps = 40, control = { node = head, "uz", to = -0.002 } }:finish()
 expect(run.verdict == "completed" and run.factor > 2.9 and run.instability
-  and run.reason:find "^beyond a branching point at load factor 1%.02" and run.instability.count == 2, "straight, driven: %s %s", run.verdict, run.reason)
+  and run.reason:find "^beyond a branching point at load factor 1%.02"
+  and run.instability.count == 2, "straight, driven: %s %s", run.verdict, run.reason)
 near((run.instability or { factor = 0 }).factor, buckles, 1e-3, "straight, driven: load")
 
 -- Both ways at once where the section is square.
