@@ -118,7 +118,7 @@ bool Statics::renew_and_factorise(double off_balance) {
         }
         was_yielding_.clear();
         std::vector<Mat6> tangents = yield_tangents(*structure_, state_, sweep_, w_.yielding);
-        const double share = hinge_regularisation(off_balance);
+        const double share = std::max(hinge_regularisation(off_balance), stiffening_);
         for (std::size_t i = 0; i < tangents.size(); ++i) {
             const Element& e = structure_->elements()[w_.yielding[i].element];
             const beam::Rigidity& r = e.rigidity;
@@ -230,7 +230,8 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     double first = 0, last_balance = 0, off_balance = first_off_balance;
     const bool tangent_known = tangent_known_ && w_.yielding.empty();
     tangent_known_ = tangent_of_trial_ = false;
-    for (int iteration = 1; iteration <= settings_.iterations; ++iteration) {
+    const int iterations = stiffening_ > 0 ? 400 : settings_.iterations;
+    for (int iteration = 1; iteration <= iterations; ++iteration) {
         if (!(iteration == 1 && tangent_known) && !renew_and_factorise(off_balance)) return Outcome::diverged;
         if (iteration > 1 && structure_->large())
             wavered_ = wavered_ || effective_->more_negative_modes(modes_at_start_);
@@ -300,7 +301,9 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             move(factor_before + share * d_factor, step);
             recover();
             r = out_of_balance(scale);
-            if (iteration == 1 || halving == 12 || !std::isfinite(r) || r <= (1 - 1e-3 * share) * last_balance) break;
+            if (iteration == 1 || halving == 12 || stiffening_ > 0 || !std::isfinite(r) ||
+                r <= (1 - 1e-3 * share) * last_balance)
+                break;
         }
         last_balance = r;
         off_balance = r / scale;
@@ -370,13 +373,32 @@ int Statics::modes_under_control() {
 Statics::Found Statics::try_step(double increment) {
     wavered_ = false;
     if (equilibrate(increment, true) != Outcome::converged &&
-        (hinges_.empty() || equilibrate(increment, false) != Outcome::converged))
+        (hinges_.empty() || stiffening_ > 0 || equilibrate(increment, false) != Outcome::converged))
         return Found::nothing;
     modes_ = negative_modes();
     free_modes_ = modes_under_control();
     if (modes_ > modes_at_start_) return Found::unstable;
     const bool in_doubt = wavered_ && settings_.control == Control::load && !settings_.past_unstable;
     return in_doubt ? Found::nothing : Found::stable;
+}
+
+/// Where one mechanism takes over from another, a new hinge lets many others unload at once. Newton's method then
+/// swings between two sets of hinges, however short the step. A tangent in which hinges keep more of the element's
+/// stiffness comes to the new set, slowly; the step must reach beyond the exchange.
+bool Statics::past_exchange(double increment) {
+    if (settings_.control == Control::load || hinges_.empty()) return false;
+    const std::vector<Vec6> arrived_by = last_move_;
+    for (tried_ = increment; tried_ >= increment / 100 && tried_ >= smallest_step; tried_ /= 4)
+        for (double stiffening : {1e-3, 1e-2, 1e-1}) {
+            last_move_ = arrived_by;
+            stiffening_ = stiffening;
+            const bool found = try_step(tried_) != Found::nothing &&
+                               (settings_.control == Control::arc || free_modes_ <= most_free_modes_);
+            stiffening_ = 0;
+            if (found) return true;
+        }
+    last_move_ = arrived_by;
+    return false;
 }
 
 /// The tangent at the end of a try has more negative eigenvalues than at the start of the run: halves the step until
@@ -529,7 +551,7 @@ bool Statics::advance() {
     while (left > 0 && verdict_ == Verdict::running) {
         double increment = arc ? left : std::min(step_size_, left);
         if (!arc && left - increment < 1e-9) increment = left;
-        const double before = state_.factor;
+        const double before = state_.factor, asked = increment;
         const std::vector<Vec6> arrived_by = last_move_;
         // Driven by displacement, an equilibrium that even that cannot hold is that of another branch, which Newton's
         // iteration has leapt to, or the structure's own beyond a branching point: that is so where no step is too
@@ -541,6 +563,11 @@ bool Statics::advance() {
         while (try_step(increment) == Found::nothing || left_the_path()) {
             ++rejected_;
             increment /= 2;
+            if (increment < smallest_step && past_exchange(asked)) {
+                increment = tried_;
+                if (arc) arc_scale_ = left = increment;
+                break;
+            }
             if (increment < smallest_step) {
                 char step[80];
                 std::snprintf(step, sizeof step, " (step %ld halved to %.1e)", steps_done() + 1, increment);

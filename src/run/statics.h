@@ -67,6 +67,7 @@ private:
     void move(double factor, const std::vector<Vec6>& by);
     enum class Found { nothing, stable, unstable };
     Found try_step(double increment);
+    bool past_exchange(double increment);
     void commit(double factor);
     void refuse_mechanism();
     void refuse_idle_loads() const;
@@ -85,8 +86,10 @@ private:
     int converged_in_ = 0;
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
     int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
-    double first_response_ = 0;                 ///< of what is driven, to the loads at factor 1
-    std::optional<double> branching_;           ///< load factor where displacement control can no longer hold it
+    double stiffening_ = 0;      ///< a share of the stiffness without hinges that they keep in the tangent, at least
+    double tried_ = 0;           ///< the step by which an exchange of mechanisms was passed
+    double first_response_ = 0;  ///< of what is driven, to the loads at factor 1
+    std::optional<double> branching_;  ///< load factor where displacement control can no longer hold it
     long substeps_ = 0, rejected_ = 0;
     bool limit_ = false;
     bool wavered_ = false;           ///< a tangent on the way of Newton's iteration had more
