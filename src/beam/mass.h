@@ -22,6 +22,10 @@ struct Inertia {
 
     double weight(int end) const { return own[end] + across; }  ///< what an even acceleration asks of the node, kg
 
+    Inertia with_rotary_at_nodes() const {
+        return {{own[0], own[1]}, across, {rotary[0] + rotary_across, rotary[1] + rotary_across}, Vec3::Zero()};
+    }
+
     /// 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes.
     Mat12 matrix(const Mat3& axes) const {
         const auto in_space = [&](const Vec3& J) -> Mat3 { return axes * J.asDiagonal() * axes.transpose(); };

@@ -19,7 +19,8 @@ public:
         if (!w.state.offset_mass.empty()) built_ = w.state.rotation;
     }
 
-    /// m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space.
+    /// m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space. In the
+    /// energy-momentum method the weight alone: momenta are the integrator's.
     void add_forces(double, std::vector<Vec6>& resisting) override {
         if (!w_.kind.dynamic || w_.state.offset_mass.empty()) return;
         const Vec3 g = gravity();
@@ -29,7 +30,8 @@ public:
             if (h.mass == 0 || (!w_.resting.empty() && w_.resting[i] >= 0)) continue;
             const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
             const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
-                       alpha = w_.trial.acceleration[i].tail<3>(), w = w_.trial.velocity[i].tail<3>();
+                       alpha = w_.trial.acceleration[i].tail<3>(),
+                       w = w_.kind.conserving ? Vec3(Vec3::Zero()) : Vec3(w_.trial.velocity[i].tail<3>());
             const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body),
                        Ja = R * (h.inertia * (R.transpose() * alpha));
             tried_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));
@@ -57,6 +59,7 @@ public:
                std::any_of(masses.begin(), masses.end(), [](const OffsetMass& h) { return !h.moment.isZero(0); });
     }
     bool has_potential() const override { return true; }
+    bool takes_mean_forces() const override { return true; }
 
     /// An offset mass's part of the momentum, w x S, rotates with it: over a step it changes by a little else than the
     /// trapezium rule makes of the rates in the equation of motion. The node takes the difference, so that linear
@@ -64,6 +67,7 @@ public:
     void solved(const Step& step, const std::vector<Vec6>& change) override {
         const double alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
         next_rate_ = tried_rate_;
+        if (w_.kind.conserving) return;
         for (std::size_t i = 0; i < next_rate_.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
             if (h.mass == 0) continue;

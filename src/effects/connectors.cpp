@@ -107,6 +107,7 @@ public:
         }
     }
 
+    bool takes_mean_forces() const override { return true; }
     bool has_blocks() const override {
         return std::any_of(list().begin(), list().end(), [](const ConnectorNow& c) { return !c.broken; });
     }

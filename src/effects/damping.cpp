@@ -40,6 +40,7 @@ public:
     }
 
     bool damps_elements() const override { return true; }
+    bool takes_mean_forces() const override { return true; }
     ElementDamping element_damping(int element) const override { return damping_[element]; }
 
     void add_forces(double, std::vector<Vec6>& resisting) override {

@@ -33,8 +33,9 @@ struct PlanLine {
 struct RunKind {
     bool dynamic = false;
     bool explicit_steps = false;
-    bool geometric = true;  ///< initial-stress stiffness is asked for
-    bool rest = true;       ///< bodies at rest may be left alone
+    bool geometric = true;    ///< initial-stress stiffness is asked for
+    bool rest = true;         ///< bodies at rest may be left alone
+    bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
 };
 
 /// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
@@ -53,7 +54,8 @@ struct Workspace {
     RunKind kind;
     Scheme scheme;
     Pose trial;                                 ///< where the step is tried to end
-    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad
+    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
+                                                ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
     std::vector<Vec6> external;                 ///< F of eq 15
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
@@ -157,6 +159,10 @@ public:
     virtual void add_blocks(const Places& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add just now.
     virtual bool has_blocks() const { return false; }
+    /// Whether it goes with the energy-momentum method: its forces, the mean of a step's two ends, do the work that its
+    /// accounts say, on displacements and Cayley vectors (Workspace::rotation_step); nothing but they changes
+    /// velocities.
+    virtual bool takes_mean_forces() const { return false; }
     /// Whether its blocks change with every pose: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
 

@@ -11,6 +11,8 @@ class Elements : public Effect {
 public:
     Elements(Workspace& w, Host& host) : Effect("elements", w, host) {}
 
+    bool takes_mean_forces() const override { return true; }
+
     /// Eqs 20a and 20c with consistent mass and plastic strain, in one pass.
     void add_energy(const State& state, Accounts& sums) const override {
         double elastic = 0, kinetic = 0;

@@ -15,6 +15,7 @@ public:
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }
     bool has_potential() const override { return true; }
+    bool takes_mean_forces() const override { return true; }
 
     void broke(const Break& b) override {
         const Element& e = w_.structure.elements()[b.element];

@@ -21,6 +21,7 @@ public:
         }
     }
 
+    bool takes_mean_forces() const override { return true; }
     void steady_loads_known() override {
         for (Loaded& l : loaded_) l.steady = w_.external[l.node];
     }

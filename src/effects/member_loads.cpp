@@ -114,6 +114,7 @@ public:
             act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
     }
     bool loads_follow() const override { return w_.structure.large(); }
+    bool takes_mean_forces() const override { return true; }
 
     /// The factors at the end of the step.
     void begin(const Step& step) override { factors_at(step.end()); }

@@ -15,6 +15,7 @@ public:
             if (w.state.hinge[i]) flowing_.push_back(int(i));
     }
 
+    bool takes_mean_forces() const override { return true; }
     void add_up(const Step&, Accounts& sums) const override {
         double& plastic = sums["plastic"];
         for (const Yielding& y : w_.yielding) plastic += y.flow.dissipation;

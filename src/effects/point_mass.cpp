@@ -34,6 +34,7 @@ public:
         for (; added->count < declared().size(); ++added->count) add(declared()[added->count]);
     }
 
+    bool takes_mean_forces() const override { return true; }
     /// A node that has lost its last member flies on.
     void broke(const Break& b) override {
         const Element& e = w_.structure.elements()[b.element];

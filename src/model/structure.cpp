@@ -116,8 +116,9 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
 beam::Inertia Structure::inertia(int index) const {
     const Element& e = elements_[index];
     if (lumped()) return beam::lumped_inertia(e.rigidity, e.length);
-    return cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0)
-                   : beam::linear_inertia(e.rigidity, e.length);
+    const beam::Inertia m = cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0)
+                                    : beam::linear_inertia(e.rigidity, e.length);
+    return at_nodes() ? m.with_rotary_at_nodes() : m;
 }
 
 std::vector<Vec6> Structure::initial_velocity() const {

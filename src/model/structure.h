@@ -32,7 +32,8 @@ struct Element {
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 
-enum class MassKind : std::uint8_t { consistent, lumped };
+/// at_nodes: consistent, but the rotary inertia of the sections is the nodes' own and turns with them.
+enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };
 
 /// Nodes 0..declared-1 are the script's; the rest lie inside members.
 class Structure {
@@ -52,6 +53,7 @@ public:
     bool can_yield() const { return can_yield_; }
     beam::Inertia inertia(int element) const;
     bool lumped() const { return mass_ == MassKind::lumped; }
+    bool at_nodes() const { return mass_ == MassKind::at_nodes; }
     bool cubic() const { return !lumped() && model_->options().mass == MassShape::cubic; }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }

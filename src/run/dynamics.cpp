@@ -6,6 +6,7 @@
 #include "algebra/stable_step.h"
 #include "core/errors.h"
 #include "run/central_differences.h"
+#include "run/energy_momentum.h"
 #include "run/newmark.h"
 
 namespace hinge {
@@ -15,12 +16,15 @@ constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step 
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
-RunKind kind_of(const DynamicSettings& s) { return {true, s.explicit_steps(), s.geometric, s.rest}; }
+RunKind kind_of(const DynamicSettings& s) {
+    return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving};
+}
 
 }  // namespace
 
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
-    : Run(std::move(structure), std::move(start), kind_of(settings), settings.threads, !settings.explicit_steps()),
+    : Run(std::move(structure), std::move(start), kind_of(settings), settings.threads,
+          !settings.explicit_steps() && !settings.conserving),
       settings_(fitted(std::move(settings))),
       size_(settings_.dt, settings_.duration, settings_.automatic, settings_.controlled(), state_.time),
       mass_(w_),
@@ -31,6 +35,12 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     w_.scheme = {settings_.beta, settings_.gamma(), settings_.alpha()};
+    if (settings_.conserving != structure_->at_nodes())
+        throw InputError("dynamics: the energy-momentum method goes with rotary inertia at the nodes (MassKind)");
+    for (const auto& e : effects_)
+        if (settings_.conserving && !e->takes_mean_forces())
+            throw InputError("model:dynamic: integrator = 'energy-momentum' does not go with " +
+                             std::string(e->name()) + " yet; leave that out, or take 'newmark' or 'explicit'");
     w_.rotation_step.assign(structure_->position().size(), Vec3::Zero());
     meets_ = any_effect(&Effect::meets);
     breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
@@ -44,6 +54,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     at_.predict = stages_.add("predict", "inertia");
     at_.recover = stages_.add("recover stresses", "large displacement");
     if (explicit_steps()) integrator_ = std::make_unique<CentralDifferences>(w_, mass_, stages_);
+    else if (settings_.conserving) integrator_ = std::make_unique<EnergyMomentum>(w_, mass_, stages_, settings_);
     else integrator_ = std::make_unique<Newmark>(w_, mass_, stages_, settings_);
     at_.correct = integrator_->correct_stage();
     if (meets_) at_.ends = stages_.add("contact ends", "contact");
@@ -233,6 +244,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     step_.iteration = 0;
     recover(state_.time);
     for (const auto& e : effects_) e->loads_at(state_.time);
+    integrator_->start_from_forces();
     Mass& mass = mass_.renewed(w_.trial);
     out_of_balance.resize(w_.resisting.size());
     for (std::size_t i = 0; i < out_of_balance.size(); ++i) out_of_balance[i] = w_.external[i] - w_.resisting[i];

@@ -1,4 +1,5 @@
-// How a step gets from forces to motion: Newmark's method (newmark.h) or central differences (central_differences.h).
+// How a step gets from forces to motion: Newmark's method (newmark.h), the energy-momentum method
+// (energy_momentum.h) or central differences (central_differences.h).
 #pragma once
 
 #include "algebra/effective_stiffness.h"
@@ -51,6 +52,8 @@ public:
 
     /// The first acceleration is known.
     virtual void begin(const EffectList& effects) { (void)effects; }
+    /// F and R where a step begins are in the workspace, with what effects resist; R lacks what `recovered` took out.
+    virtual void start_from_forces() {}
     /// The trial pose from which the step is solved.
     virtual void predict(const Step& step) = 0;
     /// Stresses are recovered at the trial pose (before effects add theirs).

@@ -17,6 +17,7 @@ struct DynamicSettings {
     bool automatic = false;  ///< dt is the shortest step (shortest_step); longer ones where nothing happens
     bool chosen = false;     ///< dt suits the elements alone: a run shortens it where its effects are stiffer
     double beta = 0.25;      ///< Newmark's beta, 0.25..1; the paper uses 0.25 without and 0.4 with contact; 0: explicit
+    bool conserving = false;  ///< the energy-momentum method in place of Newmark's (run/energy_momentum.h)
     /// What a step leaves of the highest frequencies' amplitude, 0..1; below 1 Newmark's method with alpha of Wood,
     /// Bossak and Zienkiewicz (Int. J. Num. Meth. Eng. 15, 1980), M ((1 - alpha) a' + alpha a) = F' - R', and beta =
     /// beta_of(rho_infinity).

@@ -11,8 +11,22 @@ Mat3 frame(const Structure& structure, const State& state, int index) {
     return axes_of(place_element(structure, index, state));
 }
 
+/// Axes in which an element's rotary inertia at an end lies: the element's, or its node's.
+Mat3 rotary_axes(const Structure& structure, const State& state, int index, int end, const Mat3& axes) {
+    if (!structure.at_nodes()) return axes;
+    const Element& e = structure.elements()[index];
+    return (state.rotation[e.node[end]] * e.axes).toRotationMatrix();
+}
+
 Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
-    return structure.inertia(index).matrix(frame(structure, state, index));
+    const beam::Inertia m = structure.inertia(index);
+    if (!structure.at_nodes()) return m.matrix(frame(structure, state, index));
+    Mat12 M = m.matrix(Mat3::Identity());
+    for (int end : {0, 1}) {
+        const Mat3 axes = rotary_axes(structure, state, index, end, {});
+        M.block<3, 3>(6 * end + 3, 6 * end + 3) = axes * m.rotary[end].asDiagonal() * axes.transpose();
+    }
+    return M;
 }
 
 Vec12 element_velocity(const Element& e, const State& state) {
@@ -34,9 +48,10 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
 
 double kinetic_energy(const Structure& structure, const State& state, int index, const Mat3& axes) {
     const Element& e = structure.elements()[index];
-    const Mat3 back = axes.transpose();
     const Vec6 &a = state.velocity[e.node[0]], &b = state.velocity[e.node[1]];
-    const Vec3 va = a.head<3>(), vb = b.head<3>(), wa = back * a.tail<3>(), wb = back * b.tail<3>();
+    const Vec3 va = a.head<3>(), vb = b.head<3>(),
+               wa = rotary_axes(structure, state, index, 0, axes).transpose() * a.tail<3>(),
+               wb = rotary_axes(structure, state, index, 1, axes).transpose() * b.tail<3>();
     const beam::Inertia m = structure.inertia(index);  // eq 20a with consistent mass
     return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
                   wb.dot(m.rotary[1].cwiseProduct(wb))) +

@@ -1,0 +1,429 @@
+#include "run/energy_momentum.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "run/yield_tangents.h"
+#include "state/node_mass.h"
+#include "state/nodes.h"
+
+namespace hinge {
+namespace {
+
+constexpr int some_elements = 64;  ///< that one thread takes at a time
+
+/// Newton is done where the energy of a correction is this part, squared, of that of the first one.
+constexpr double least_tolerance = 1e-8;
+/// Or what rounding of the positions makes: a strain of some 1e-14, of the model's extent.
+constexpr double rounding = 1e-28;
+/// Products that change by less in a step (the sum of their squares) need no correction: their work is exact to
+/// rounding.
+constexpr double least_way = 1e-14;
+/// A last correction of a millionth of the first is near enough, as in Newmark's method; one that has grown by as much
+/// leads nowhere.
+constexpr double near_enough = 1e-12, lost = 1e12;
+/// Newton that goes slowly gets every element's stiffness anew after so many iterations.
+constexpr int all_anew = 6;
+
+/// By the Cayley vector c = 2 tan(angle/2): R' n - R n = c x (R n + R' n)/2.
+Quat turned(const Vec3& c, const Quat& q) {
+    Quat r = Quat(1, 0.5 * c.x(), 0.5 * c.y(), 0.5 * c.z()) * q;
+    r.normalize();
+    return r;
+}
+
+/// The vector that the same rotation makes of v: v' = v + c x (v + v')/2.
+Vec3 turned(const Vec3& c, const Vec3& v) {
+    const double h = 0.25 * c.squaredNorm();
+    const Vec3 once = c.cross(v);
+    return v + (once + 0.5 * c.cross(once)) / (1 + h);
+}
+
+}  // namespace
+
+EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings)
+    : Integrator(w, mass, stages),
+      settings_(settings),
+      most_iterations_(settings.iterations ? settings.iterations : 40),
+      tolerance_(std::max(settings.tolerance, least_tolerance)) {
+    forces_stage_ = stages.add("mean forces", "large displacement");
+    stiffness_stage_ = stages.add("stiffness", "inertia");
+    solve_stage_ = stages.add("solve", "inertia");
+    correct_stage_ = stages.add("correct", "inertia");
+    const std::size_t nodes = w.structure.position().size(), elements = w.structure.elements().size();
+    for (std::vector<Vec6>* list : {&held_by_effects_, &load_, &internal_, &momentum_, &right_, &change_})
+        list->assign(nodes, Vec6::Zero());
+    first_.resize(elements);
+    of_element_.assign(elements, Vec12::Zero());
+    in_rebuild_.assign(elements, 0);
+    has_turned_.assign(elements, 0);
+    built_.assign(elements, Mat3::Zero());
+    middle_ = w.trial;
+    find_node_inertia();
+}
+
+void EnergyMomentum::find_node_inertia() {
+    rotary_.assign(w_.structure.position().size(), Mat3::Zero());
+    for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
+        if (w_.state.broken[i]) continue;
+        const Element& e = w_.structure.elements()[i];
+        const beam::Inertia m = w_.structure.inertia(int(i));
+        const Mat3 axes = e.axes.toRotationMatrix();
+        for (int end : {0, 1}) rotary_[e.node[end]] += axes * m.rotary[end].asDiagonal() * axes.transpose();
+    }
+}
+
+void EnergyMomentum::begin(const EffectList& effects) {
+    effects_ = &effects;
+    effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1, 0.25 * settings_.dt * settings_.dt,
+                                                      settings_.geometric,
+                                                      settings_.solver.direct ? Keeping::direct : Keeping::iterative);
+    effective_->set_held(w_.state.held);
+    std::vector<ElementDamping> damping;
+    for (const auto& effect : effects)
+        for (std::size_t e = 0; e < in_rebuild_.size() && effect->damps_elements(); ++e) {
+            damping.resize(in_rebuild_.size());
+            const ElementDamping more = effect->element_damping(int(e));
+            damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
+        }
+    effective_->set_damping(std::move(damping), 0.5 * settings_.dt);
+    for (int e = 0; e < int(w_.state.broken.size()); ++e)
+        if (!w_.state.broken[e]) stiffness_changed(e);
+}
+
+/// What acts where a step begins, after the acceleration was found there.
+void EnergyMomentum::start_from_forces() {
+    held_by_effects_ = w_.resisting;
+    load_ = w_.external;
+    for (std::size_t i = 0; i < internal_.size(); ++i) w_.resisting[i] += internal_[i];
+}
+
+// ---- elements ------------------------------------------------------------------------------------------------------
+
+EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const Places& at) const {
+    const Element& e = w_.structure.elements()[index];
+    const PlacedElement place = place_element(w_.structure, index, at);
+    AtEnd end;
+    end.chord = chord_of(e, at.displacement);
+    for (int i : {0, 1}) end.axes[i] = (at.rotation[e.node[i]] * e.axes).toRotationMatrix();
+    end.d = element_deformation(w_.structure, index, at, place);
+    const double L = e.length;
+    const Mat3 &n = end.axes[0], &m = end.axes[1];
+    const Vec3 x = end.chord / L;
+    end.s[0] = 0.5 * x.squaredNorm();
+    end.s.segment<3>(1) = n.transpose() * x;
+    end.s.segment<3>(4) = m.transpose() * x;
+    // derivatives by x and by the spin of node 2 against node 1, which tell all
+    Eigen::Matrix<double, products, 6> J = Eigen::Matrix<double, products, 6>::Zero();
+    J.block<1, 3>(0, 0) = x.transpose();
+    J.block<3, 3>(1, 0) = n.transpose();
+    J.block<3, 3>(4, 0) = m.transpose();
+    for (int j = 0; j < 3; ++j) {
+        J.block<1, 3>(4 + j, 3) = m.col(j).cross(x).transpose();
+        for (int i = 0; i < 3; ++i) {
+            end.s[7 + 3 * i + j] = n.col(i).dot(m.col(j));
+            J.block<1, 3>(7 + 3 * i + j, 3) = m.col(j).cross(n.col(i)).transpose();
+        }
+    }
+    Mat6 B = forces_at_nodes(place).bottomRows<6>().transpose();
+    B.leftCols<3>() *= L;
+    const Mat6 gram = J.transpose() * J;
+    end.rates = (J * gram.llt().solve(B.transpose())).transpose();
+    return end;
+}
+
+/// Where the step begins.
+void EnergyMomentum::begin_elements() {
+    w_.pool.share(int(first_.size()), some_elements, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            if (w_.state.broken[i]) continue;
+            first_[i] = at_end(i, w_.state);
+            first_[i].p = stiffness_now(w_.structure, w_.state, i).times(first_[i].d - w_.state.plastic[i]);
+        }
+    });
+}
+
+/// Mean forces of an element over the step, on its nodes.
+Vec12 EnergyMomentum::mean_forces(int index) const {
+    const AtEnd &a = first_[index], b = at_end(index, w_.trial);
+    const double L = w_.structure.elements()[index].length;
+    const Vec6 p = 0.5 * (a.p + w_.force[index]);
+    const Products way = b.s - a.s;
+    Products on = 0.5 * (a.rates + b.rates).transpose() * p;
+    // the work of p on the deformation: what strain energy takes in, and hinges
+    const double work = p.dot(b.d - a.d), square = way.squaredNorm();
+    if (square > least_way) on += (work - on.dot(way)) / square * way;
+    const Vec3 x = 0.5 * (a.chord + b.chord) / L;
+    const Mat3 n = 0.5 * (a.axes[0] + b.axes[0]), m = 0.5 * (a.axes[1] + b.axes[1]);
+    const Vec3 on_n = on.segment<3>(1), on_m = on.segment<3>(4);
+    Mat3 between;
+    for (int i = 0; i < 3; ++i) between.row(i) = on.segment<3>(7 + 3 * i).transpose();
+    const Vec3 force = (on[0] * x + n * on_n + m * on_m) / L;
+    const Mat3 at_n = x * on_n.transpose() + m * between.transpose(), at_m = x * on_m.transpose() + n * between;
+    Vec3 moment_n = Vec3::Zero(), moment_m = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        moment_n += n.col(i).cross(at_n.col(i));
+        moment_m += m.col(i).cross(at_m.col(i));
+    }
+    Vec12 f;
+    f << -force, moment_n, force, moment_m;
+    return f;
+}
+
+void EnergyMomentum::find_elements_forces() {
+    w_.pool.share(int(first_.size()), some_elements, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            if (!w_.state.broken[i]) of_element_[i] = mean_forces(i);
+    });
+}
+
+// ---- a step --------------------------------------------------------------------------------------------------------
+
+/// Momentum of a node and its angular momentum about itself, N s and N m s: of its rotary inertia and what is attached
+/// to it, and of its elements' mass.
+Vec6 EnergyMomentum::momentum_of(int node, const std::vector<Vec6>& velocity, const Quat& rotation) const {
+    Vec6 p;
+    Vec3 linear = Vec3::Zero();
+    for (int index : w_.structure.elements_at(node)) {
+        if (w_.state.broken[index]) continue;
+        const Element& e = w_.structure.elements()[index];
+        const int end = e.node[0] == node ? 0 : 1;
+        const beam::Inertia m = w_.structure.inertia(index);
+        linear += m.own[end] * velocity[node].head<3>() + m.across * velocity[e.node[1 - end]].head<3>();
+    }
+    p << linear, rotation * (rotary_[node] * (rotation.conjugate() * Vec3(velocity[node].tail<3>())));
+    if (!w_.state.offset_mass.empty() && w_.state.offset_mass[node].mass > 0)
+        p += offset_mass_in_space(w_.state.offset_mass[node], rotation) * velocity[node];
+    return p;
+}
+
+/// The velocities held.
+void EnergyMomentum::predict(const Step& step) {
+    const State& s = w_.state;
+    step_ = step.dt;
+    for (std::size_t i = 0; i < w_.rotation_step.size(); ++i) {
+        w_.trial.displacement[i] = s.displacement[i] + step.dt * s.velocity[i].head<3>();
+        w_.rotation_step[i] = step.dt * s.velocity[i].tail<3>();
+        w_.trial.rotation[i] = turned(w_.rotation_step[i], s.rotation[i]);
+        w_.trial.velocity[i] = s.velocity[i];
+        w_.trial.acceleration[i].setZero();
+        momentum_[i] = momentum_of(int(i), s.velocity, s.rotation[i]);
+    }
+    begin_elements();
+    floor_ = 0;
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+        if (s.broken[i]) continue;
+        const Element& e = w_.structure.elements()[i];
+        const Vec3 at = w_.structure.position()[e.node[0]] + s.displacement[e.node[0]];
+        floor_ += rounding * e.rigidity.EA * (e.length + at.squaredNorm() / e.length);
+    }
+    for (std::size_t i = 0; i < momentum_.size(); ++i) floor_ += rounding * std::abs(momentum_[i].dot(s.velocity[i]));
+}
+
+/// Elements' forces are not those of the end of the step: effects alone add theirs to what resists.
+void EnergyMomentum::recovered(const Step&) {
+    internal_ = w_.resisting;
+    for (Vec6& r : w_.resisting) r.setZero();
+}
+
+void EnergyMomentum::solve(Step& step) {
+    stages_.timed(forces_stage_, [&] { find_elements_forces(), find_out_of_balance(step); });
+    if (!step.failure.empty()) return;
+    stages_.timed(stiffness_stage_, [&] { mark_changed(step.iteration), renew_effective_stiffness(); });
+    stages_.timed(solve_stage_, [&] {
+        SolverSettings solver = settings_.solver;
+        const SolveReport report = effective_->solve(right_, change_, solver);
+        if (!report.converged)
+            step.failure = solver.direct
+                               ? "the effective stiffness could not be factorised"
+                               : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
+                                     " iterations; a shorter dt makes the system easier";
+    });
+    size_ = 0;
+    for (std::size_t i = 0; i < right_.size(); ++i) size_ += right_[i].dot(change_[i]);
+    size_ *= 0.5 * step.dt * step.dt;
+}
+
+/// F - f - (p' - p)/dt of each node, and the supports' reactions.
+void EnergyMomentum::find_out_of_balance(Step& step) {
+    const State& s = w_.state;
+    const double dt = step.dt;
+    const int nodes = int(right_.size());
+    const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) {
+            const Vec6 after = momentum_of(i, w_.trial.velocity, w_.trial.rotation[i]);
+            Vec6 r = 0.5 * (load_[i] + w_.external[i]) - 0.5 * (held_by_effects_[i] + w_.resisting[i]) -
+                     (after - momentum_[i]) / dt;
+            if (!s.offset_mass.empty() && s.offset_mass[i].mass > 0) {
+                const auto of_arm = [&](const std::vector<Vec6>& velocity, const Quat& rotation) -> Vec3 {
+                    return velocity[i].tail<3>().cross(rotation * s.offset_mass[i].moment);
+                };
+                const Vec3 v = 0.5 * (s.velocity[i] + w_.trial.velocity[i]).head<3>();
+                r.tail<3>() -= v.cross(
+                    0.5 * (of_arm(s.velocity, s.rotation[i]) + of_arm(w_.trial.velocity, w_.trial.rotation[i])));
+            }
+            for (int e : w_.structure.elements_at(i))
+                if (!s.broken[e]) r -= of_element_[e].segment<6>(w_.structure.elements()[e].node[0] == i ? 0 : 6);
+            right_[i] = r;
+            sum += r.squaredNorm();
+        }
+        return sum;
+    });
+    if (!std::isfinite(check)) {
+        step.failure = name_the_culprit();
+        return;
+    }
+    take_reactions([&](int n, int c) {
+        const double r = -right_[n][c];
+        right_[n][c] = 0;
+        return r;
+    });
+    begin_fastest(1);
+    for (int i = 0; i < nodes; ++i)
+        if (const double v2 = w_.trial.velocity[i].head<3>().squaredNorm(); v2 > fastest_of_[0].speed)
+            fastest_of_[0] = {v2, i, 0};
+}
+
+/// Elements of which the effective stiffness is to be built anew: at the middle of the step.
+void EnergyMomentum::mark_changed(int iteration) {
+    for (std::size_t i = 0; i < middle_.displacement.size(); ++i) {
+        middle_.displacement[i] = 0.5 * (w_.state.displacement[i] + w_.trial.displacement[i]);
+        Quat half = w_.state.rotation[i];
+        const Quat& end = w_.trial.rotation[i];
+        const double side = half.dot(end) < 0 ? -1 : 1;
+        half.coeffs() += side * end.coeffs();
+        half.normalize();
+        middle_.rotation[i] = half;
+    }
+    middle_.twist = w_.trial.twist;
+    for (int e : flowing_)
+        if (!w_.state.broken[e]) stiffness_changed(e);
+    const double limit = settings_.rebuild_angle * settings_.rebuild_angle;
+    const bool all = iteration > 0 && iteration % all_anew == 0;
+    w_.pool.share(int(built_.size()), some_elements, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            has_turned_[i] =
+                !w_.state.broken[i] && !in_rebuild_[i] &&
+                (all || (axes_of(place_element(w_.structure, i, middle_)) - built_[i]).squaredNorm() > 2 * limit);
+    });
+    for (std::size_t i = 0; i < built_.size(); ++i)
+        if (has_turned_[i]) stiffness_changed(int(i));
+}
+
+void EnergyMomentum::renew_effective_stiffness() {
+    const std::vector<Mat6> tangents = yield_tangents(w_.structure, w_.state, w_.sweep, w_.yielding);
+    flowing_.clear();
+    for (const Yielding& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
+    if (!rebuild_.empty()) {
+        std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
+        std::sort(rebuild_.begin(), rebuild_.end());
+        const std::vector<const Mat6*> given = tangents_of(rebuild_, w_.yielding, tangents);
+        // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
+        // iteration stretches what rotates far by more than Newton can take
+        effective_->build(rebuild_, w_.state, middle_, given);
+        for (const auto& effect : *effects_)
+            for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
+                if (effect->watches_matrix(rebuild_[i]))
+                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given[i]));
+        for (int e : rebuild_) built_[e] = axes_of(place_element(w_.structure, e, middle_)), in_rebuild_[e] = 0;
+        rebuild_.clear();
+    }
+    effective_->assemble();
+}
+
+/// Adds the change to where the step ends; decides whether Newton goes round again.
+bool EnergyMomentum::correct(Step& step) {
+    const double dt = step.dt, part = 0.5 * dt * dt;
+    const State& s = w_.state;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        // what is solved for is a motion at the middle of the step, which goes on to its end: v + c x v' / 2 = v'
+        Vec3 move = part * change_[i].head<3>();
+        if (!(s.held[i] & 7)) {
+            const Vec3 half = 0.5 * w_.rotation_step[i], once = half.cross(move);
+            move += (once + half.cross(once)) / (1 + half.squaredNorm());
+        }
+        w_.trial.displacement[i] += move;
+        w_.rotation_step[i] += part * change_[i].tail<3>();
+        const Vec3& c = w_.rotation_step[i];
+        w_.trial.rotation[i] = turned(c, s.rotation[i]);
+        w_.trial.velocity[i].head<3>() =
+            2 / dt * (w_.trial.displacement[i] - s.displacement[i]) - s.velocity[i].head<3>();
+        w_.trial.velocity[i].tail<3>() = 2 / dt * c - turned(c, Vec3(s.velocity[i].tail<3>()));
+        for (int k = 3; k < 6; ++k)
+            if (s.held[i] >> k & 1) w_.trial.velocity[i][k] = 0;
+    }
+    ++step.iteration;
+    if (step.iteration == 1) first_size_ = size_;
+    const double size = std::abs(size_), first = std::abs(first_size_);
+    const bool last = step.iteration >= most_iterations_;
+    if (size <= floor_ || size <= tolerance_ * tolerance_ * first || (last && size <= near_enough * first)) {
+        note_fastest(step.end());
+        return false;
+    }
+    if (last || !(size <= lost * first)) {
+        step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
+                       " iterations (last correction " + std::to_string(std::sqrt(size / first)) +
+                       " of the first); a shorter dt or more iterations may help";
+        return false;
+    }
+    return true;
+}
+
+void EnergyMomentum::recovered_last() {
+    for (Yielding& y : w_.yielding) y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic);
+}
+
+/// The mean acceleration over the step: what the method has of it.
+void EnergyMomentum::keep() {
+    const double dt = step_;
+    for (std::size_t i = 0; i < change_.size(); ++i)
+        w_.trial.acceleration[i] = (w_.trial.velocity[i] - w_.state.velocity[i]) / dt;
+}
+
+void EnergyMomentum::kept() {
+    held_by_effects_ = w_.resisting;
+    load_ = w_.external;
+}
+
+void EnergyMomentum::stiffness_changed(int element) {
+    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+}
+
+void EnergyMomentum::dt_changed(double dt) {
+    if (!effective_) return;
+    effective_->set_stiffness_factor(0.25 * dt * dt);
+    effective_->set_damping_factor(0.5 * dt);
+    for (int e = 0; e < int(w_.state.broken.size()); ++e)
+        if (!w_.state.broken[e]) stiffness_changed(e);
+}
+
+void EnergyMomentum::removed(int element) {
+    effective_->remove(element);
+    effective_->set_held(w_.state.held);
+    find_node_inertia();
+}
+
+template <class Self, class A>
+void EnergyMomentum::fields(Self& s, A& a) {
+    a(s.fastest, s.held_by_effects_, s.load_, s.flowing_, s.rebuild_, s.built_, *s.effective_);
+}
+
+void EnergyMomentum::save(Writer& to) const { fields(*this, to); }
+
+void EnergyMomentum::restore(Reader& from) {
+    const std::size_t nodes = right_.size();
+    fields(*this, from);
+    const int elements = int(in_rebuild_.size());
+    const auto within = [&](int e) { return e >= 0 && e < elements; };
+    bool good = held_by_effects_.size() == nodes && load_.size() == nodes && int(built_.size()) == elements;
+    for (const std::vector<int>* list : {&flowing_, &rebuild_})
+        good = good && std::all_of(list->begin(), list->end(), within);
+    from.must(good && fastest.node < int(nodes));
+    in_rebuild_.assign(elements, 0);
+    for (int e : rebuild_) in_rebuild_[e] = 1;
+    find_node_inertia();
+}
+
+}  // namespace hinge
