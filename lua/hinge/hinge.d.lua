@@ -614,6 +614,17 @@ function model:static(options) end
 ---or explicit, by central differences with lumped masses (half of each element on each of its nodes, the rotary inertia
 ---the section's polar one). Explicit steps solve no system of equations, so these options are errors with them:
 ---precision, beta, rho_infinity, iterations, tolerance, predictor, geometric, rebuild_angle and those of the solver.
+---
+---Or by the energy-momentum method, for what rotates far in long steps (Simo and Tarnow 1992, Simo and Wong 1991,
+---Gonzalez 1996): with displacements x, momenta p, mean forces f and F of a step, (p' - p)/dt + f = F, x' - x = dt (v
+---+ v')/2. The mean forces of the elements do exactly the work that their strain energy takes in and their hinges
+---dissipate, (p + p')/2 of dd_p, and they are in balance where the step has its middle: so energy and both momenta
+---stay, to the tolerance of the iterations, however long the steps. Forces of effects, and loads, are the mean of a
+---step's two ends; with connectors, and with masses off their node, the energy is kept to second order only. It is of
+---second order and takes some 5 to 10 iterations a step. The rotary inertia of the sections turns with the nodes;
+---accelerations and reactions are the means of the last step. A step that does not converge is taken back and halved
+---(step_control, here 0.01 by itself). It does not go with contact, fracture, ground, supports that move, displacement
+---= "small" and shift = "whole"; these options are errors with it: beta, rho_infinity, predictor, precision.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
@@ -625,9 +636,11 @@ function model:dynamic(options) end
 ---allows is an error that names the element). Stiff connectors, and a ground's own stiffness, shorten both
 ---@field dt number|"auto"
 ---@field duration number s
----@field integrator? "newmark"|"explicit" default newmark
+---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
 ---@field from? hinge.run starts from another run's state, such as gravity at rest
----default 0.1 (0 with shift = "whole", whose energy balance cannot close): the run ends by itself, with verdict
+---default 0.02; 0.1 with explicit steps, and where forces begin or end at once (contact, ground, fracture, connectors
+---that break, loads that are functions of the state); 0 with shift = "whole", whose energy balance cannot close. The
+---run ends by itself, with verdict
 ---"failed", when the energy error is a larger part of the largest energy, which is the largest value that any account
 ---of run.energy has had so far. The error is checked every 100 steps, or 20 times in a short run, and at the end. The
 ---state is then that of the last check at which the balance closed (models of up to 200 000 elements). 0: never
@@ -636,8 +649,8 @@ function model:dynamic(options) end
 ---taken back if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it
 ---cannot be solved. It is tried again half as long, down to dt / 1024, below which the run fails; the script never sees
 ---a step that was taken back. After steps with small errors the step grows again, up to dt. Costs a quarter of a step.
----Default 0.01 with dt = "auto" of Newmark's method, else 0: every step is kept. Not with shift = "whole", whose energy
----balance cannot close
+---Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method, else 0: every step is kept.
+---Not with shift = "whole", whose energy balance cannot close
 ---@field step_control? number
 ---@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
 ---@field threads? integer how many share a step's work, default 1, the same bits for any number
@@ -652,12 +665,13 @@ function model:dynamic(options) end
 ---first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer
 ---than the fastest vibration allows for one
 ---@field iterations? integer
----@field tolerance? number see iterations; default 1e-10
+---@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-9
 ---where a step is solved from: the acceleration held, or the displacement (eq 15 as printed); auto (default): the
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"
 ---@field geometric? boolean initial stress in the effective stiffness, default true
----@field rebuild_angle? number rad: an element's stiffness is rebuilt when it has rotated by this, default 0.01
+---rad: an element's stiffness is rebuilt when it has rotated by this, default 0.01, energy-momentum 0.002
+---@field rebuild_angle? number
 ---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
 ---2e-10. Double is used all the same where steps are longer than the fastest waves need
 ---@field precision? "single"|"double"

@@ -82,8 +82,8 @@ public:
     /// anew.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.stiffness_factor_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations, s.counts_.solves,
-          s.counts_.factorisations);
+        a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
+          s.counts_.solves, s.counts_.factorisations);
         if constexpr (A::reading) a.must(s.take_up_all());
     }
 

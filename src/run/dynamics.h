@@ -72,6 +72,8 @@ private:
     void remember();
     void take_back();
     bool again_shorter();
+    std::string remedies() const;
+    double energy_may_miss() const;
     void guard();
     void find_acceleration(std::vector<Vec6>& out_of_balance);
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;

@@ -20,9 +20,10 @@ std::vector<PlanLine> Dynamics::effects() const {
     std::vector<PlanLine> list = plan_of(*structure_, w_.kind);
     char how[160];
     std::snprintf(how, sizeof how,
-                  explicit_steps()      ? "explicit steps of %.3g us, lumped masses"
-                  : settings_.automatic ? "Newmark's method, steps of %.3g us, eight times that where nothing happens"
-                                        : "Newmark's method, steps of %.3g us",
+                  explicit_steps()       ? "explicit steps of %.3g us, lumped masses"
+                  : settings_.conserving ? "energy-momentum method, steps of %.3g us"
+                  : settings_.automatic  ? "Newmark's method, steps of %.3g us, eight times that where nothing happens"
+                                         : "Newmark's method, steps of %.3g us",
                   1e6 * shortest());
     std::string because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
     if (control_.on())

@@ -13,9 +13,8 @@ namespace {
 
 constexpr int some_elements = 64;  ///< that one thread takes at a time
 
-/// Newton is done where the energy of a correction is this part, squared, of that of the first one.
-constexpr double least_tolerance = 1e-8;
-/// Or what rounding of the positions makes: a strain of some 1e-14, of the model's extent.
+/// Newton is also done where the energy of a correction is what rounding of the positions makes: a strain of some
+/// 1e-14, of the model's extent.
 constexpr double rounding = 1e-28;
 /// Products that change by less in a step (the sum of their squares) need no correction: their work is exact to
 /// rounding.
@@ -23,6 +22,9 @@ constexpr double least_way = 1e-14;
 /// A last correction of a millionth of the first is near enough, as in Newmark's method; one that has grown by as much
 /// leads nowhere.
 constexpr double near_enough = 1e-12, lost = 1e12;
+/// Newton that swings between two sets of hinges is held back, as in Newmark's method (run/newmark.cpp has what that
+/// brings): a correction with more than `swings` of the energy of the one before is scaled down.
+constexpr double swings = 0.25, held_back = 0.6, grows = 1.5, least_damping = 0.1;
 /// Newton that goes slowly gets every element's stiffness anew after so many iterations.
 constexpr int all_anew = 6;
 
@@ -46,7 +48,7 @@ EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, con
     : Integrator(w, mass, stages),
       settings_(settings),
       most_iterations_(settings.iterations ? settings.iterations : 40),
-      tolerance_(std::max(settings.tolerance, least_tolerance)) {
+      tolerance_(settings.tolerance) {
     forces_stage_ = stages.add("mean forces", "large displacement");
     stiffness_stage_ = stages.add("stiffness", "inertia");
     solve_stage_ = stages.add("solve", "inertia");
@@ -335,7 +337,11 @@ void EnergyMomentum::renew_effective_stiffness() {
 
 /// Adds the change to where the step ends; decides whether Newton goes round again.
 bool EnergyMomentum::correct(Step& step) {
-    const double dt = step.dt, part = 0.5 * dt * dt;
+    if (step.iteration == 0) damping_ = 1;
+    else if (std::abs(size_) > swings * last_size_) damping_ = std::max(least_damping, held_back * damping_);
+    else damping_ = std::min(1.0, grows * damping_);
+    last_size_ = std::abs(size_);
+    const double dt = step.dt, part = 0.5 * dt * dt * damping_;
     const State& s = w_.state;
     for (std::size_t i = 0; i < change_.size(); ++i) {
         // what is solved for is a motion at the middle of the step, which goes on to its end: v + c x v' / 2 = v'

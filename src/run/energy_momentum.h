@@ -15,7 +15,7 @@
 // (Gonzalez, J. Nonlinear Sci. 6, 1996). What an element takes in over a step is then the change of its strain energy
 // and what its hinges dissipate, (p + p')/2 . dd_p, never negative; to rounding, for steps of any length.
 //
-// Forces of effects, and loads, are the mean of the two ends; their accounts are booked so too (trapezium rule).
+// Forces of effects, and loads, are the mean of the two ends; their accounts are counted so too (trapezium rule).
 //
 // Newton's method, with the effective stiffness M + dt^2/4 K of Newmark's method at the middle of the step.
 #pragma once
@@ -89,10 +89,11 @@ private:
     std::vector<Vec6> right_, change_;
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_, has_turned_;
-    std::vector<Mat3> built_;                       ///< frame of each element in the effective stiffness
-    std::vector<int> flowing_;                      ///< elements of which the effective stiffness has a plastic tangent
-    double step_ = 0;                               ///< s
-    double floor_ = 0, first_size_ = 0, size_ = 0;  ///< J: energies of a correction
+    std::vector<Mat3> built_;   ///< frame of each element in the effective stiffness
+    std::vector<int> flowing_;  ///< elements of which the effective stiffness has a plastic tangent
+    double step_ = 0;           ///< s
+    double damping_ = 1;        ///< of Newton's corrections
+    double floor_ = 0, first_size_ = 0, last_size_ = 0, size_ = 0;  ///< J: energies of a correction
 };
 
 }  // namespace hinge

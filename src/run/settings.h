@@ -37,7 +37,7 @@ struct DynamicSettings {
     double rebuild_angle = 0.01;  ///< rad: an element's effective stiffness is rebuilt when it has rotated by this much
     bool narrow = true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
     /// The run ends, failed, when the energy balance error is a larger part of the largest energy. 0: never, the
-    /// default of Shift::whole, whose balance cannot close; with Shift::plastic a tenth.
+    /// default of Shift::whole, whose balance cannot close; else Dynamics::energy_may_miss.
     std::optional<double> energy_tolerance;
     /// Steps that would lose more than their share of this part of the largest energy are taken back and halved, as
     /// are those that cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.

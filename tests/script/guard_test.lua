@@ -23,10 +23,10 @@ run:on_step(function(r) last = r.time end)
 run:finish()
 checks.equal(run.verdict, "failed", "verdict")
 checks.expect(support.says(run.reason, "step ..., t = ... s: the energy balance no longer closes, "
-  .. "its error is ... % of the largest energy (energy_tolerance 10 %); fastest was node ... with ... m/s "
-  .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt or step_control or "
-  .. "rho_infinity below 1 may hold"), "reason: %s", run.reason)
-checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial,
+  .. "its error is ... % of the largest energy (energy_tolerance 2 %); fastest was node ... with ... m/s "
+  .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt, dt = 'auto', "
+  .. "step_control, rho_infinity below 1 or integrator = 'energy-momentum' may hold"), "reason: %s", run.reason)
+checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.02 * run.energy.initial,
   "it went back, from %g to %g s, where the balance closes", last, run.time)
 checks.expect(not run:step(), "there is no further step")
 
@@ -34,7 +34,7 @@ local blind = turning { iterations = 1, energy_tolerance = 0 }:finish()
 checks.expect(blind.verdict == "completed" or not blind.reason:find "energy balance",
   "energy_tolerance = 0 does not look: %s",
   blind.reason)
-checks.expect(math.abs(blind.energy.remainder) > 0.1 * blind.energy.initial, "and the energy balance does not close")
+checks.expect(math.abs(blind.energy.remainder) > 0.02 * blind.energy.initial, "and the energy balance does not close")
 
 -- What rotates far in long steps takes Newton's method by itself, and then holds.
 local held = turning {}:finish()
