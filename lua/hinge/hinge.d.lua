@@ -665,7 +665,7 @@ function model:dynamic(options) end
 ---first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer
 ---than the fastest vibration allows for one
 ---@field iterations? integer
----@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-9
+---@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-8
 ---where a step is solved from: the acceleration held, or the displacement (eq 15 as printed); auto (default): the
 ---first while dt is shorter than an axial wave needs for the shortest element
 ---@field predictor? "auto"|"acceleration"|"displacement"

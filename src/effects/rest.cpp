@@ -15,6 +15,8 @@ public:
     Rest(Workspace& w, Host& host) : Effect("rest", w, host) {}
 
     /// Puts to rest every body that does not move, that nothing will move but contact, and whose forces are in balance.
+    bool takes_mean_forces() const override { return true; }  // a run that takes them leaves no body at rest
+
     void started(const std::vector<Vec6>& out_of_balance) override {
         const State& s = w_.state;
         const auto& elements = w_.structure.elements();

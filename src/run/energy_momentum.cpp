@@ -14,14 +14,14 @@ namespace {
 constexpr int some_elements = 64;  ///< that one thread takes at a time
 
 /// Newton is also done where the energy of a correction is what rounding of the positions makes: a strain of some
-/// 1e-14, of the model's extent.
-constexpr double rounding = 1e-28;
+/// 1e-15, of the model's extent; or `barely` times that where it gets no better.
+constexpr double rounding = 1e-30, barely = 1e4;
 /// Products that change by less in a step (the sum of their squares) need no correction: their work is exact to
 /// rounding.
 constexpr double least_way = 1e-14;
-/// A last correction of a millionth of the first is near enough, as in Newmark's method; one that has grown by as much
-/// leads nowhere.
-constexpr double near_enough = 1e-12, lost = 1e12;
+/// With a finer tolerance a last correction of 1e-8 of the first is near enough; one that has grown a million times
+/// leads nowhere. Both squared.
+constexpr double near_enough = 1e-16, lost = 1e12;
 /// Newton that swings between two sets of hinges is held back, as in Newmark's method (run/newmark.cpp has what that
 /// brings): a correction with more than `swings` of the energy of the one before is scaled down.
 constexpr double swings = 0.25, held_back = 0.6, grows = 1.5, least_damping = 0.1;
@@ -337,6 +337,7 @@ void EnergyMomentum::renew_effective_stiffness() {
 
 /// Adds the change to where the step ends; decides whether Newton goes round again.
 bool EnergyMomentum::correct(Step& step) {
+    const double before = last_size_;
     if (step.iteration == 0) damping_ = 1;
     else if (std::abs(size_) > swings * last_size_) damping_ = std::max(least_damping, held_back * damping_);
     else damping_ = std::min(1.0, grows * damping_);
@@ -364,7 +365,8 @@ bool EnergyMomentum::correct(Step& step) {
     if (step.iteration == 1) first_size_ = size_;
     const double size = std::abs(size_), first = std::abs(first_size_);
     const bool last = step.iteration >= most_iterations_;
-    if (size <= floor_ || size <= tolerance_ * tolerance_ * first || (last && size <= near_enough * first)) {
+    const bool stands = size <= barely * floor_ && size > swings * before;  // rounding
+    if (size <= floor_ || stands || size <= tolerance_ * tolerance_ * first || (last && size <= near_enough * first)) {
         note_fastest(step.end());
         return false;
     }

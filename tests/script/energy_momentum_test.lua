@@ -170,7 +170,7 @@ local function bent(o)
 end
 local function balance(what, model, within, options)
   for _, dt in ipairs { 4e-3, 1e-3 } do
-    local run = model:dynamic(with({ dt = dt, duration = 0.2 }, options))
+    local run = model:dynamic(with({ dt = dt, duration = 0.2, tolerance = 1e-11 }, options))
     local dissipated, least = 0, 0
     run:on_step(function(r)
       local plastic = r.energy.plastic or 0

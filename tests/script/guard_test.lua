@@ -17,16 +17,19 @@ local function turning(options)
   return model:dynamic(options)
 end
 
-local run = turning { iterations = 1 }
+local reason = turning { iterations = 1 }:finish().reason
+checks.expect(support.says(reason, "step ..., t = ... s: the energy balance no longer closes, "
+  .. "its error is ... % of the largest energy (energy_tolerance 2 %); ..."), "by itself at 2 %%: %s", reason)
+local run = turning { iterations = 1, energy_tolerance = 0.1 }
 local last = 0
 run:on_step(function(r) last = r.time end)
 run:finish()
 checks.equal(run.verdict, "failed", "verdict")
 checks.expect(support.says(run.reason, "step ..., t = ... s: the energy balance no longer closes, "
-  .. "its error is ... % of the largest energy (energy_tolerance 2 %); fastest was node ... with ... m/s "
+  .. "its error is ... % of the largest energy (energy_tolerance 10 %); fastest was node ... with ... m/s "
   .. "at t = ... s. The state is that of step ..., t = ... s, where it was ... %; a shorter dt, dt = 'auto', "
   .. "step_control, rho_infinity below 1 or integrator = 'energy-momentum' may hold"), "reason: %s", run.reason)
-checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.02 * run.energy.initial,
+checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial,
   "it went back, from %g to %g s, where the balance closes", last, run.time)
 checks.expect(not run:step(), "there is no further step")
 
