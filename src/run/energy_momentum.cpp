@@ -67,10 +67,12 @@ EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, con
 
 void EnergyMomentum::find_node_inertia() {
     rotary_.assign(w_.structure.position().size(), Mat3::Zero());
+    mass_of_.resize(w_.structure.elements().size());
     for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
         if (w_.state.broken[i]) continue;
         const Element& e = w_.structure.elements()[i];
         const beam::Inertia m = w_.structure.inertia(int(i));
+        mass_of_[i] = {{m.own[0], m.own[1]}, m.across};
         const Mat3 axes = e.axes.toRotationMatrix();
         for (int end : {0, 1}) rotary_[e.node[end]] += axes * m.rotary[end].asDiagonal() * axes.transpose();
     }
@@ -105,34 +107,49 @@ void EnergyMomentum::start_from_forces() {
 
 EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const Places& at) const {
     const Element& e = w_.structure.elements()[index];
-    const PlacedElement place = place_element(w_.structure, index, at);
     AtEnd end;
+    end.place = place_element(w_.structure, index, at);
     end.chord = chord_of(e, at.displacement);
     for (int i : {0, 1}) end.axes[i] = (at.rotation[e.node[i]] * e.axes).toRotationMatrix();
-    end.d = element_deformation(w_.structure, index, at, place);
+    end.d = element_deformation(w_.structure, index, at, end.place);
     const double L = e.length;
     const Mat3 &n = end.axes[0], &m = end.axes[1];
     const Vec3 x = end.chord / L;
     end.s[0] = 0.5 * x.squaredNorm();
     end.s.segment<3>(1) = n.transpose() * x;
     end.s.segment<3>(4) = m.transpose() * x;
-    // derivatives by x and by the spin of node 2 against node 1, which tell all
-    Eigen::Matrix<double, products, 6> J = Eigen::Matrix<double, products, 6>::Zero();
-    J.block<1, 3>(0, 0) = x.transpose();
-    J.block<3, 3>(1, 0) = n.transpose();
-    J.block<3, 3>(4, 0) = m.transpose();
-    for (int j = 0; j < 3; ++j) {
-        J.block<1, 3>(4 + j, 3) = m.col(j).cross(x).transpose();
-        for (int i = 0; i < 3; ++i) {
-            end.s[7 + 3 * i + j] = n.col(i).dot(m.col(j));
-            J.block<1, 3>(7 + 3 * i + j, 3) = m.col(j).cross(n.col(i)).transpose();
-        }
-    }
-    Mat6 B = forces_at_nodes(place).bottomRows<6>().transpose();
-    B.leftCols<3>() *= L;
-    const Mat6 gram = J.transpose() * J;
-    end.rates = (J * gram.llt().solve(B.transpose())).transpose();
+    for (int i = 0; i < 3; ++i) end.s.segment<3>(7 + 3 * i) = m.transpose() * n.col(i);
     return end;
+}
+
+/// (dd/ds)^T p: forces on the products of an end that do the work of p. Of all that do, those of the least norm: as if
+/// the deformation did not change where the products leave those of a real element. With y the derivatives by chord/L
+/// and by the spin of node 2 against node 1, which tell all, and J theirs of the products, that is J (J^T J)^-1 times
+/// what p does on y: the forces on node 2. The directions of an axis system add up to 1, so J^T J has the inverse
+/// below.
+EnergyMomentum::Products EnergyMomentum::on_products(const AtEnd& end, double L, const Vec6& p) {
+    Vec3 f, g;
+    if (end.place.wound) {
+        const Vec6 on_2 = (beam::rates(*end.place.wound).transpose() * p).tail<6>();
+        f = on_2.head<3>(), g = on_2.tail<3>();
+    } else {
+        const beam::NodalForces<double> on = beam::nodal_forces(end.place, p.data());
+        f = {on.force[1].x, on.force[1].y, on.force[1].z};
+        g = {on.moment[1].x, on.moment[1].y, on.moment[1].z};
+    }
+    f *= L;
+    const Vec3 x = end.chord / L;
+    const double q = x.squaredNorm(), fx = f.dot(x) / q, gx = g.dot(x) / q;
+    const Vec3 f_across = f - fx * x, g_across = g - gx * x;
+    const Vec3 b_across = (2 * g_across + x.cross(f_across)) / (4 + q);
+    const Vec3 a = fx / (2 + q) * x + 0.5 * (f_across - x.cross(b_across)), b = 0.5 * gx * x + b_across;
+    const Mat3 &n = end.axes[0], &m = end.axes[1];
+    Products on;
+    on[0] = x.dot(a);
+    on.segment<3>(1) = n.transpose() * a;
+    on.segment<3>(4) = m.transpose() * (a + x.cross(b));
+    for (int i = 0; i < 3; ++i) on.segment<3>(7 + 3 * i) = m.transpose() * n.col(i).cross(b);
+    return on;
 }
 
 /// Where the step begins.
@@ -152,7 +169,7 @@ Vec12 EnergyMomentum::mean_forces(int index) const {
     const double L = w_.structure.elements()[index].length;
     const Vec6 p = 0.5 * (a.p + w_.force[index]);
     const Products way = b.s - a.s;
-    Products on = 0.5 * (a.rates + b.rates).transpose() * p;
+    Products on = 0.5 * (on_products(a, L, p) + on_products(b, L, p));
     // the work of p on the deformation: what strain energy takes in, and hinges
     const double work = p.dot(b.d - a.d), square = way.squaredNorm();
     if (square > least_way) on += (work - on.dot(way)) / square * way;
@@ -191,7 +208,7 @@ Vec6 EnergyMomentum::momentum_of(int node, const std::vector<Vec6>& velocity, co
         if (w_.state.broken[index]) continue;
         const Element& e = w_.structure.elements()[index];
         const int end = e.node[0] == node ? 0 : 1;
-        const beam::Inertia m = w_.structure.inertia(index);
+        const TranslationalMass& m = mass_of_[index];
         linear += m.own[end] * velocity[node].head<3>() + m.across * velocity[e.node[1 - end]].head<3>();
     }
     p << linear, rotation * (rotary_[node] * (rotation.conjugate() * Vec3(velocity[node].tail<3>())));
@@ -247,7 +264,7 @@ void EnergyMomentum::solve(Step& step) {
     size_ *= 0.5 * step.dt * step.dt;
 }
 
-/// F - f - (p' - p)/dt of each node, and the supports' reactions.
+/// F - f - (p' - p)/dt of each node (eq 15 for the means over a step), and the supports' reactions.
 void EnergyMomentum::find_out_of_balance(Step& step) {
     const State& s = w_.state;
     const double dt = step.dt;

@@ -52,20 +52,20 @@ public:
 private:
     static constexpr int products = 16;
     using Products = Eigen::Matrix<double, products, 1>;
-    using ByProducts = Eigen::Matrix<double, 6, products>;
     /// An element at one end of a step.
     struct AtEnd {
-        Vec3 chord;        ///< m
-        Mat3 axes[2];      ///< of its two nodes: columns, in space
-        Vec6 d, p;         ///< deformation; forces on it
-        Products s;        ///< products, without dimension
-        ByProducts rates;  ///< dd/ds, of the least norm
+        Vec3 chord;    ///< m
+        Mat3 axes[2];  ///< of its two nodes: columns, in space
+        Vec6 d, p;     ///< deformation; forces on it
+        Products s;    ///< products, without dimension
+        PlacedElement place;
     };
     template <class Self, class A>
     static void fields(Self& s, A& a);
     AtEnd at_end(int element, const Places& at) const;
     void find_node_inertia();
     void begin_elements();
+    static Products on_products(const AtEnd& end, double L, const Vec6& p);
     Vec12 mean_forces(int element) const;
     void find_elements_forces();
     void mark_changed(int iteration);
@@ -79,6 +79,10 @@ private:
     double tolerance_;
     int forces_stage_, stiffness_stage_, solve_stage_, correct_stage_;
     std::unique_ptr<EffectiveStiffness> effective_;
+    struct TranslationalMass {
+        double own[2], across;
+    };
+    std::vector<TranslationalMass> mass_of_;    ///< of each element, kg
     std::vector<Mat3> rotary_;                  ///< of each node in its own axes: of its elements, kg m^2
     std::vector<Vec6> held_by_effects_, load_;  ///< forces of effects and loads where the step begins
     std::vector<Vec6> internal_;                ///< of the elements, where stresses were recovered last

@@ -156,7 +156,7 @@ do
     "Newmark's method goes to the same place: %g and %g m, %g and %g m", by_newmark[1], x, by_newmark[2], z)
 end
 
--- What acts is counted: the balance closes to the tolerance, however long the steps ------------------------------------
+-- What acts is counted: the balance closes to the tolerance, however long the steps -----------------------------------
 local function bent(o)
   local model = hinge.model { elements_per_member = 4, mass = "cubic" }
   local material = hinge.material { E = 206e9, density = 7850, yield_stress = o.yield }

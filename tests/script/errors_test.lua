@@ -327,7 +327,8 @@ wrong("model:dynamic: field 'solver' has no meaning with " .. explicit,
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, solver = "direct" } end)
 wrong("model:dynamic: field 'precision' has no meaning with " .. explicit,
   function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, precision = "double" } end)
-wrong("model:dynamic: field 'integrator' is 'explict'; must be one of 'newmark', 'energy-momentum', 'explicit' (did you mean 'explicit'?)",
+wrong("model:dynamic: field 'integrator' is 'explict'; " ..
+    "must be one of 'newmark', 'energy-momentum', 'explicit' (did you mean 'explicit'?)",
   function(s) s.model:dynamic { integrator = "explict", dt = 1e-5, duration = 1 } end)
 wrong("model:dynamic: field 'rho_infinity' is 1.5; must be between 0 and 1: "
   .. "what a step leaves of the highest frequencies' amplitude ...",
