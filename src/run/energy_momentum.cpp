@@ -170,7 +170,8 @@ Vec12 EnergyMomentum::mean_forces(int index) const {
     const Vec6 p = 0.5 * (a.p + w_.force[index]);
     const Products way = b.s - a.s;
     Products on = 0.5 * (on_products(a, L, p) + on_products(b, L, p));
-    // the work of p on the deformation: what strain energy takes in, and hinges
+    // What strain energy and hinges take in, U' - U + p . dd_p, p the mean; where p is linear in d that is p . dd. An
+    // elastic law that is not needs its own U' - U here, and its p in begin_elements.
     const double work = p.dot(b.d - a.d), square = way.squaredNorm();
     if (square > least_way) on += (work - on.dot(way)) / square * way;
     const Vec3 x = 0.5 * (a.chord + b.chord) / L;
