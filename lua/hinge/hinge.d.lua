@@ -620,11 +620,12 @@ function model:static(options) end
 ---+ v')/2. The mean forces of the elements do exactly the work that their strain energy takes in and their hinges
 ---dissipate, (p + p')/2 of dd_p, and they are in balance where the step has its middle: so energy and both momenta
 ---stay, to the tolerance of the iterations, however long the steps. Forces of effects, and loads, are the mean of a
----step's two ends; with connectors, and with masses off their node, the energy is kept to second order only. It is of
----second order and takes some 5 to 10 iterations a step. The rotary inertia of the sections turns with the nodes;
----accelerations and reactions are the means of the last step. A step that does not converge is taken back and halved
----(step_control, here 0.01 by itself). It does not go with contact, fracture, ground, supports that move, displacement
----= "small" and shift = "whole"; these options are errors with it: beta, rho_infinity, predictor, precision.
+---step's two ends; so connectors keep the energy to second order only. With masses off their node it is kept to some
+---1e-3. It is of second order and takes some 5 to 10 iterations a step. The rotary inertia of the sections turns with
+---the nodes; accelerations and reactions are the means of the last step. A step that does not converge is taken back
+---and halved (step_control, here 0.01 by itself). It does not go with contact, fracture, ground, supports that move,
+---displacement = "small" and shift = "whole"; these options are errors with it: beta, rho_infinity, predictor,
+---precision.
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
