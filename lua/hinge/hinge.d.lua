@@ -42,10 +42,20 @@ function hinge.model(options) end
 ---10). The elastic point goes to the hinge too, and its partner's point to the middle; forces stay continuous but the
 ---elastic energy jumps, which the energy error shows
 ---@field shift? "plastic"|"whole"
+---where the axial force of an element acts in large displacement. chord (default): on the element's chord, as in the
+---paper. Two elements a member then carry too much in compression: a pinned column 2.24 times Euler's load, a clamped
+---one whose head sways 1.16 times; four elements 1.10 and 1.06. member: also on the bending of each pair of elements
+---between its ends, by the stability functions of the exact beam-column (src/beam/beam_column.h). Elastic columns then
+---buckle at Euler's load to 0.1 % with two elements. One that is clamped at both ends and cannot sway needs four.
+---member needs formulation asi-gauss, displacement large and shift plastic, and does not go with integrator =
+---'energy-momentum'. Newmark's steps of one solution keep the energy less well with it: where the energy error asks for
+---it, give `iterations` or take shorter steps
+---@field p_delta? "chord"|"member"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
----equally fast, frequencies of two elements a member within 0.2 % where linear has 1 to 4 %. Newmark's
----method and statics only, no fracture
+---equally fast. Sway frequencies of slender frames with two elements a member are within 0.2 %, where linear has 1 to
+---4 %; with stocky members within 1.4 %; a pinned member's own vibration is 5 % off with two elements, 0.2 % with four.
+---Newmark's method and statics only, no fracture
 ---@field mass? "linear"|"cubic"
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---@field elements_per_member? integer default 2, the paper's
@@ -582,8 +592,8 @@ function model:counts() end
 ---A static run: loads and gravity are brought to equilibrium in steps. In large displacement it tells where it comes
 ---past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
 ---asi-gauss elements see a pinned member buckle at 2.27 times Euler's load, four at 1.10, eight at 1.024, sixteen at
----1.005. Beams turn over sideways, too. They resist it by bending and torsion (G J) alone: not by warping, and nothing
----but what the model has, such as a floor, holds them.
+---1.005; with p_delta = "member" two see it at 1.000. Beams turn over sideways, too. They resist it by bending and
+---torsion (G J) alone: not by warping, and nothing but what the model has, such as a floor, holds them.
 ---@param options? hinge.static_options
 ---@return hinge.run
 function model:static(options) end

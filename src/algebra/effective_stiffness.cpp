@@ -37,7 +37,7 @@ Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, 
     const Element& e = structure_.elements()[index];
     const PlacedElement place = place_element(structure_, index, pose);
     const Mat3 axes = axes_of(place);
-    const Mat6 k = given ? *given : stiffness_now(structure_, state, index).matrix();
+    const Mat6 k = given ? *given : elastic_tangent(structure_, state, pose, index);
     const auto stiffness_of = [&](const Mat6& k, bool geometric) {
         return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
                                   : beam::linear_tangent(axes.transpose(), e.length, k);

@@ -5,9 +5,7 @@
 #include <cmath>
 
 namespace hinge::beam {
-namespace {
 
-/// A_r with f_y = p^T A_r p.
 Mat6 yield_matrix(double r, const YieldSurface& w) {
     const double n1 = -(1 - r) / 2, n2 = (1 + r) / 2;
     Mat6 A = Mat6::Zero();
@@ -17,6 +15,8 @@ Mat6 yield_matrix(double r, const YieldSurface& w) {
     A(5, 5) = w.z;
     return A;
 }
+
+namespace {
 
 /// One section: in the section's own resultants the stiffness is diagonal, so the multiplier is the root of one convex,
 /// falling function, and Newton from zero comes to it from one side.

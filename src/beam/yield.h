@@ -18,6 +18,9 @@ inline auto yield_function(const P& p, double r, const YieldSurface& w) {
     return w.x * mx * mx + w.y * my * my + w.n * p[4] * p[4] + w.z * p[5] * p[5];
 }
 
+/// A with f_y = p^T A p, 6 x 6.
+Mat6 yield_matrix(double r, const YieldSurface& w);
+
 /// The gradient of f_y with respect to p.
 Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
 
@@ -26,10 +29,12 @@ struct Flow {
     Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
     double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
     double dissipation = 0;       ///< p . plastic, J, >= 0
+    /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
+    Vec6 elastic = Vec6::Zero();
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.p, s.plastic, s.lambda, s.dissipation);
+        a(s.p, s.plastic, s.lambda, s.dissipation, s.elastic);
     }
 };
 

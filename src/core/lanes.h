@@ -65,6 +65,23 @@ inline bool any_not_below(const Lanes& a, double limit) {
     return any;
 }
 
+/// Whether a comparison holds in any lane.
+inline bool any_true(bool a) { return a; }
+template <class Mask>
+inline bool any_true(const Mask& a) {
+#ifdef __AVX512DQ__
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(a)) != 0;
+#endif
+    long long any = 0;
+    for (int i = 0; i < lane_count; ++i) any |= a[i];
+    return any != 0;
+}
+
+/// Lanes 0 and 1 change places, 2 and 3, and so on.
+[[gnu::always_inline]] inline Lanes neighbours(const Lanes& a) {
+    return __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
+}
+
 /// Rows and columns of eight vectors change places.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
     const auto half = [&]<int c>() {  // columns c, c + 2, c + 4, c + 6

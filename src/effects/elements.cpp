@@ -16,12 +16,18 @@ public:
     /// Eqs 20a and 20c with consistent mass and plastic strain, in one pass.
     void add_energy(const State& state, Accounts& sums) const override {
         double elastic = 0, kinetic = 0;
+        Vec6 before = Vec6::Zero();
         for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
             if (state.broken[i]) continue;
             const PlacedElement placement = place_element(w_.structure, int(i), state);
             const beam::Stiffness k = stiffness_now(w_.structure, state, int(i));
             const Vec6 d = element_deformation(w_.structure, int(i), state, placement) - state.plastic[i];
             elastic += 0.5 * d.dot(k.times(d));
+            if (w_.structure.p_delta()) {
+                if (i % 2 == 1 && !state.broken[i - 1])
+                    elastic += beam::pair_energy(pair_kind_of(w_.structure.elements()[i]), before, d);
+                before = d;
+            }
             kinetic += kinetic_energy(w_.structure, state, int(i), axes_of(placement));
         }
         sums["elastic"] += elastic;
@@ -41,7 +47,9 @@ std::vector<PlanLine> large_displacement_plan(const Structure& s, const RunKind&
                         : geometric.active ? "part of large displacement"
                                            : "explicit steps form no stiffness; the forces have it";
     return {{"large displacement", large,
-             large ? "the default; displacement = \"small\" leaves it out" : "displacement = \"small\"",
+             !large        ? "displacement = \"small\""
+             : s.p_delta() ? "the default; with the axial force on the bending of members (p_delta = \"member\")"
+                           : "the default; displacement = \"small\" leaves it out",
              large ? "" : s.model().asked_at("model")},
             geometric};
 }

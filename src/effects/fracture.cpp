@@ -22,14 +22,28 @@ int joint_at(const Structure& s, const Element& e, int end) {
 
 double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
 
-/// Whether limits alone could be reached by elastic strain on top of the plastic one. (Elastic curvature is a mean of
-/// the two end moments over EI, and neither is above the fully plastic one.)
-bool within_reach(const FractureRule& rule, const Element& e, const beam::FractureStrains& plastic) {
+/// Part of EI that stays: no section bends by four times its yield curvature without flowing.
+constexpr double least_bending = 0.25;
+
+/// Whether limits alone could be reached by elastic strain on top of the plastic one. Elastic curvature is a mean of
+/// the two end moments over EI, and neither is above the fully plastic one. Where bending follows N (`p_delta`), S and
+/// A of beam/beam_column.h at the fully plastic compression take from EI, and the chord shortens by bowing.
+bool within_reach(const FractureRule& rule, const Element& e, const beam::FractureStrains& plastic, bool p_delta) {
+    if (e.yield.elastic()) return true;
     const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
-    return e.yield.elastic() ||
-           rule.curvature_x <= std::abs(plastic.curvature_x) + elastic(e.yield.x, e.rigidity.EIx) ||
-           rule.curvature_y <= std::abs(plastic.curvature_y) + elastic(e.yield.y, e.rigidity.EIy) ||
-           rule.axial_strain <= std::abs(plastic.axial) + elastic(e.yield.n, e.rigidity.EA);
+    double curvature[2] = {elastic(e.yield.x, e.rigidity.EIx), elastic(e.yield.y, e.rigidity.EIy)},
+           axial = elastic(e.yield.n, e.rigidity.EA);
+    if (p_delta) {
+        const beam::PairKind<double> pair = pair_kind_of(e);
+        for (int plane : {0, 1}) {
+            const beam::PairNumbers<double> of = beam::pair_numbers(pair.c[plane] * resultant(e.yield.n));
+            curvature[plane] /= std::max(least_bending, std::min(of.S, of.A));
+            axial += 0.5 * std::abs(of.S1) * std::pow(curvature[plane] * e.length, 2);
+        }
+    }
+    return rule.curvature_x <= std::abs(plastic.curvature_x) + curvature[0] ||
+           rule.curvature_y <= std::abs(plastic.curvature_y) + curvature[1] ||
+           rule.axial_strain <= std::abs(plastic.axial) + axial;
 }
 
 /// Calls a rule of the script's own; where it fails, the message says which rule, and asked of whom.
@@ -97,6 +111,8 @@ private:
     void check_element(int element, const beam::Flow* flow, bool news);
     Watched watch_strains(int element) const;
     void list_news();
+    Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::Flow* flow) const;
+    Vec6 deformation_before(int element) const;
     int weaker_end(int element, const beam::Flow* flow) const;
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow);
     void ask_sections();
@@ -156,7 +172,7 @@ void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    if (within_reach(rule, e, beam::fracture_strains(w_.state.plastic[index], e.length)) ||
+    if (within_reach(rule, e, beam::fracture_strains(w_.state.plastic[index], e.length), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
@@ -235,14 +251,27 @@ int Fracture::weaker_end(int index, const beam::Flow* flow) const {
     return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
 }
 
+/// At the end of the step, from the forces; where bending follows N, from where the nodes are.
+Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::Flow* flow) const {
+    if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
+    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.trial) - plastic;
+    return stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
+}
+
+/// The whole deformation at the start of the step.
+Vec6 Fracture::deformation_before(int index) const {
+    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.state);
+    return stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
+}
+
 /// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
 /// of. `news`: the element is strained as never before.
 void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    const Vec6 elastic = stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
     Vec6 plastic = w_.state.plastic[index];
     if (flow) plastic += flow->plastic;
+    const Vec6 elastic = elastic_deformation(index, plastic, flow);
     const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
     if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only))
         return step_->breaks.push_back({index, weaker_end(index, flow)});
@@ -263,9 +292,7 @@ void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
 
 void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
     const Element& e = w_.structure.elements()[index];
-    const Vec6 &p = w_.force[index],
-               before =
-                   stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
+    const Vec6 &p = w_.force[index], before = deformation_before(index);
     const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
                                 stays = beam::fracture_strains(plastic, e.length),
                                 rate = beam::fracture_strains((elastic + plastic - before) / step_->dt, e.length);
@@ -338,12 +365,16 @@ const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part)
         }
         const beam::Flow* flow = flows.of(index);
         Vec6 d = Vec6::Zero();
-        if (part == rate)
+        if (part != rate || of_.w_.structure.p_delta()) {
+            d = state.plastic[index];
+            if (flow) d += flow->plastic;
+            if (part != plastic) d += of_.elastic_deformation(index, d, flow);
+            if (part == rate) d = (d - of_.deformation_before(index)) / of_.step_->dt;
+        } else {
             d = stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index] - state.force[index]) /
                 of_.step_->dt;
-        else d = state.plastic[index];
-        if (part == total) d += stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index]);
-        if (flow) d += flow->plastic / (part == rate ? of_.step_->dt : 1);
+            if (flow) d += flow->plastic / of_.step_->dt;
+        }
         const beam::FractureStrains s = beam::fracture_strains(d, e.length);
         list.push_back({s.curvature_x, s.curvature_y, s.axial, s.twist});
     }

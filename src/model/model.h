@@ -46,6 +46,10 @@ enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF a
 /// The elements' mass: the paper's linear one, or that of the cubic shape which two elements of asi-gauss stand for.
 enum class MassShape : std::uint8_t { linear, cubic };
 
+/// Where the axial force of an element acts in large displacement: on its chord alone, or also on the bending of a pair
+/// between its ends (beam/beam_column.h).
+enum class PDelta : std::uint8_t { chord, member };
+
 /// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
 /// stays that of the Gauss points and the pair stays exact. `whole`: elastic and plastic together, as the paper prints
 /// it.
@@ -101,6 +105,7 @@ struct ModelOptions {
     Displacement displacement = Displacement::large;
     Shift shift = Shift::plastic;
     MassShape mass = MassShape::linear;
+    PDelta p_delta = PDelta::chord;
     bool plasticity = true;
     int elements_per_member = 2;
 };

@@ -55,6 +55,12 @@ public:
     bool lumped() const { return mass_ == MassKind::lumped; }
     bool at_nodes() const { return mass_ == MassKind::at_nodes; }
     bool cubic() const { return !lumped() && model_->options().mass == MassShape::cubic; }
+    /// Whether the bending of pairs follows their axial force (beam/beam_column.h).
+    bool p_delta() const {
+        const ModelOptions& o = model_->options();
+        return o.p_delta == PDelta::member && o.formulation == Formulation::asi_gauss && large() &&
+               o.shift == Shift::plastic;
+    }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }
     bool in_group(int element, int group) const;

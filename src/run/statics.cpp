@@ -8,6 +8,7 @@
 #include "core/errors.h"
 #include "core/rotation.h"
 #include "core/text.h"
+#include "run/pair_tangents.h"
 #include "run/yield_tangents.h"
 
 namespace hinge {
@@ -119,18 +120,27 @@ bool Statics::renew_and_factorise(double off_balance) {
         was_yielding_.clear();
         std::vector<Mat6> tangents = yield_tangents(*structure_, state_, sweep_, w_.yielding);
         const double share = std::max(hinge_regularisation(off_balance), stiffening_);
+        PairTangents pairs;
+        if (structure_->p_delta()) pairs = pair_tangents(*structure_, state_, w_.trial, sweep_, w_.yielding);
         for (std::size_t i = 0; i < tangents.size(); ++i) {
-            const Element& e = structure_->elements()[w_.yielding[i].element];
+            const int index = w_.yielding[i].element;
+            const Element& e = structure_->elements()[index];
             const beam::Rigidity& r = e.rigidity;
             Vec6 bare;
             bare << r.EIx, r.EIx, r.EIy, r.EIy, r.EA, r.GJ;
+            if (structure_->p_delta() && !state_.broken[e.partner]) tangents[i] = pairs.of_element[index];
             tangents[i] = tangents[i] + share * bare.asDiagonal().toDenseMatrix() / e.length;
-            was_yielding_.push_back(w_.yielding[i].element);
+            was_yielding_.push_back(index);
         }
+        std::vector<const Mat6*> given = tangents_of(list, w_.yielding, tangents);
+        for (std::size_t i = 0; i < list.size() && structure_->p_delta(); ++i)
+            if (!given[i] && !state_.broken[structure_->elements()[list[i]].partner])
+                given[i] = &pairs.of_element[list[i]];
         w_.force.swap(state_.force);  // the tangent's initial-stress part reads the forces of now
-        effective_->build(list, state_, w_.trial, tangents_of(list, w_.yielding, tangents));
+        effective_->build(list, state_, w_.trial, given);
         w_.force.swap(state_.force);
         Blocks blocks = blocks_at(w_.trial, 0);
+        blocks.pairs.insert(blocks.pairs.end(), pairs.couplings.begin(), pairs.couplings.end());
         const bool has_blocks = !blocks.pairs.empty() || !blocks.nodes.empty();
         if (has_blocks || had_blocks_) effective_->set_blocks(std::move(blocks));
         had_blocks_ = has_blocks;

@@ -41,6 +41,13 @@ int model(lua_State* L) {
         o.complain("mass", "'cubic'",
                    "belongs to formulation 'asi-gauss', whose pairs of elements have the stiffness of a cubic; '" +
                        formulation + "' takes 'linear'");
+    const bool bends =
+        m.formulation == Formulation::asi_gauss && m.displacement == Displacement::large && m.shift == Shift::plastic;
+    m.p_delta = o.word("p_delta", {"chord", "member"}, "chord") == "member" ? PDelta::member : PDelta::chord;
+    if (m.p_delta == PDelta::member && !bends)
+        o.complain(
+            "p_delta", "'member'",
+            "needs formulation 'asi-gauss', displacement 'large' and shift 'plastic'; without them it is 'chord'");
     m.plasticity = o.flag("plasticity", true);
     m.elements_per_member = o.integer("elements_per_member", 1, 2);
     if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)

@@ -107,6 +107,11 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     const beam::Stiffness k = stiffness_now(structure, state, index);
     const Vec6 stretched = element_deformation(structure, index, state) - state.plastic[index];
     report.elastic = 0.5 * stretched.dot(k.times(stretched));
+    if (structure.p_delta() && !state.broken[e.partner]) {
+        const Vec6 other = element_deformation(structure, e.partner, state) - state.plastic[e.partner];
+        const bool first = index < e.partner;
+        report.elastic += beam::pair_energy(pair_kind_of(e), first ? stretched : other, first ? other : stretched);
+    }
 
     // what the element carries now, about the carrier
     const Mat3 axes = frame(structure, state, index);

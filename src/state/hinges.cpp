@@ -12,6 +12,17 @@ void move_point(const Structure& structure, State& state, int element, double s)
     state.point[element] = s;
 }
 
+Mat6 elastic_tangent(const Structure& structure, const State& state, const Pose& pose, int index) {
+    Mat6 k = stiffness_now(structure, state, index).matrix();
+    const Element& e = structure.elements()[index];
+    if (!structure.p_delta() || state.broken[e.partner]) return k;
+    const int first = std::min(index, e.partner);
+    Vec6 d[2];
+    for (int i : {0, 1}) d[i] = element_deformation(structure, first + i, pose) - state.plastic[first + i];
+    const beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(e), d[0], d[1]);
+    return k += index == first ? K.topLeftCorner<6, 6>() : K.bottomRightCorner<6, 6>();
+}
+
 std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,
                              std::vector<int>& flowing) {
     const std::vector<int> before = flowing;

@@ -1,6 +1,7 @@
 // Hinges at the end of a step: what flowed is accumulated, and integration points go to where the hinges are.
 #pragma once
 
+#include "beam/beam_column.h"
 #include "state/sweep.h"
 
 namespace hinge {
@@ -17,10 +18,17 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
 /// Moves the integration point of an element to s and keeps its forces: d_p takes what the compliance gives away.
 void move_point(const Structure& structure, State& state, int element, double s);
 
+/// What an element of a pair is whose bending follows its axial force. Pairs are elements 2 i and 2 i + 1.
+inline beam::PairKind<double> pair_kind_of(const Element& e) { return beam::pair_kind(e.rigidity, e.length); }
+
 /// k(s) of the element as it stands.
 inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element) {
     const Element& e = structure.elements()[element];
     return state.point[element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[element]);
 }
+
+/// dp/dd of an elastic element at `pose`, 6 x 6; of a pair whose bending follows its axial force, with the partner's
+/// deformation held.
+Mat6 elastic_tangent(const Structure& structure, const State& state, const Pose& pose, int element);
 
 }  // namespace hinge

@@ -4,6 +4,7 @@
 #include <bit>
 #include <map>
 
+#include "beam/beam_column.h"
 #include "beam/mass.h"
 #include "beam/tangent.h"
 #include "core/built.h"
@@ -30,6 +31,7 @@ struct Sweep::Kind {
     Lanes yield[4];                              // x y n z
     Lanes mass, rotary[3];                       // rho A L/6, rho I L/6: the linear mass
     Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
+    beam::PairKind<Lanes> pair;                  // what N does to the bending of pairs
     bool can_yield;
 };
 
@@ -146,6 +148,11 @@ const Sweep::Kind& Sweep::add_kind(const State& state, const int* index) {
             kind.more_rotary[end][i] = whole.rotary[end].x() - linear.rotary[end].x();
         }
         kind.more_across[i] = whole.across - linear.across;
+        if (structure_.p_delta()) {
+            const beam::PairKind<double> pair = pair_kind_of(e);
+            kind.pair.axial[i] = pair.axial, kind.pair.length[i] = pair.length;
+            for (int plane : {0, 1}) kind.pair.b[plane][i] = pair.b[plane], kind.pair.c[plane][i] = pair.c[plane];
+        }
         kind.can_yield |= !e.yield.elastic();
     }
     return kind;
@@ -287,7 +294,52 @@ void Sweep::keep_twist(State& state) const {
         if (state.twist[i] != 0) keep(int(i));
 }
 
-template <bool large, bool inertia, bool cubic>
+/// What the forces of pairs have beyond those of their elements by themselves, where both are whole.
+[[gnu::always_inline]] inline void Sweep::add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole,
+                                                          const Lanes (&d)[6], Lanes (&p)[6]) {
+    Lanes kappa[2] = {d[1] - d[0], d[3] - d[2]};
+    if (whole != (1u << lane_count) - 1)
+        for (int i = 0; i < lane_count; ++i)
+            if ((whole >> (i & ~1) & 3) != 3) kappa[0][i] = kappa[1][i] = 0;
+    Lanes sum[2], difference[2];
+    for (int plane : {0, 1}) {
+        const Lanes other = neighbours(kappa[plane]);
+        sum[plane] = kappa[plane] + other, difference[plane] = kappa[plane] - other;
+    }
+    const Lanes mean = (d[4] + neighbours(d[4])) / 2;
+    const beam::PairForces<Lanes> beyond = beam::pair_forces(kind, mean, sum, difference);
+    for (int plane : {0, 1}) {
+        p[2 * plane] -= beyond.moment[plane];
+        p[2 * plane + 1] += beyond.moment[plane];
+    }
+    p[4] += beyond.N;
+}
+
+/// The return to the yield surface of a pair, the first of which is lane i.
+[[gnu::noinline]] void Sweep::return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6],
+                                          Found& found) const {
+    double section[2];
+    const int section_count = sections(section);
+    beam::Stiffness k[2];
+    Vec6 elastic[2];
+    const beam::YieldSurface* surface[2];
+    for (int j : {0, 1}) {
+        const int at = i + j;
+        k[j] = {kind.k[0][at], kind.k[1][at], kind.k[2][at], kind.k[3][at],
+                kind.k[4][at], kind.k[5][at], kind.k[6][at], kind.k[7][at]};
+        for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
+        surface[j] = &structure_.elements()[element + at].yield;
+    }
+    beam::Flow flow[2];
+    beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic, surface, section,
+                            section_count, flow);
+    for (int j : {0, 1}) {
+        for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
+        if (flow[j].lambda[0] > 0 || flow[j].lambda[1] > 0) found.yielding.push_back({element + i + j, flow[j]});
+    }
+}
+
+template <bool large, bool inertia, bool cubic, bool p_delta>
 void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose, std::vector<Vec6>& nodal,
                        std::vector<Vec6>& force, Found& found) {
     double section[2];
@@ -333,6 +385,8 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                       kind.k[6] * d[4],
                       kind.k[7] * d[5]};
 
+        if constexpr (p_delta) add_pair_forces(kind.pair, b.whole, d, p);
+
         // yield, eqs 4 and 14: where the function is above 1, return to the surface (eq 10c)
         if (built::plasticity && kind.can_yield) {
             Lanes f[2];
@@ -351,6 +405,11 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                     Vec6 trial;
                     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
                     if (!trial.allFinite()) continue;  // the step names the culprit
+                    if (p_delta && b.whole >> (i ^ 1) & 1) {
+                        return_pair(element, i & ~1, kind, d, p, found);
+                        i |= 1;
+                        continue;
+                    }
                     found.yielding.push_back(
                         {element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
                     for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
@@ -455,9 +514,13 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         found_[i].wound.clear();
         found_[i].folded = -1;
         const auto go_over = [&]<bool large>() {
-            const auto run_blocks_of = !inertia_            ? &Sweep::run_blocks<large, false, false>
-                                       : structure_.cubic() ? &Sweep::run_blocks<large, true, true>
-                                                            : &Sweep::run_blocks<large, true, false>;
+            const auto choose = [&]<bool p_delta>() {
+                return !inertia_            ? &Sweep::run_blocks<large, false, false, p_delta>
+                       : structure_.cubic() ? &Sweep::run_blocks<large, true, true, p_delta>
+                                            : &Sweep::run_blocks<large, true, false, p_delta>;
+            };
+            const auto run_blocks_of = large && structure_.p_delta() ? choose.template operator()<large>()
+                                                                     : choose.template operator()<false>();
             (this->*run_blocks_of)(first, end, state, pose, nodal, force, found_[i]);
         };
         structure_.large() ? go_over.operator()<true>() : go_over.operator()<false>();

@@ -10,6 +10,11 @@
 
 namespace hinge {
 
+namespace beam {
+template <class Real>
+struct PairKind;
+}
+
 /// What one element did on the way to the pose.
 struct Yielding {
     int element;
@@ -72,7 +77,9 @@ private:
     struct Found;  ///< what one piece of the sweep came upon
     unsigned find_wound(const Block& b, int element, const Lanes& rotated, const State&, const Pose&,
                         Found& found) const;
-    template <bool large, bool inertia, bool cubic>
+    static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
+    void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    template <bool large, bool inertia, bool cubic, bool p_delta>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
                     Found& found);
     void share_out();

@@ -1,0 +1,164 @@
+// The bending of a pair of elements under an axial force: the exact beam-column between the ends of the pair.
+//
+// A pair of elements of formulation asi-gauss has the bending stiffness of the exact beam between its ends, and the
+// chords of its two elements carry the axial force N. The chords alone are too little: the middle node of the pair goes
+// 0.4226 theta l where a half sine has 0.6366 theta l, and a pinned column of two elements buckles at 22.4 EI/L^2.
+//
+// With p = -N l^2 / EI (l: one element; p > 0 is compression) the exact beam-column between the ends of the pair has
+// two numbers, for symmetric and antisymmetric rotations of its ends (the stability functions, Livesley and Chandler
+// 1956), in EI/l:
+//
+//   symmetric      C                 C = u cot u, u^2 = p;   in tension C = v coth v, v^2 = -p
+//   antisymmetric  p / (1 - C)
+//
+// Here the bending energy of the pair has two numbers too. kappa = t2 - t1 is what an element bends by:
+//
+//   W = EI/l (S (kappa_1 + kappa_2)^2 + A (kappa_1 - kappa_2)^2) / 4,    S = A = 1 at N = 0
+//
+// The integration points stay where they are, a l from the outer ends, a = 1/(3 + sqrt 3) * 2 = (1 - s)/2. Where shear
+// is stiff, the pair then has
+//
+//   symmetric      S - a^2 p         (the middle node goes a theta l, and the chords carry N)
+//   antisymmetric  3 A               (the middle node stays; 1 / (1 - a)^2 = 3)
+//
+// so that S = C + a^2 p and A = p / (3 (1 - C)) make it exact. N is that of the pair's mean extension e and of the
+// shortening by bowing, -dW/dN / 2 an element:
+//
+//   U = the greatest over N of  2 N e - N^2 l / EA + W(N, kappa)
+//
+// S and A fall ever faster as p grows, so there is one such N. U depends on the deformations of the two elements alone:
+// energy is conserved, a rigid motion strains nothing. A pair that is clamped at both ends buckles at p = pi^2 by its
+// middle node, which cannot follow without rotation of the ends: that takes four elements.
+//
+// C comes from the continued fraction p / (3 - p / (5 - p / (7 - p / (9 - p / 11)))) of 1 - C (Lambert 1761), right to
+// 2.5e-5 for p between -7.2 and 4.5 and to 3e-4 at 6. Beyond -7.2 and 6 S and A go on as straight lines.
+#pragma once
+
+#include "beam/yield.h"
+#include "core/lanes.h"
+
+namespace hinge::beam {
+
+/// S and A of a pair, with first and second derivatives with respect to p.
+template <class Real>
+struct PairNumbers {
+    Real S, S1, S2, A, A1, A2;
+};
+
+/// Where S and A become straight lines. At `pair_least` the slope of S is zero.
+inline constexpr double pair_least = -7.204172103970679, pair_most = 6;
+/// a^2: see above.
+inline constexpr double pair_sag = 0.25 * (1 - gauss_point) * (1 - gauss_point);
+
+/// `p`: -N l^2 / EI of one element.
+template <class Real>
+[[gnu::always_inline]] inline PairNumbers<Real> pair_numbers(const Real& p) {
+    const auto c = [&](double v) { return spread(v, p); };
+    const Real least = c(pair_least), most = c(pair_most);
+    Real t = p < least ? least : p;
+    t = t > most ? most : t;
+    // f = p/(5 - p/(7 - p/(9 - p/11))) = n/d;  A = 1 - f/3,  C = 1 - p/(3 - f) = 1 - p d/m,  m = 3 d - n
+    const Real n = t * (c(693) - c(18) * t), n1 = c(693) - c(36) * t, d = c(3465) + t * (t - c(189)),
+               d1 = t + t - c(189), m = c(3) * d - n, m1 = c(3) * d1 - n1;
+    const Real both = c(1) / (d * m), of_d = both * m, of_m = both * d;
+    const Real f = n * of_d, f1 = (n1 - f * d1) * of_d, f2 = (c(-36) - c(2) * f1 * d1 - c(2) * f) * of_d;
+    const Real g = t * d * of_m, g1 = (d + t * d1 - g * m1) * of_m,
+               g2 = (c(2) * d1 + c(2) * t - c(2) * g1 * m1 - c(42) * g) * of_m;
+    const Real past = p - t, third = c(-1.0 / 3), none = c(0);
+    PairNumbers<Real> out;
+    out.S1 = c(pair_sag) - g1;
+    out.A1 = third * f1;
+    out.S = c(1) - g + c(pair_sag) * t + out.S1 * past;
+    out.A = c(1) + third * f + out.A1 * past;
+    out.S2 = past != none ? none : none - g2;
+    out.A2 = past != none ? none : third * f2;
+    return out;
+}
+
+/// What the elements of a pair are, and both are alike. Index 0: bending about x; 1: about y. All zero but `axial`:
+/// elements without a partner.
+template <class Real>
+struct PairKind {
+    Real axial, length;  ///< EA/l, N/m; l, m
+    Real b[2], c[2];     ///< EI/l, N m; l^2/EI, 1/N
+};
+PairKind<double> pair_kind(const Rigidity& c, double L);
+
+/// What the pair's forces have beyond those of the elements by themselves.
+template <class Real>
+struct PairForces {
+    Real N;             ///< on the extension of each element, N
+    Real N_whole;       ///< of the pair, N
+    Real moment[2];     ///< on the bending of the first element, N m
+    Real symmetric[2];  ///< of that, what the second one has as well; the rest it has with the other sign
+};
+
+/// `e`: mean elastic extension, m; `sum`, `difference`: of kappa of the two elements, first less second, rad.
+template <class Real>
+[[gnu::always_inline]] inline PairForces<Real> pair_forces(const PairKind<Real>& k, const Real& e, const Real (&sum)[2],
+                                                           const Real (&difference)[2]) {
+    const auto c = [&](double v) { return spread(v, e); };
+    constexpr double S1 = pair_sag - 1.0 / 3, A1 = -1.0 / 15, S2 = -2.0 / 45, A2 = -2.0 / 525;  // at p = 0
+    const Real one = c(1), half = c(0.5), bowing = c(-0.125) * k.axial * k.length, straight = k.axial * e;
+    const Real square[2][2] = {{sum[0] * sum[0], difference[0] * difference[0]},
+                               {sum[1] * sum[1], difference[1] * difference[1]}};
+    // Newton's method for N = EA/l (e + bow(N)), from what the first terms of the series of S and A give, and halving
+    // where it would leave what is known to hold N: the right side falls as N grows, so there is one solution.
+    const auto at_rest = [&](double S, double A, int plane) {
+        return c(S) * square[plane][0] + c(A) * square[plane][1];
+    };
+    Real N = (straight + bowing * (at_rest(S1, A1, 0) + at_rest(S1, A1, 1))) /
+             (one + bowing * (k.c[0] * at_rest(S2, A2, 0) + k.c[1] * at_rest(S2, A2, 1)));
+    PairForces<Real> out{N - straight, N, {c(0), c(0)}, {c(0), c(0)}};
+    auto open = N == N;  // lanes whose N is not found yet
+    Real low = c(-1e300), high = c(1e300);
+    for (int i = 0; i < 200; ++i) {
+        const PairNumbers<Real> of[2] = {pair_numbers(c(0) - k.c[0] * N), pair_numbers(c(0) - k.c[1] * N)};
+        Real bow = c(0), slope = c(0);
+        for (int plane : {0, 1}) {
+            bow += of[plane].S1 * square[plane][0] + of[plane].A1 * square[plane][1];
+            slope += k.c[plane] * (of[plane].S2 * square[plane][0] + of[plane].A2 * square[plane][1]);
+        }
+        const Real off = N - straight - bowing * bow, change = off / (one + bowing * slope);
+        low = off < c(0) ? N : low;
+        high = off > c(0) ? N : high;
+        Real next = N - change;
+        next = next < low ? half * (low + high) : next;
+        next = next > high ? half * (low + high) : next;
+        out.N = open ? next - straight : out.N;
+        for (int plane : {0, 1}) {  // S and A where the change leads
+            const Real by = k.c[plane] * change, b = half * k.b[plane];
+            const Real symmetric = b * (of[plane].S + of[plane].S1 * by - one) * sum[plane];
+            const Real moment = symmetric + b * (of[plane].A + of[plane].A1 * by - one) * difference[plane];
+            out.moment[plane] = open ? moment : out.moment[plane];
+            out.symmetric[plane] = open ? symmetric : out.symmetric[plane];
+        }
+        N = open ? next : N;
+        const Real size = change < c(0) ? c(0) - change : change, whole = N < c(0) ? c(0) - N : N;
+        open = open & (size > c(1e-6) * whole + c(1e-18) * k.axial);
+        if (!any_true(open)) break;
+    }
+    out.N_whole = N;
+    return out;
+}
+
+using PairMatrix = Eigen::Matrix<double, 12, 12>;
+/// U less the energies of the two elements by themselves, J; its derivatives with respect to their elastic deformations
+/// d1 and d2, six numbers each as everywhere: N and N m; and 12 x 12, symmetric.
+double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
+Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
+PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
+
+/// The return to the yield surfaces of a pair whose elastic deformations would be d[0] and d[1]: forces that are dU/dd
+/// where the flow has left it, none of them beyond its surface. `tolerance`: what the forces may miss of dU/dd, in the
+/// energy norm.
+void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
+                       const YieldSurface* const (&w)[2], const double* sections, int n, Flow (&flow)[2],
+                       double tolerance = 1e-6);
+
+/// d(forces)/dd of a pair, 12 x 12, consistent with that return. `elastic`: what the flow has left; `flow`: null of an
+/// element that does not flow.
+PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
+                        const YieldSurface* const (&w)[2], const double* sections, int n, const Flow* const (&flow)[2]);
+
+}  // namespace hinge::beam

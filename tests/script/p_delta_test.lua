@@ -1,0 +1,303 @@
+-- Members in compression with p_delta = "member": columns, portals and vibrations of two elements a member against
+-- closed forms, the elastica, an inelastic column against 64 elements, and what a run must keep: energy, bits, rest.
+--
+-- Run: lua5.4 tests/script/p_delta_test.lua
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "p_delta"
+local expect, equal, near = checks.expect, checks.equal, checks.near
+local pi = math.pi
+
+-- A slender bar: L / r = 1000, stiff in shear, so that Euler's load holds to 1e-5.
+local E, L, I, A = 2e11, 10.0, 1e-6, 1e-2
+local P_E = pi ^ 2 * E * I / L ^ 2
+local material = hinge.material { E = E, G = E, density = 7800 }
+local section = hinge.section.general { area = A, Ix = I, Iy = 3 * I, J = I, shear_area_x = A, shear_area_y = A }
+
+local function model_of(o)
+  return hinge.model { p_delta = o.p_delta or "member", elements_per_member = o.elements or 2, mass = o.mass }
+end
+
+-- A column along z that bends in the y-z plane (about x). `foot`, `head`: what is held.
+local function column(o)
+  local model = model_of(o)
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+  model:fix(a, o.foot)
+  model:fix(b, o.head)
+  model:member { a, b, section = section, material = material, up = { 0, 1, 0 } }
+  return { model = model, loaded = { b }, pushed = o.push and b or o.at == "foot" and a or b, push = o.push }
+end
+
+-- A portal in the y-z plane, beam as long as the columns are high, without axial force in the beam.
+local function portal(o)
+  local model = model_of(o)
+  local n = {}
+  for i, at in ipairs { { 0, 0, 0 }, { 0, 0, L }, { 0, L, L }, { 0, L, 0 } } do
+    n[i] = model:node(at)
+    model:fix(n[i], (i == 2 or i == 3) and "x,ry,rz" or o.foot)
+  end
+  for i = 1, 3 do
+    model:member { n[i], n[i + 1], section = section, material = material, up = i == 2 and { 0, 0, 1 } or { 0, 1, 0 } }
+  end
+  return { model = model, loaded = { n[2], n[3] }, pushed = n[2], push = true }
+end
+
+-- The load at which a small disturbance grows without bound, from the displacements at two loads below it: 1 / u falls
+-- to zero in a line as far as one mode rules. In Euler's of a column.
+local function critical(make, o)
+  local u = {}
+  for i, part in ipairs { 0.97, 0.985 } do
+    local made = make(o)
+    local P = part * o.exact * P_E
+    for _, node in ipairs(made.loaded) do made.model:load { node = node, force = { 0, 0, -P } } end
+    if made.push then made.model:load { node = made.pushed, force = { 0, 1e-7 * P, 0 } }
+    else made.model:load { node = made.pushed, moment = { 1e-7 * P, 0, 0 } } end
+    local run = made.model:static { steps = 4, record = false }
+    run:finish()
+    equal(run.verdict, "completed", o.name)
+    local d = { run:displacement(made.pushed) }
+    u[i] = { P = P, inverse = P / d[made.push and 2 or 4] }
+  end
+  local slope = (u[2].inverse - u[1].inverse) / (u[2].P - u[1].P)
+  return (u[1].P - u[1].inverse / slope) / P_E
+end
+
+-- k L of the lowest sway mode of the portal: pinned feet k L tan(k L) = 6, clamped feet k L / tan(k L) = -6.
+local function root(f, low, high)
+  for _ = 1, 100 do
+    local middle = (low + high) / 2
+    if (f(middle) > 0) == (f(high) > 0) then high = middle else low = middle end
+  end
+  return low
+end
+local pinned = root(function(x) return x * math.tan(x) - 6 end, 0.1, pi / 2 - 1e-9)
+local clamped = root(function(x) return x / math.tan(x) + 6 end, pi / 2, pi - 1e-9)
+
+for _, case in ipairs {
+  { column, name = "pinned", foot = "xyz,rz", head = "xy", exact = 1 },
+  { column, name = "cantilever", foot = "all", head = "x", push = true, exact = 0.25 },
+  { column, name = "clamped, head sways", foot = "all", head = "x,rx,ry,rz", push = true, exact = 1 },
+  { column, name = "clamped and pinned", foot = "all", head = "xy", exact = 2.045748 },
+  { column, name = "pinned foot, head sways clamped", foot = "xyz,rz", head = "x,rx,ry,rz", push = true, exact = 0.25 },
+  { portal, name = "portal on pinned feet", foot = "xyz,ry,rz", exact = (pinned / pi) ^ 2 },
+  { portal, name = "portal on clamped feet", foot = "all", exact = (clamped / pi) ^ 2 },
+} do
+  local found = critical(case[1], case)
+  print(("%-34s %.5f of %.5f: %+.3f %%"):format(case.name, found, case.exact, 100 * (found / case.exact - 1)))
+  near(found / case.exact, 1, 1e-3, case.name .. ": critical load")
+
+  -- load control ends where the straight structure becomes unstable
+  local made = case[1](case)
+  for _, node in ipairs(made.loaded) do made.model:load { node = node, force = { 0, 0, -2 * case.exact * P_E } } end
+  local run = made.model:static { steps = 40, to_limit = true, record = false }
+  run:finish()
+  expect(run.limit, "%s: no limit told", case.name)
+  near(2 * run.factor, 1, 1e-3, case.name .. ": unstable at")
+end
+do -- clamped at both ends: four elements
+  local case = { name = "clamped at both ends", foot = "all", head = "xy,rx,ry,rz", exact = 4, elements = 4 }
+  local model = model_of(case)
+  local a, b, c = model:node { 0, 0, 0 }, model:node { 0, 0, L / 2 }, model:node { 0, 0, L }
+  model:fix(a, "all")
+  model:fix(c, case.head)
+  for _, ends in ipairs { { a, b }, { b, c } } do
+    model:member { ends[1], ends[2], section = section, material = material, up = { 0, 1, 0 }, elements = 2 }
+  end
+  local made = { model = model, loaded = { c }, pushed = b, push = true }
+  local u = {}
+  for i, part in ipairs { 0.97, 0.985 } do
+    local P = part * 4 * P_E
+    local with = i == 1 and { P, 1e-7 * P } or { P - 0.97 * 4 * P_E, 1e-7 * (P - 0.97 * 4 * P_E) }
+    model:load { node = c, force = { 0, 0, -with[1] } }
+    model:load { node = b, force = { 0, with[2], 0 } }
+    local run = model:static { steps = 4, record = false }
+    run:finish()
+    u[i] = { P = P, inverse = P / select(2, run:displacement(made.pushed)) }
+  end
+  local slope = (u[2].inverse - u[1].inverse) / (u[2].P - u[1].P)
+  local found = (u[1].P - u[1].inverse / slope) / P_E
+  print(("%-34s %.5f of 4.00000: %+.3f %%"):format(case.name, found, 100 * (found / 4 - 1)))
+  near(found / 4, 1, 1e-3, case.name)
+end
+
+-- How fast a column swings under axial load: the top of the spectrum of one number over five periods.
+local function frequency(run, omega, read)
+  local times, values = {}, {}
+  for _ in run:steps() do times[#times + 1], values[#values + 1] = run.time, read() end
+  local function spectrum(x)  -- at x times the frequency expected
+    local re, im = 0, 0
+    for k, t in ipairs(times) do
+      local y = values[k] * (1 - math.cos(2 * pi * k / #times))
+      re, im = re + y * math.cos(x * omega * t), im + y * math.sin(x * omega * t)
+    end
+    return re ^ 2 + im ^ 2
+  end
+  local low, high = 0.5, 1.5
+  for _ = 1, 40 do
+    local x1, x2 = high - 0.618034 * (high - low), low + 0.618034 * (high - low)
+    if spectrum(x1) > spectrum(x2) then high = x2 else low = x1 end
+  end
+  return low
+end
+local function released(model, push, omega)  -- bent by `push`, and released
+  local period = 2 * pi / omega
+  push.history = { { 0, 1 }, { period / 1e4, 0 } }
+  model:load(push)
+  local loaded = model:static { steps = 4, record = false }
+  loaded:finish()
+  return model:dynamic { from = loaded, dt = period / 400, duration = 5 * period, iterations = 10, record = false,
+    predictor = "displacement" }
+end
+local function tanh(x) return 1 - 2 / (math.exp(2 * x) + 1) end
+for _, part in ipairs { 0.01, 0.5, 0.9, -2 } do
+  -- a floor on a clamped column whose head does not rotate: P / (2 tan(k L / 2) / k - L) / m; two elements
+  local k = math.sqrt(math.abs(part)) * pi / L
+  local lateral = part * P_E / (2 * (part > 0 and math.tan or tanh)(k * L / 2) / k - L)
+  local made = column { foot = "all", head = "x,rx,ry,rz", push = true }
+  made.model:mass { node = made.pushed, mass = 1e6 }
+  made.model:load { node = made.pushed, force = { 0, 0, -part * P_E } }
+  local omega = math.sqrt(lateral / 1e6)
+  local run = released(made.model, { node = made.pushed, force = { 0, 1e-2, 0 } }, omega)
+  local found = frequency(run, omega, function() return select(2, run:displacement(made.pushed)) end)
+  print(("a floor, %4.2f of Euler's load: frequency %+.3f %%"):format(part, 100 * (found - 1)))
+  near(found, 1, 0.01, ("a floor, %g of Euler's load: frequency"):format(part))
+
+  -- a pinned column's own vibration, to zero at Euler's load as the root of 1 - P / P_E; four elements
+  local own = column { foot = "xyz,rz", head = "xy", elements = 4, mass = "cubic" }
+  own.model:load { node = own.loaded[1], force = { 0, 0, -part * P_E } }
+  omega = (pi / L) ^ 2 * math.sqrt(E * I / (7800 * A)) * math.sqrt(1 - part)
+  run = released(own.model, { node = own.pushed, moment = { 1e-2, 0, 0 } }, omega)
+  found = frequency(run, omega, function() return select(4, run:displacement(own.pushed)) end)
+  print(("pinned, %5.2f of Euler's load: own frequency %+.3f %%"):format(part, 100 * (found - 1)))
+  near(found, 1, 0.01, ("pinned, %g of Euler's load: own frequency"):format(part))
+end
+
+-- The elastica: end rotation against load, four elements. (2 K(sin(alpha / 2)) / pi)^2, K by the arithmetic-geometric
+-- mean.
+local function elastica(alpha)
+  local a, b = 1, math.cos(alpha / 2)
+  for _ = 1, 40 do a, b = (a + b) / 2, math.sqrt(a * b) end
+  return 1 / a ^ 2
+end
+for _, slender in ipairs { 100, 300 } do
+  local r = L / slender
+  local made = model_of { elements = 4 }
+  local a, b = made:node { 0, 0, 0 }, made:node { 0, 0, L }
+  made:fix(a, "xyz,rz")
+  made:fix(b, "xy")
+  local bar = hinge.section.general { area = A, Ix = A * r ^ 2, Iy = 3 * A * r ^ 2, J = A * r ^ 2, shear_area_x = A,
+    shear_area_y = A }
+  made:member { a, b, section = bar, up = { 0, 1, 0 },
+    material = hinge.material { E = E, G = 50 * E, density = 7800 } }
+  local P = pi ^ 2 * E * A * r ^ 2 / L ^ 2
+  made:load { node = b, force = { 0, 0, -0.9 * P } }
+  made:load { node = a, moment = { 1e-2 * P * r, 0, 0 } }
+  local first = made:static { steps = 9, record = false }
+  first:finish()
+  for _, degrees in ipairs { 20, 40, 60 } do
+    local run = made:static { from = first, control = { node = a, "rx", to = math.rad(degrees) }, steps = 60,
+      record = false }
+    run:finish()
+    local found = 0.9 * run.factor / elastica(math.rad(degrees))
+    print(("elastica, L/r %g, %g degrees            %+.2f %%"):format(slender, degrees, 100 * (found - 1)))
+    near(found, 1, 0.02, ("elastica, L/r %g, %g degrees"):format(slender, degrees))
+  end
+end
+
+-- An inelastic column: the largest load and what is left of it, four elements against 64.
+local function inelastic(o)
+  local model = hinge.model { p_delta = o.p_delta, elements_per_member = o.elements }
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 4 }
+  model:fix(a, "xyz,rz")
+  model:fix(b, "xy")
+  model:member { a, b, section = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.008 },
+    material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }, up = { 0, 1, 0 } }
+  model:load { node = b, force = { 0, 0, -1e6 } }
+  for node, sign in pairs { [a] = 1, [b] = -1 } do
+    model:load { node = node, moment = { sign * 1e6 * 4 / 500, 0, 0 } }
+  end
+  local most, run = 0, model:static { control = { node = b, "uz", to = -0.03 }, steps = 120, record = false }
+  for _ in run:steps() do most = support.largest_of(most, run.factor) end
+  equal(run.verdict, "completed", "inelastic column: " .. tostring(run.reason))
+  return most, run.factor
+end
+do
+  local most, left = inelastic { p_delta = "chord", elements = 64 }
+  local peak, rest = inelastic { p_delta = "member", elements = 4 }
+  local A_section = 0.15 ^ 2 - 0.134 ^ 2
+  expect(most < 0.95 * A_section * 250 and rest < 0.6 * peak, "inelastic column: %g, then %g MN", most, left)
+  print(("inelastic column, 4 elements: largest load %+.2f %%, at 30 mm %+.2f %%"):format(100 * (peak / most - 1),
+    100 * (rest / left - 1)))
+  near(peak / most, 1, 0.03, "inelastic column: largest load")
+  near(rest / left, 1, 0.03, "inelastic column: load at 30 mm")
+end
+
+-- A portal under load that is shaken, elastic and plastic: energy, threads, a checkpoint, a step taken back.
+local function shaken(o, settings, file)
+  local model = model_of(o)
+  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = o.yield_stress }
+  local box = hinge.section.box { width = 0.1, depth = 0.1, thickness = 0.005 }
+  local n = {}
+  for i, at in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 0, 4, 3 }, { 0, 4, 0 } } do n[i] = model:node(at) end
+  for i = 1, 3 do model:member { n[i], n[i + 1], section = box, material = steel } end
+  for i = 1, 4, 3 do model:fix(n[i], "all") end
+  for i = 2, 3 do
+    model:load { node = n[i], force = { 0, 0, -1.5e5 }, history = { { 0, 0 }, { 0.005, 1 }, { 1, 1 } } }
+  end
+  model:load { node = n[2], force = { 4e3, 6e4, 0 }, history = { { 0, 0 }, { 0.004, 1 }, { 0.02, 0 }, { 1, 0 } } }
+  if o.fracture then model:fracture { curvature_x = o.fracture, curvature_y = o.fracture, axial_strain = 0.3 } end
+  local all = { duration = 0.06, record = false }
+  for k, v in pairs(settings) do all[k] = v end
+  local run = model:dynamic(all)
+  if o.resumed then return run end
+  for step in run:steps() do
+    if file and step.index == 300 then run:checkpoint(file) end
+  end
+  return run
+end
+for _, o in ipairs {
+  { {}, { dt = 1e-4, iterations = 20 }, 1e-6 }, { {}, { dt = 5e-5 }, 1e-3 },
+  { {}, { integrator = "explicit", dt = "auto" }, 1e-3 },
+  { { yield_stress = 250e6 }, { dt = 1e-4, iterations = 20 }, 1e-4 },
+  { { yield_stress = 250e6 }, { integrator = "explicit", dt = "auto" }, 1e-3 },
+  { { yield_stress = 250e6, fracture = 0.05 }, { integrator = "explicit", dt = "auto" }, 1e-3, broken = true },
+} do
+  local run = shaken(o[1], o[2])
+  local name = ("portal, %s, %s%s"):format(o[2].integrator or "newmark", o[1].yield_stress and "plastic" or "elastic",
+    o.broken and ", breaking" or "")
+  equal(run.verdict, "completed", name)
+  local turned = run.energy.work
+  print(("%-34s energy error %.1e of the work"):format(name, run.energy.remainder / turned))
+  near(run.energy.remainder / turned, 0, o[3], name .. ": energy")
+  expect(not o[1].yield_stress or run.energy.plastic > 0.1 * turned, "%s: plastic work %g J", name, run.energy.plastic)
+  if o.broken then expect(run:count { state = "broken" } > 0, "%s: something breaks", name) end
+end
+do
+  local steel, file = { yield_stress = 250e6 }, os.tmpname()
+  local settings = { dt = 1e-4 }
+  local whole = shaken(steel, settings, file)
+  local other = shaken({ yield_stress = 250e6, resumed = true }, settings)
+  other:resume(file)
+  other:finish()
+  equal(other.hash, whole.hash, "a run that goes on from a checkpoint")
+  os.remove(file)
+  equal(shaken(steel, { dt = 1e-4, threads = 3 }).hash, whole.hash, "three threads")
+end
+
+-- A frame that only tumbles strains nothing.
+do
+  local model = model_of {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }
+  model:member { a, b, section = section, material = material, group = "all" }
+  model:velocity("all", { 0, 0, 0 }, { -5, 0, 0 })
+  local run = model:dynamic { dt = 1e-3, duration = 1, iterations = 20, record = false }
+  run:finish()
+  local pulled = 0.5 * (7800 * 25 * 1) ^ 2 * A * 2 / E  -- by centrifugal forces, rho w^2 L^2 / 8 at most
+  expect(run.energy.elastic < pulled, "tumbling: %g J elastic", run.energy.elastic)
+end
+
+local ok, message = pcall(hinge.model, { p_delta = "member", displacement = "small" })
+expect(not ok and tostring(message):find("needs formulation 'asi-gauss', displacement 'large'", 1, true),
+  "p_delta = 'member' in small displacement: %s", message)
+checks.done()

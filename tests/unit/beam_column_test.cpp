@@ -1,0 +1,203 @@
+// The bending of a pair under axial force: against the stability functions of the exact beam-column, its forces and
+// stiffness against finite differences of its energy, and its return to the yield surface.
+#include <Eigen/LU>
+#include <cmath>
+
+#include "beam/beam_column.h"
+#include "helpers.h"
+
+using namespace hinge;
+using namespace hinge::beam;
+using namespace hinge::test;
+
+namespace {
+
+/// u cot u, u^2 = p; v coth v in tension.
+double stability(double p) {
+    const double u = std::sqrt(std::abs(p));
+    return p > 0 ? u / std::tan(u) : u / std::tanh(u);
+}
+
+struct SomePair {
+    Stiffness of[2];
+    PairKind<double> kind;
+    Vec6 d[2];
+    Vec12 forces() const { return forces(d[0], d[1]); }
+    Vec12 forces(const Vec6& d1, const Vec6& d2) const {
+        Vec12 p = pair_forces(kind, d1, d2);
+        p.head<6>() += of[0].times(d1);
+        p.tail<6>() += of[1].times(d2);
+        return p;
+    }
+    double energy(const Vec6& d1, const Vec6& d2) const {
+        return pair_energy(kind, d1, d2) + 0.5 * d1.dot(of[0].times(d1)) + 0.5 * d2.dot(of[1].times(d2));
+    }
+};
+
+/// Slender elements, bent by up to `bent`, rad, with a mean extension of up to p = `most`.
+SomePair some_pair(Dice& dice, double bent, double most) {
+    Rigidity c;
+    c.EIx = dice(0.5, 2) * 1e5, c.EIy = dice(0.5, 2) * 1e5;
+    c.EA = dice(0.5, 2) * 5e8, c.GJ = dice(0.5, 2) * 7e4;
+    c.GAx = dice(0.5, 2) * 1.6e8, c.GAy = dice(0.5, 2) * 1.6e8;
+    const double L = dice(0.5, 2);
+    SomePair pair{{stiffness(c, L, gauss_point), stiffness(c, L, -gauss_point)}, pair_kind(c, L), {}};
+    const double e = dice(-most, most) / (pair.kind.axial * pair.kind.c[0]);
+    for (int i : {0, 1}) {
+        Vec6& d = pair.d[i];
+        d[4] = e * dice(0.8, 1.2);
+        d[5] = dice(-0.02, 0.02);
+        for (int plane : {0, 1}) {
+            const double a = i == 0 ? (1 - gauss_point) / 2 : (1 + gauss_point) / 2;  // hardly any shear
+            d[2 * plane] = dice(-bent, bent);
+            d[2 * plane + 1] = (dice(-1, 1) * 1e-3 * bent - a * d[2 * plane]) / (1 - a);
+        }
+    }
+    return pair;
+}
+
+}  // namespace
+
+TEST_CASE("beam-column: the pair's two numbers are the stability functions", "[beam_column]") {
+    double worst = 0, at_ends = 0;
+    for (double p = -7.2; p <= 6; p += 0.0101) {
+        const PairNumbers<double> f = pair_numbers(p);
+        const double C = stability(p);
+        const double error = largest_of(std::abs(f.S - pair_sag * p - C), std::abs(3 * f.A / (p / (1 - C)) - 1));
+        double& most = p < 4.5 ? worst : at_ends;
+        most = largest_of(most, error);
+    }
+    CHECK_FIGURE("stability functions, p from -7.2 to 4.5", worst, 2.6e-5);
+    CHECK_FIGURE("stability functions, up to 6", at_ends, 3.1e-4);
+    CHECK(pair_numbers(0.0).S == 1);
+    CHECK(pair_numbers(0.0).A == 1);
+}
+
+TEST_CASE("beam-column: S and A fall ever faster, without a jump in value or slope", "[beam_column]") {
+    double last = 1, last_A = 1;
+    for (double p = -40; p <= 40; p += 0.01) {
+        const PairNumbers<double> f = pair_numbers(p), next = pair_numbers(p + 1e-5);
+        CHECK(f.S1 <= last + 1e-12);
+        CHECK(f.A1 <= last_A + 1e-12);
+        last = f.S1, last_A = f.A1;
+        CHECK(next.S == Approx(f.S + 1e-5 * f.S1).margin(1e-9));
+        CHECK(next.A == Approx(f.A + 1e-5 * f.A1).margin(1e-9));
+        if (std::abs(p - pair_least) < 1e-3 || std::abs(p - pair_most) < 1e-3) continue;  // S2 and A2 jump there
+        CHECK(f.S2 == Approx((pair_numbers(p + 1e-4).S1 - pair_numbers(p - 1e-4).S1) / 2e-4).margin(2e-3));
+        CHECK(f.A2 == Approx((pair_numbers(p + 1e-4).A1 - pair_numbers(p - 1e-4).A1) / 2e-4).margin(2e-3));
+    }
+}
+
+TEST_CASE("beam-column: eight at once are the same bits as one at a time", "[beam_column]") {
+    Dice dice(3);
+    for (int round = 0; round < 200; ++round) {
+        PairKind<Lanes> kind{};
+        Lanes e{}, sum[2] = {}, difference[2] = {};
+        for (int i = 0; i < lane_count; ++i) {
+            kind.axial[i] = dice(1e7, 1e9), kind.length[i] = dice(0.5, 2);
+            e[i] = dice(-2e-3, 2e-3);
+            for (int plane : {0, 1}) {
+                kind.b[plane][i] = dice(1e4, 1e6), kind.c[plane][i] = kind.length[i] / kind.b[plane][i];
+                sum[plane][i] = dice(-0.3, 0.3), difference[plane][i] = dice(-0.3, 0.3);
+            }
+        }
+        const PairForces<Lanes> many = pair_forces(kind, e, sum, difference);
+        for (int i = 0; i < lane_count; ++i) {
+            const double of_one[2] = {sum[0][i], sum[1][i]}, less[2] = {difference[0][i], difference[1][i]};
+            const PairForces<double> one = pair_forces<double>(
+                {kind.axial[i], kind.length[i], {kind.b[0][i], kind.b[1][i]}, {kind.c[0][i], kind.c[1][i]}}, e[i],
+                of_one, less);
+            CHECK(many.N[i] == one.N);
+            for (int plane : {0, 1}) CHECK(many.moment[plane][i] == one.moment[plane]);
+        }
+    }
+}
+
+TEST_CASE("beam-column: forces and stiffness are the derivatives of the energy", "[beam_column]") {
+    Dice dice(7);
+    double of_energy = 0, of_forces = 0, symmetric = 0;
+    for (int n = 0; n < 200; ++n) {
+        const SomePair pair = some_pair(dice, n % 2 ? 0.02 : 0.3, 5);
+        const Vec12 p = pair.forces();
+        PairMatrix K = pair_stiffness(pair.kind, pair.d[0], pair.d[1]);
+        for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += pair.of[i].matrix();
+        for (int i = 0; i < 12; ++i) {
+            const double h = i % 6 == 4 ? 1e-7 : 1e-5;
+            Vec6 more[2] = {pair.d[0], pair.d[1]}, less[2] = {pair.d[0], pair.d[1]};
+            more[i / 6][i % 6] += h, less[i / 6][i % 6] -= h;
+            const double slope = (pair.energy(more[0], more[1]) - pair.energy(less[0], less[1])) / (2 * h);
+            of_energy = largest_of(of_energy, std::abs(slope - p[i]) / std::sqrt(std::abs(K(i, i)) * 1e5));
+            const Vec12 column = (pair.forces(more[0], more[1]) - pair.forces(less[0], less[1])) / (2 * h);
+            for (int j = 0; j < 12; ++j) {
+                const double scale = std::sqrt((std::abs(K(i, i)) + pair.of[0].matrix()(i % 6, i % 6)) *
+                                               (std::abs(K(j, j)) + pair.of[0].matrix()(j % 6, j % 6)));
+                of_forces = largest_of(of_forces, std::abs(column[j] - K(j, i)) / scale);
+            }
+        }
+        symmetric = largest_of(symmetric, largest_entry(K - K.transpose()) / largest_entry(K));
+    }
+    CHECK_FIGURE("forces", of_energy, 1e-6);
+    CHECK_FIGURE("stiffness", of_forces, 1e-6);
+    CHECK_FIGURE("symmetry", symmetric, 1e-15);
+}
+
+TEST_CASE("beam-column: the return to the yield surface ends on it, with forces of what is left elastic",
+          "[beam_column]") {
+    Dice dice(11);
+    const double sections[2] = {-1, 1};
+    double law = 0, surface = 0, tangent = 0;
+    int flows = 0, both = 0;
+    for (int n = 0; n < 400; ++n) {
+        SomePair pair = some_pair(dice, 0.03, n % 2 ? 2 : 4);
+        const Vec12 start = pair.forces();
+        YieldSurface surfaces[2];
+        for (int i : {0, 1}) {
+            const Vec6 p = start.segment<6>(6 * i);
+            const double m = largest_of(p[0] * p[0], p[1] * p[1], p[2] * p[2], p[3] * p[3]);
+            surfaces[i] = {dice(0.2, 1) / m, dice(0.2, 1) / m, dice(0, 0.5) / (p[4] * p[4]), 0.1 / (p[5] * p[5])};
+        }
+        const YieldSurface* w[2] = {&surfaces[0], &surfaces[1]};
+        const double far = n % 4 < 2 ? 1.1 : 3;  // how far the trial is beyond
+        const Vec6 trial[2] = {far * pair.d[0], far * pair.d[1]};
+        Flow flow[2];
+        beam::return_to_surface(pair.kind, pair.of, trial, w, sections, 2, flow, 1e-13);
+        const Vec6 elastic[2] = {trial[0] - flow[0].plastic, trial[1] - flow[1].plastic};
+        const Vec12 p = pair.forces(elastic[0], elastic[1]);
+        bool flowing[2];
+        for (int i : {0, 1}) {
+            law = largest_of(law, largest_entry(p.segment<6>(6 * i) - flow[i].p) / largest_entry(flow[i].p));
+            const double f = largest_of(yield_function(flow[i].p, -1.0, *w[i]), yield_function(flow[i].p, 1.0, *w[i]));
+            flowing[i] = !flow[i].plastic.isZero(0);
+            surface = largest_of(surface, flowing[i] ? std::abs(f - 1) : f - 1);
+            CHECK(flow[i].dissipation >= 0);
+        }
+        flows += flowing[0] || flowing[1], both += flowing[0] && flowing[1];
+        const Flow* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
+        const PairMatrix K = pair_tangent(pair.kind, pair.of, elastic, w, sections, 2, given);
+        for (int i = 0; i < 12; ++i) {
+            const double h = i % 6 == 4 ? 1e-10 : 1e-8;
+            Vec12 column = Vec12::Zero();
+            bool same = true;
+            for (int side : {1, -1}) {
+                Vec6 there[2] = {trial[0], trial[1]};
+                there[i / 6][i % 6] += side * h;
+                Flow moved[2];
+                beam::return_to_surface(pair.kind, pair.of, there, w, sections, 2, moved, 1e-13);
+                for (int e : {0, 1}) {
+                    column.segment<6>(6 * e) += side * moved[e].p / (2 * h);
+                    for (int s : {0, 1}) same = same && (moved[e].lambda[s] > 0) == (flow[e].lambda[s] > 0);
+                }
+            }
+            if (!same) continue;  // a corner of the surface lies between
+            for (int j = 0; j < 12; ++j) {
+                const double scale = std::sqrt(pair.of[0].matrix()(i % 6, i % 6) * pair.of[0].matrix()(j % 6, j % 6));
+                tangent = largest_of(tangent, std::abs(column[j] - K(j, i)) / scale);
+            }
+        }
+    }
+    CHECK(flows > 200);
+    CHECK(both > 50);
+    CHECK_FIGURE("on the surface", surface, 1e-10);
+    CHECK_FIGURE("forces", law, 1e-10);
+    CHECK_FIGURE("tangent", tangent, 1e-5);
+}
