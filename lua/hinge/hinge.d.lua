@@ -43,8 +43,8 @@ function hinge.model(options) end
 ---elastic energy jumps, which the energy error shows
 ---@field shift? "plastic"|"whole"
 ---where the axial force of an element acts in large displacement. chord (default): on the element's chord, as in the
----paper. Two elements a member then carry too much in compression: a pinned column 2.24 times Euler's load, a clamped
----one whose head sways 1.16 times; four elements 1.10 and 1.06. member: also on the bending of each pair of elements
+---paper. Two elements a member then carry too much in compression: a pinned column 2.27 times Euler's load, a clamped
+---one whose head sways 1.22 times; four elements 1.10 times each. member: also on the bending of each pair of elements
 ---between its ends, by the stability functions of the exact beam-column (src/beam/beam_column.h). Elastic columns then
 ---buckle at Euler's load to 0.1 % with two elements. One that is clamped at both ends and cannot sway needs four.
 ---member needs formulation asi-gauss, displacement large and shift plastic, and does not go with integrator =

@@ -93,52 +93,93 @@ struct PairForces {
     Real symmetric[2];  ///< of that, what the second one has as well; the rest it has with the other sign
 };
 
+/// What decides N of a pair: mean elastic extension, m, and the bending of its elements, kappa.
+template <class Real>
+struct PairShape {
+    Real straight, bowing;       ///< EA/l e, N; -EA/8
+    Real sum[2], difference[2];  ///< of kappa of the two elements, first less second, rad
+    Real square[2], difference_square[2];
+};
+
+/// One step of Newton's method for N = EA/l (e + bow(N)), and the forces where it leads.
+template <class Real>
+[[gnu::always_inline]] inline Real step_to_N(const PairKind<Real>& k, const PairShape<Real>& y, const Real& N,
+                                             PairForces<Real>& out) {
+    const auto c = [&](double v) { return spread(v, N); };
+    const Real one = c(1);
+    const PairNumbers<Real> of[2] = {pair_numbers(c(0) - k.c[0] * N), pair_numbers(c(0) - k.c[1] * N)};
+    Real bow = c(0), slope = c(0);
+    for (int plane : {0, 1}) {
+        bow += of[plane].S1 * y.square[plane] + of[plane].A1 * y.difference_square[plane];
+        slope += k.c[plane] * (of[plane].S2 * y.square[plane] + of[plane].A2 * y.difference_square[plane]);
+    }
+    const Real change = (N - y.straight - y.bowing * bow) / (one + y.bowing * slope);
+    out.N_whole = N - change;
+    out.N = out.N_whole - y.straight;
+    for (int plane : {0, 1}) {  // S and A where the change leads
+        const Real by = k.c[plane] * change, b = c(0.5) * k.b[plane];
+        out.symmetric[plane] = b * (of[plane].S + of[plane].S1 * by - one) * y.sum[plane];
+        out.moment[plane] = out.symmetric[plane] + b * (of[plane].A + of[plane].A1 * by - one) * y.difference[plane];
+    }
+    return change;
+}
+
+/// Whether N may still be off by more than rounding.
+template <class Real>
+[[gnu::always_inline]] inline auto still_open(const PairKind<Real>& k, const Real& N, const Real& change) {
+    const auto c = [&](double v) { return spread(v, N); };
+    const Real size = change < c(0) ? c(0) - change : change, whole = N < c(0) ? c(0) - N : N;
+    return size > c(1e-6) * whole + c(1e-18) * k.axial;
+}
+
+/// Goes on from `out`, the first step of Newton's method from N, halving where a step would leave what is known to hold
+/// the solution: N - EA/l (e + bow(N)) grows with N, so there is one. Lanes that have theirs keep it.
+template <class Real>
+[[gnu::noinline]] void find_N(const PairKind<Real>& k, const PairShape<Real>& y, Real N, Real change,
+                              PairForces<Real>& out) {
+    const auto c = [&](double v) { return spread(v, N); };
+    auto open = still_open(k, out.N_whole, change);
+    Real low = c(-1e300), high = c(1e300);
+    for (int i = 0; i < 200 && any_true(open); ++i) {
+        low = change < c(0) ? N : low;
+        high = change > c(0) ? N : high;
+        Real next = N - change;
+        next = next < low ? c(0.5) * (low + high) : next;
+        next = next > high ? c(0.5) * (low + high) : next;
+        N = open ? next : N;
+        PairForces<Real> there;
+        change = step_to_N(k, y, N, there);
+        out.N_whole = open ? there.N_whole : out.N_whole;
+        out.N = open ? there.N : out.N;
+        for (int plane : {0, 1}) {
+            out.moment[plane] = open ? there.moment[plane] : out.moment[plane];
+            out.symmetric[plane] = open ? there.symmetric[plane] : out.symmetric[plane];
+        }
+        open = open & still_open(k, there.N_whole, change);
+    }
+}
+
 /// `e`: mean elastic extension, m; `sum`, `difference`: of kappa of the two elements, first less second, rad.
 template <class Real>
 [[gnu::always_inline]] inline PairForces<Real> pair_forces(const PairKind<Real>& k, const Real& e, const Real (&sum)[2],
                                                            const Real (&difference)[2]) {
     const auto c = [&](double v) { return spread(v, e); };
     constexpr double S1 = pair_sag - 1.0 / 3, A1 = -1.0 / 15, S2 = -2.0 / 45, A2 = -2.0 / 525;  // at p = 0
-    const Real one = c(1), half = c(0.5), bowing = c(-0.125) * k.axial * k.length, straight = k.axial * e;
-    const Real square[2][2] = {{sum[0] * sum[0], difference[0] * difference[0]},
-                               {sum[1] * sum[1], difference[1] * difference[1]}};
-    // Newton's method for N = EA/l (e + bow(N)), from what the first terms of the series of S and A give, and halving
-    // where it would leave what is known to hold N: the right side falls as N grows, so there is one solution.
-    const auto at_rest = [&](double S, double A, int plane) {
-        return c(S) * square[plane][0] + c(A) * square[plane][1];
-    };
-    Real N = (straight + bowing * (at_rest(S1, A1, 0) + at_rest(S1, A1, 1))) /
-             (one + bowing * (k.c[0] * at_rest(S2, A2, 0) + k.c[1] * at_rest(S2, A2, 1)));
-    PairForces<Real> out{N - straight, N, {c(0), c(0)}, {c(0), c(0)}};
-    auto open = N == N;  // lanes whose N is not found yet
-    Real low = c(-1e300), high = c(1e300);
-    for (int i = 0; i < 200; ++i) {
-        const PairNumbers<Real> of[2] = {pair_numbers(c(0) - k.c[0] * N), pair_numbers(c(0) - k.c[1] * N)};
-        Real bow = c(0), slope = c(0);
-        for (int plane : {0, 1}) {
-            bow += of[plane].S1 * square[plane][0] + of[plane].A1 * square[plane][1];
-            slope += k.c[plane] * (of[plane].S2 * square[plane][0] + of[plane].A2 * square[plane][1]);
-        }
-        const Real off = N - straight - bowing * bow, change = off / (one + bowing * slope);
-        low = off < c(0) ? N : low;
-        high = off > c(0) ? N : high;
-        Real next = N - change;
-        next = next < low ? half * (low + high) : next;
-        next = next > high ? half * (low + high) : next;
-        out.N = open ? next - straight : out.N;
-        for (int plane : {0, 1}) {  // S and A where the change leads
-            const Real by = k.c[plane] * change, b = half * k.b[plane];
-            const Real symmetric = b * (of[plane].S + of[plane].S1 * by - one) * sum[plane];
-            const Real moment = symmetric + b * (of[plane].A + of[plane].A1 * by - one) * difference[plane];
-            out.moment[plane] = open ? moment : out.moment[plane];
-            out.symmetric[plane] = open ? symmetric : out.symmetric[plane];
-        }
-        N = open ? next : N;
-        const Real size = change < c(0) ? c(0) - change : change, whole = N < c(0) ? c(0) - N : N;
-        open = open & (size > c(1e-6) * whole + c(1e-18) * k.axial);
-        if (!any_true(open)) break;
+    const PairShape<Real> y = {k.axial * e,
+                               c(-0.125) * k.axial * k.length,
+                               {sum[0], sum[1]},
+                               {difference[0], difference[1]},
+                               {sum[0] * sum[0], sum[1] * sum[1]},
+                               {difference[0] * difference[0], difference[1] * difference[1]}};
+    Real bow = c(0), slope = c(0);  // by the first terms of the series of S and A
+    for (int plane : {0, 1}) {
+        bow += c(S1) * y.square[plane] + c(A1) * y.difference_square[plane];
+        slope += k.c[plane] * (c(S2) * y.square[plane] + c(A2) * y.difference_square[plane]);
     }
-    out.N_whole = N;
+    const Real N = (y.straight + y.bowing * bow) / (c(1) + y.bowing * slope);
+    PairForces<Real> out;
+    const Real change = step_to_N(k, y, N, out);
+    if (any_true(still_open(k, out.N_whole, change))) find_N(k, y, N, change, out);
     return out;
 }
 
@@ -154,7 +195,7 @@ PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6&
 /// energy norm.
 void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
                        const YieldSurface* const (&w)[2], const double* sections, int n, Flow (&flow)[2],
-                       double tolerance = 1e-6);
+                       double tolerance = 1e-5);
 
 /// d(forces)/dd of a pair, 12 x 12, consistent with that return. `elastic`: what the flow has left; `flow`: null of an
 /// element that does not flow.
