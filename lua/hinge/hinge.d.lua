@@ -47,9 +47,9 @@ function hinge.model(options) end
 ---one whose head sways 1.22 times; four elements 1.10 times each. member: also on the bending of each pair of elements
 ---between its ends, by the stability functions of the exact beam-column (src/beam/beam_column.h). Elastic columns then
 ---buckle at Euler's load to 0.1 % with two elements. One that is clamped at both ends and cannot sway needs four.
----member needs formulation asi-gauss, displacement large and shift plastic, and does not go with integrator =
----'energy-momentum'. Newmark's steps of one solution keep the energy less well with it: where the energy error asks for
----it, give `iterations` or take shorter steps
+---member needs formulation asi-gauss, displacement large and shift plastic. Newmark's steps of one solution keep the
+---energy less well with it: where the energy error asks for it, give `iterations`, take shorter steps or another
+---integrator
 ---@field p_delta? "chord"|"member"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,

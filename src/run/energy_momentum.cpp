@@ -161,18 +161,45 @@ void EnergyMomentum::begin_elements() {
             first_[i].p = stiffness_now(w_.structure, w_.state, i).times(first_[i].d - w_.state.plastic[i]);
         }
     });
+    for (int i = 0; w_.structure.p_delta() && i < int(first_.size()); i += 2) {
+        const Vec12 beyond =
+            beam::pair_forces(pair_kind_of(w_.structure.elements()[i]), first_[i].d - w_.state.plastic[i],
+                              first_[i + 1].d - w_.state.plastic[i + 1]);
+        for (int k : {0, 1}) first_[i + k].p += beyond.segment<6>(6 * k);
+    }
+}
+
+/// What the strain energy of a pair whose bending follows N and its hinges take in beyond mean p . dd of its elements:
+/// their law is not linear.
+double EnergyMomentum::work_beyond_means(int first, const AtEnd (&b)[2]) const {
+    Vec6 before[2], after[2];
+    double work = 0;
+    for (int k : {0, 1}) {
+        const int i = first + k;
+        const auto at = std::lower_bound(w_.yielding.begin(), w_.yielding.end(), i,
+                                         [](const Yielding& y, int element) { return y.element < element; });
+        const bool flows = at != w_.yielding.end() && at->element == i;
+        const Vec6 flow = flows ? at->flow.plastic : Vec6(Vec6::Zero()), p = 0.5 * (first_[i].p + w_.force[i]);
+        before[k] = first_[i].d - w_.state.plastic[i];
+        after[k] = b[k].d - w_.state.plastic[i] - flow;
+        const beam::Stiffness stiffness = stiffness_now(w_.structure, w_.state, i);
+        work += 0.5 * (after[k].dot(stiffness.times(after[k])) - before[k].dot(stiffness.times(before[k]))) -
+                p.dot(after[k] - before[k]);
+    }
+    const beam::PairKind<double> kind = pair_kind_of(w_.structure.elements()[first]);
+    return work + beam::pair_energy(kind, after[0], after[1]) - beam::pair_energy(kind, before[0], before[1]);
 }
 
 /// Mean forces of an element over the step, on its nodes.
-Vec12 EnergyMomentum::mean_forces(int index) const {
-    const AtEnd &a = first_[index], b = at_end(index, w_.trial);
+Vec12 EnergyMomentum::mean_forces(int index, const AtEnd& b, double beyond) const {
+    const AtEnd& a = first_[index];
     const double L = w_.structure.elements()[index].length;
     const Vec6 p = 0.5 * (a.p + w_.force[index]);
     const Products way = b.s - a.s;
     Products on = 0.5 * (on_products(a, L, p) + on_products(b, L, p));
-    // What strain energy and hinges take in, U' - U + p . dd_p, p the mean; where p is linear in d that is p . dd. An
-    // elastic law that is not needs its own U' - U here, and its p in begin_elements.
-    const double work = p.dot(b.d - a.d), square = way.squaredNorm();
+    // what strain energy and hinges take in, U' - U + p . dd_p, p the mean: p . dd, and where p is not linear in d what
+    // is beyond that
+    const double work = p.dot(b.d - a.d) + beyond, square = way.squaredNorm();
     if (square > least_way) on += (work - on.dot(way)) / square * way;
     const Vec3 x = 0.5 * (a.chord + b.chord) / L;
     const Mat3 n = 0.5 * (a.axes[0] + b.axes[0]), m = 0.5 * (a.axes[1] + b.axes[1]);
@@ -192,9 +219,21 @@ Vec12 EnergyMomentum::mean_forces(int index) const {
 }
 
 void EnergyMomentum::find_elements_forces() {
-    w_.pool.share(int(first_.size()), some_elements, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i)
-            if (!w_.state.broken[i]) of_element_[i] = mean_forces(i);
+    if (!w_.structure.p_delta()) {
+        w_.pool.share(int(first_.size()), some_elements, [&](int first, int end, int) {
+            for (int i = first; i < end; ++i)
+                if (!w_.state.broken[i]) of_element_[i] = mean_forces(i, at_end(i, w_.trial), 0);
+        });
+        return;
+    }
+    w_.pool.share(int(first_.size() / 2), some_elements, [&](int first, int end, int) {
+        for (int pair = first; pair < end; ++pair) {
+            const int i = 2 * pair;
+            const AtEnd b[2] = {at_end(i, w_.trial), at_end(i + 1, w_.trial)};
+            const double way[2] = {(b[0].s - first_[i].s).squaredNorm(), (b[1].s - first_[i + 1].s).squaredNorm()};
+            const double beyond = way[0] + way[1] > 0 ? work_beyond_means(i, b) / (way[0] + way[1]) : 0;
+            for (int k : {0, 1}) of_element_[i + k] = mean_forces(i + k, b[k], beyond * way[k]);
+        }
     });
 }
 

@@ -66,7 +66,8 @@ private:
     void find_node_inertia();
     void begin_elements();
     static Products on_products(const AtEnd& end, double L, const Vec6& p);
-    Vec12 mean_forces(int element) const;
+    double work_beyond_means(int first, const AtEnd (&b)[2]) const;
+    Vec12 mean_forces(int element, const AtEnd& b, double beyond) const;
     void find_elements_forces();
     void mark_changed(int iteration);
     void renew_effective_stiffness();

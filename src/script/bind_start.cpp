@@ -182,10 +182,6 @@ void refuse_what_cannot_be_conserved(Options& o, const Model& model) {
         throw InputError(with +
                          "is for large rotations; a model with displacement = 'small' takes 'newmark', which "
                          "conserves as much there");
-    if (model.options().p_delta == PDelta::member)
-        throw InputError(with +
-                         "does not go with p_delta = 'member' of hinge.model yet; take p_delta = 'chord' with four or "
-                         "more elements a member, or 'newmark'");
     if (model.options().shift == Shift::whole)
         throw InputError(with +
                          "needs an energy balance that closes, and that of a model with shift = 'whole' cannot; "

@@ -259,6 +259,8 @@ end
 for _, o in ipairs {
   { {}, { dt = 1e-4, iterations = 20 }, 1e-6 }, { {}, { dt = 5e-5 }, 1e-3 },
   { {}, { integrator = "explicit", dt = "auto" }, 1e-3 },
+  { {}, { integrator = "energy-momentum", dt = 5e-4 }, 1e-6 },
+  { { yield_stress = 250e6 }, { integrator = "energy-momentum", dt = 5e-4 }, 1e-6 },
   { { yield_stress = 250e6 }, { dt = 1e-4, iterations = 20 }, 1e-4 },
   { { yield_stress = 250e6 }, { integrator = "explicit", dt = "auto" }, 1e-3 },
   { { yield_stress = 250e6, fracture = 0.05 }, { integrator = "explicit", dt = "auto" }, 1e-3, broken = true },
