@@ -58,7 +58,18 @@ function hinge.model(options) end
 ---Newmark's method and statics only, no fracture
 ---@field mass? "linear"|"cubic"
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
----@field elements_per_member? integer default 2, the paper's
+---default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their ends.
+---The first run decides, once for all runs of the model, from what is declared by then: one linear solution in statics,
+---with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it takes from
+---the bending stiffness; with p_delta = "member" two elements have that exactly, and members from Euler's load on get
+---four. Four go to a member where moments between its ends reach the fully plastic one, and to one with loads of its own
+---that yields anywhere. Impacts, motions of supports and loads that are functions of the run are not in it, and bodies
+---that model:fix does not hold keep two. hinge plan and summary.json say how many members got how many, and why.
+---asi-gauss only
+---@field elements_per_member? integer|"auto"
+---of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
+---compression, and near Euler's load the load at which it buckles; default 0.01
+---@field elements_accuracy? number
 
 ---A linear elastic, perfectly plastic material.
 ---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
@@ -200,7 +211,7 @@ function node:position(run) end
 ---@field section hinge.section
 ---@field material hinge.material
 ---@field up vec3 direction of the section's y axis, as given
----@field elements integer how many it is divided into
+---@field elements integer|"auto" how many it is divided into; "auto" until the first run decides
 ---@field index integer from 1, in the order of declaration
 local member = {}
 
@@ -292,7 +303,7 @@ function model:member(options) end
 ---space x for an upright member)
 ---@field up? vec3
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one colours it
----@field elements? integer default as the model's
+---@field elements? integer|"auto" default as the model's elements_per_member, which tells what "auto" does
 
 ---Adds a load on a node. Three numbers are fixed in direction; a function is called once a step with the time at its
 ---end (s) and the run as it is at its beginning (dynamics only). It returns three numbers, or a table of three. In the
@@ -586,6 +597,7 @@ function model:ground(plane) end
 ---@return hinge.group
 function model:group(name) end
 
+---A member with elements = "auto" counts as two elements until the first run decides.
 ---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
 function model:counts() end
 

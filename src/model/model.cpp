@@ -57,6 +57,24 @@ void Model::set_member_groups(int member, std::vector<int> groups) {
     check_open(), members_[member].groups = std::move(groups);
 }
 
+bool Model::has_undecided_elements() const {
+    return std::any_of(members_.begin(), members_.end(),
+                       [](const MemberData& m) { return m.elements_by == ElementsBy::undecided; });
+}
+
+void Model::set_elements(int member, int elements, ElementsBy by, double part, bool capped) {
+    MemberData& m = members_[member];
+    m.elements = elements, m.elements_by = by, m.elements_part = part, m.elements_capped = capped;
+}
+
+void Model::take_elements(const Model& decided) {
+    for (std::size_t i = 0; i < std::min(members_.size(), decided.members_.size()); ++i) {
+        const MemberData& d = decided.members_[i];
+        if (members_[i].elements_by == ElementsBy::undecided)
+            set_elements(int(i), d.elements, d.elements_by, d.elements_part, d.elements_capped);
+    }
+}
+
 int Model::add_load(NodalLoad load) {
     check_open();
     must_be_finite(load.force, "force", "N");

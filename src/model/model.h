@@ -60,6 +60,10 @@ struct NodeData {
     std::uint8_t fixed = 0;  ///< bits 0..5: ux uy uz rx ry rz
 };
 
+/// Why a member has as many elements as it has: the script says so, or its elements = "auto" and a run has decided (not
+/// yet: undecided), by what run/element_count.h says.
+enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
+
 struct MemberData {
     int node[2];
     std::shared_ptr<const Section> section;
@@ -67,6 +71,9 @@ struct MemberData {
     Vec3 up;
     int elements;
     std::vector<int> groups;  ///< the first one colours it
+    ElementsBy elements_by = ElementsBy::script;
+    double elements_part = 0;      ///< of what decided: compression over Euler's load, moment over the plastic one
+    bool elements_capped = false;  ///< more would have been needed
 };
 
 /// A factor over time (s); empty: constant 1.
@@ -108,6 +115,8 @@ struct ModelOptions {
     PDelta p_delta = PDelta::chord;
     bool plasticity = true;
     int elements_per_member = 2;
+    bool automatic_elements = false;  ///< elements_per_member = "auto"
+    double elements_accuracy = 0.01;  ///< of the members whose elements = "auto"
 };
 
 /// Effects that a model asks for and could do without, by their names in the plan, beside those that keep declarations.
@@ -155,6 +164,10 @@ public:
     void fix(int node, std::uint8_t mask);
     int add_member(MemberData member);
     void set_member_groups(int member, std::vector<int> groups);
+    bool has_undecided_elements() const;
+    void set_elements(int member, int elements, ElementsBy by, double part, bool capped);
+    /// What a copy of this model, or of a part of it, has decided.
+    void take_elements(const Model& decided);
     int add_load(NodalLoad load);                  ///< returns its number
     const NodalLoad* find_load(int number) const;  ///< nullptr once it is removed
     void remove_load(int number);

@@ -12,6 +12,12 @@
 namespace hinge {
 namespace {
 
+/// Where the point stands while the element is elastic (fig 3): in the middle (eq 7a) or at s_g = -r_g (eqs 11a-b and
+/// 12a). `inner`: +1 when the pair's middle is at node 2.
+double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
+
+}  // namespace
+
 beam::YieldSurface yield_surface(const Section& s, const Material& m) {
     const auto inverse_square = [&](const std::optional<double>& given, double modulus, double stress) {
         const double limit = given ? *given : modulus > 0 ? modulus * stress : std::numeric_limits<double>::infinity();
@@ -21,12 +27,6 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
     return {inverse_square(s.Mx0, s.Zx, m.yield_stress), inverse_square(s.My0, s.Zy, m.yield_stress),
             inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
 }
-
-/// Where the point stands while the element is elastic (fig 3): in the middle (eq 7a) or at s_g = -r_g (eqs 11a-b and
-/// 12a). `inner`: +1 when the pair's middle is at node 2.
-double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
-
-}  // namespace
 
 Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
     const Model& m = *model_;

@@ -32,6 +32,8 @@ struct Element {
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 
+beam::YieldSurface yield_surface(const Section& s, const Material& m);
+
 /// at_nodes: consistent, but the rotary inertia of the sections is the nodes' own and turns with them.
 enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };
 

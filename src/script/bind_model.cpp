@@ -26,6 +26,28 @@ std::uint8_t parse_degrees_of_freedom(const std::string& what, const std::string
     return mask;
 }
 
+struct Elements {
+    int number;
+    bool automatic;
+};
+
+/// A whole number, or 'auto'.
+Elements read_elements(Options& o, const char* field, Formulation formulation, Elements fallback) {
+    const int type = o.push_field(field);
+    const std::string word = type == LUA_TSTRING ? lua_tostring(o.L(), -1) : "";
+    lua_pop(o.L(), 1);
+    if (type == LUA_TNIL) return fallback;
+    if (type != LUA_TSTRING) return {o.integer(field, 1, fallback.number), false};
+    if (word != "auto")
+        o.complain(field, "'" + word + "'",
+                   "must be a whole number, 1 or above, or 'auto'" + did_you_mean(word, {"auto"}));
+    if (formulation != Formulation::asi_gauss)
+        o.complain(field, "'auto'",
+                   "goes by the errors of formulation 'asi-gauss'; the others take a number, for their elements are "
+                   "not exact without compression either");
+    return {2, true};
+}
+
 int model(lua_State* L) {
     Options o(L, 1, "hinge.model", true);
     ModelOptions m;
@@ -49,7 +71,12 @@ int model(lua_State* L) {
             "p_delta", "'member'",
             "needs formulation 'asi-gauss', displacement 'large' and shift 'plastic'; without them it is 'chord'");
     m.plasticity = o.flag("plasticity", true);
-    m.elements_per_member = o.integer("elements_per_member", 1, 2);
+    const Elements elements = read_elements(o, "elements_per_member", m.formulation, {2, false});
+    m.elements_per_member = elements.number, m.automatic_elements = elements.automatic;
+    m.elements_accuracy = o.number("elements_accuracy", "", Range::positive, m.elements_accuracy);
+    if (m.elements_accuracy >= 1)
+        o.complain("elements_accuracy", show(m.elements_accuracy),
+                   "must be below 1: the error that elements = 'auto' may leave, such as 0.01");
     if (m.formulation == Formulation::asi_gauss && m.elements_per_member % 2)
         o.complain("elements_per_member", std::to_string(m.elements_per_member),
                    "formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, "
@@ -151,7 +178,10 @@ int add_member(lua_State* L) {
     const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
     // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
     data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
-    data.elements = o.integer("elements", 1, m->options().elements_per_member);
+    const Elements elements = read_elements(o, "elements", m->options().formulation,
+                                            {m->options().elements_per_member, m->options().automatic_elements});
+    data.elements = elements.number;
+    if (elements.automatic) data.elements_by = ElementsBy::undecided;
     std::vector<std::string> fresh;
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);

@@ -202,7 +202,8 @@ int member_fields(lua_State* L) {
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "up") push_triple(L, data.up);
-    else if (key == "elements") lua_pushinteger(L, data.elements);
+    else if (key == "elements")
+        data.elements_by == ElementsBy::undecided ? (void)push_text(L, "auto") : lua_pushinteger(L, data.elements);
     else refuse_field(L, "member", key);
     return 1;
 }

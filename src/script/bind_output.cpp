@@ -6,6 +6,7 @@
 
 #include "core/files.h"
 #include "output/plot.h"
+#include "run/element_count.h"
 #include "script/plan.h"
 #include "script/snapshot.h"
 
@@ -402,6 +403,9 @@ int write_summary(lua_State* L) {
                       {"elements", s.elements().size()},
                       {"nodes", s.position().size()},
                       {"free_dofs", s.free_dofs()}};
+        for (const ElementGroup& g : element_groups(s.model()))
+            j["model"]["automatic_elements"].push_back(
+                {{"elements", g.elements}, {"members", g.members}, {"because", g.because}});
         j["steps"] = run.steps_done();
         j["time"] = run.state().time;
         j["factor"] = run.state().factor;

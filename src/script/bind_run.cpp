@@ -13,6 +13,7 @@ namespace hinge::script {
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every) {
     if (!model->closed_at.empty())
         throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
+    model->take_elements(run->structure().model());
     auto record = std::make_shared<RunRecord>();
     record->run = std::move(run);
     record->model = std::move(model);

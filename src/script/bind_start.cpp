@@ -6,14 +6,18 @@
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
+#include "run/element_count.h"
 #include "run/statics.h"
 
 namespace hinge::script {
 namespace {
 
-/// The run's own copy of a model, without the effect that is left out just now (core.leave_out).
+/// The run's own copy of a model, without the effect that is left out just now (core.leave_out). Numbers of elements
+/// are decided with it; the model takes them from the run, once there is one.
 std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m) {
     auto copy = std::make_shared<Model>(m);
+    context(L)->running = L;
+    decide_elements(*copy);
     if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
     return copy;
 }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/text.h"
+#include "run/element_count.h"
+
 namespace hinge::script {
 
 std::vector<PlanLine> effects_of(const RunRecord& record) {
@@ -26,6 +29,13 @@ std::string plan_of(const RunRecord& record) {
         text += "  " + e.name + std::string(name - e.name.size() + 2, ' ') + (e.active ? "on   " : "off  ") +
                 e.because + (e.asked_at.empty() ? "" : std::string(why - e.because.size() + 2, ' ') + e.asked_at) +
                 "\n";
+    if (const auto groups = element_groups(s.model()); !groups.empty()) {
+        text +=
+            "  elements = \"auto\", elements_accuracy = " + number_text(s.model().options().elements_accuracy) + ":\n";
+        for (const ElementGroup& g : groups)
+            text += "    " + std::to_string(g.elements) + " in " + std::to_string(g.members) +
+                    (g.members == 1 ? " member" : " members") + ": " + g.because + "\n";
+    }
     return text;
 }
 
