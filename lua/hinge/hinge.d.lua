@@ -58,14 +58,14 @@ function hinge.model(options) end
 ---Newmark's method and statics only, no fracture
 ---@field mass? "linear"|"cubic"
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
----default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their ends.
----The first run decides, once for all runs of the model, from what is declared by then: one linear solution in statics,
----with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it takes from
----the bending stiffness; with p_delta = "member" two elements have that exactly, and members from Euler's load on get
----four. Four go to a member where moments between its ends reach the fully plastic one, and to one with loads of its own
----that yields anywhere. Impacts, motions of supports and loads that are functions of the run are not in it, and bodies
----that model:fix does not hold keep two. hinge plan and summary.json say how many members got how many, and why.
----asi-gauss only
+---default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their
+---ends. The first run decides, once for all runs of the model, from what is declared by then: one linear solution in
+---statics, with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it
+---takes from the bending stiffness; with p_delta = "member" two elements have that exactly, and members from Euler's
+---load on get four. Four go to a member where moments between its ends reach the fully plastic one, and to one with
+---loads of its own that yields anywhere. Impacts, motions of supports and loads that are functions of the run are not
+---in it, and bodies that model:fix does not hold keep two. hinge plan and summary.json say how many members got how
+---many, and why. asi-gauss only
 ---@field elements_per_member? integer|"auto"
 ---of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
 ---compression, and near Euler's load the load at which it buckles; default 0.01
