@@ -61,7 +61,7 @@ struct NodeData {
 };
 
 /// Why a member has as many elements as it has: the script says so, or its elements = "auto" and a run has decided (not
-/// yet: undecided), by what run/element_count.h says.
+/// yet: undecided), by what script/element_count.h says.
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
 struct MemberData {

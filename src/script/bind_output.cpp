@@ -6,7 +6,7 @@
 
 #include "core/files.h"
 #include "output/plot.h"
-#include "run/element_count.h"
+#include "script/element_count.h"
 #include "script/plan.h"
 #include "script/snapshot.h"
 

@@ -6,7 +6,7 @@
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
-#include "run/element_count.h"
+#include "script/element_count.h"
 #include "run/statics.h"
 
 namespace hinge::script {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "run/element_count.h"
+#include "script/element_count.h"
 
 namespace hinge::script {
 

@@ -1,4 +1,4 @@
-#include "run/element_count.h"
+#include "script/element_count.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "effects/member_loads.h"
 #include "run/statics.h"
 
-namespace hinge {
+namespace hinge::script {
 namespace {
 
 constexpr int most_elements = 16;
@@ -211,4 +211,4 @@ std::vector<ElementGroup> element_groups(const Model& model) {
     return list;
 }
 
-}  // namespace hinge
+}  // namespace hinge::script
