@@ -63,8 +63,9 @@ function hinge.model(options) end
 ---statics, with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it
 ---takes from the bending stiffness; with p_delta = "member" two elements have that exactly, and members from Euler's
 ---load on get four. Four go to a member where moments between its ends reach the fully plastic one, and to one with
----loads of its own that yields anywhere. Impacts, motions of supports and loads that are functions of the run are not
----in it, and bodies that model:fix does not hold keep two. hinge plan and summary.json say how many members got how
+---loads of its own that yields anywhere. Impacts, motions of supports, `hold` of a static run and loads that are
+---functions of the run are not in it, and bodies that model:fix does not hold keep two. The solution is a direct one:
+---0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge plan and summary.json say how many members got how
 ---many, and why. asi-gauss only
 ---@field elements_per_member? integer|"auto"
 ---of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
