@@ -195,14 +195,15 @@ std::vector<Warning> near_euler(const RunRecord& record, const std::vector<Piece
             break;
         }
         const auto& groups = linear->members()[m.member].groups;
-        list.push_back({"member " + std::to_string(m.member + 1) +
-                            (groups.empty() ? "" : " (" + linear->groups()[groups[0]] + ")") + " carries " +
-                            digits(m.force) + " N in compression in a linear solution of the loads, " +
-                            digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
-                            " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
-                        "it may buckle: that shows in large displacement with eight elements a member and a small "
-                        "imperfection",
-                        linear->asked_at("member " + std::to_string(m.member + 1))});
+        list.push_back(
+            {"member " + std::to_string(m.member + 1) +
+                 (groups.empty() ? "" : " (" + linear->groups()[groups[0]] + ")") + " carries " + digits(m.force) +
+                 " N in compression in a linear solution of the loads, " + digits(m.part, 3) + " times Euler's load " +
+                 digits(m.euler) + " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
+             declared.p_delta() ? "it may buckle: that shows with a small imperfection"
+                                : "it may buckle: that shows in large displacement with p_delta = \"member\" "
+                                  "of hinge.model, or eight elements a member, and a small imperfection",
+             linear->asked_at("member " + std::to_string(m.member + 1))});
     }
     return list;
 }
