@@ -54,8 +54,8 @@ function hinge.model(options) end
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
 ---equally fast. Sway frequencies of slender frames with two elements a member are within 0.2 %, where linear has 1 to
----4 %; with stocky members within 1.4 %; a pinned member's own vibration is 5 % off with two elements, 0.2 % with four.
----Newmark's method and statics only, no fracture
+---4 %; with stocky members they are less exact; a pinned member's own vibration is 5 % off with two elements and 0.2 %
+---with four. Newmark's method and statics only, no fracture
 ---@field mass? "linear"|"cubic"
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their

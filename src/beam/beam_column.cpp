@@ -40,6 +40,18 @@ PairForces<double> forces_of(const PairKind<double>& k, const Modes& y) {
     return pair_forces<double>(k, y[0], sum, difference);
 }
 
+/// In the places of the two elements' p.
+Vec12 on_both(const PairForces<double>& f) {
+    Vec12 p = Vec12::Zero();
+    p[4] = p[10] = f.N;
+    for (int plane : {0, 1}) {
+        const double second = 2 * f.symmetric[plane] - f.moment[plane];
+        p[2 * plane] = -f.moment[plane], p[2 * plane + 1] = f.moment[plane];
+        p[6 + 2 * plane] = -second, p[7 + 2 * plane] = second;
+    }
+    return p;
+}
+
 }  // namespace
 
 PairKind<double> pair_kind(const Rigidity& c, double L) {
@@ -59,15 +71,7 @@ double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
 }
 
 Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
-    const PairForces<double> f = forces_of(k, modes_of(d1, d2));
-    Vec12 p = Vec12::Zero();
-    p[4] = p[10] = f.N;
-    for (int plane : {0, 1}) {
-        const double second = 2 * f.symmetric[plane] - f.moment[plane];
-        p[2 * plane] = -f.moment[plane], p[2 * plane + 1] = f.moment[plane];
-        p[6 + 2 * plane] = -second, p[7 + 2 * plane] = second;
-    }
-    return p;
+    return on_both(forces_of(k, modes_of(d1, d2)));
 }
 
 PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
@@ -141,14 +145,8 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
     bool flows[2] = {true, true};
     const auto forces = [&](Trial& t) {
         const PairForces<double> now = forces_of(k, modes_of(t.elastic[0], t.elastic[1]));
-        for (int i : {0, 1}) {
-            t.p[i] = of[i].times(t.elastic[i]);
-            t.p[i][4] += now.N;
-            for (int plane : {0, 1}) {
-                const double m = i == 0 ? now.moment[plane] : 2 * now.symmetric[plane] - now.moment[plane];
-                t.p[i][2 * plane] -= m, t.p[i][2 * plane + 1] += m;
-            }
-        }
+        const Vec12 beyond = on_both(now);
+        for (int i : {0, 1}) t.p[i] = of[i].times(t.elastic[i]) + beyond.segment<6>(6 * i);
         return now.N_whole;
     };
     const auto go_round = [&](Trial& t) {

@@ -330,15 +330,7 @@ void EnergyMomentum::find_out_of_balance(Step& step) {
         }
         return sum;
     });
-    if (!std::isfinite(check)) {
-        step.failure = name_the_culprit();
-        return;
-    }
-    take_reactions([&](int n, int c) {
-        const double r = -right_[n][c];
-        right_[n][c] = 0;
-        return r;
-    });
+    if (!balance_supports(check, right_, step)) return;
     begin_fastest(1);
     for (int i = 0; i < nodes; ++i)
         if (const double v2 = w_.trial.velocity[i].head<3>().squaredNorm(); v2 > fastest_of_[0].speed)

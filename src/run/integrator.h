@@ -99,6 +99,17 @@ protected:
                 if (w_.state.held[n] >> c & 1) r[c] = force(n, c);
         }
     }
+    /// What is out of balance becomes what is solved for: reactions are taken out of it. False, and the step says which
+    /// node, where it is no number; `sum`: of its squares.
+    bool balance_supports(double sum, std::vector<Vec6>& right, Step& step) {
+        if (!std::isfinite(sum)) return step.failure = name_the_culprit(), false;
+        take_reactions([&](int n, int c) {
+            const double r = -right[n][c];
+            right[n][c] = 0;
+            return r;
+        });
+        return true;
+    }
     void begin_fastest(std::size_t pieces) { fastest_of_.assign(pieces, {}); }
     /// Takes up what each piece of the nodes found: squared speeds.
     void note_fastest(double time) {

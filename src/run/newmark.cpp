@@ -224,15 +224,7 @@ void Newmark::solve_for_change(Step& step) {
         }
         return sum;
     });
-    if (!std::isfinite(check)) {
-        step.failure = name_the_culprit();
-        return;
-    }
-    take_reactions([&](int n, int c) {
-        const double r = -right_[n][c];
-        right_[n][c] = 0;
-        return r;
-    });
+    if (!balance_supports(check, right_, step)) return;
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
     motion_ = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
         double sum = 0;

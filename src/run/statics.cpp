@@ -29,11 +29,9 @@ constexpr double smallest_step = 1e-5;
 
 /// Whether supports leave some body of the structure a motion as if it were rigid.
 bool moves_freely(const Structure& structure, const State& state) {
-    const Bodies bodies = find_bodies(structure, state);
-    std::vector<std::vector<int>> nodes(bodies.count);
-    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
-        if (bodies.of_node[n] >= 0) nodes[bodies.of_node[n]].push_back(int(n));
-    return std::any_of(nodes.begin(), nodes.end(), [&](const auto& n) { return !free_motions(structure, n).empty(); });
+    const auto bodies = nodes_of(find_bodies(structure, state));
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&](const auto& nodes) { return !free_motions(structure, nodes).empty(); });
 }
 
 double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "model/warnings.h"
+#include "script/linear_solution.h"
 #include "state/bodies.h"
 #include "algebra/modes.h"
 
@@ -147,40 +148,29 @@ std::string periods(const Structure& structure, const Piece& body, int rigid, co
 
 /// Members whose compression is beyond half of Euler's load, the worst first, by one linear solution of the loads that
 /// are declared. Bodies without supports are held; where there is no such solution nothing is said.
-std::vector<Warning> near_euler(const RunRecord& record, const std::vector<Piece>& bodies) {
+std::vector<Warning> near_euler(const RunRecord& record) {
     const Structure& declared = record.run->structure();
     if (int(declared.position().size()) > most_nodes) return {};
-    auto linear = std::make_shared<Model>(declared.model());
-    for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) linear->leave_out(effect);
-    const auto structure = std::make_shared<const Structure>(linear);
-    StaticSettings settings;
-    settings.steps = 1;
-    if (const auto* s = dynamic_cast<const Statics*>(record.run.get())) settings.held = s->held();
-    settings.held.resize(structure->position().size(), 0);
-    for (const Piece& body : bodies)
-        if (body.supports.empty())
-            for (int n : body.nodes) settings.held[n] = 63;
-    std::unique_ptr<Statics> run;
-    try {
-        run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
-    } catch (const InputError&) { return {}; }  // a mechanism, which has its own warning
-    run->advance();
-    if (run->verdict() != Verdict::completed) return {};
+    const auto* statics = dynamic_cast<const Statics*>(record.run.get());
+    const LinearSolution solution =
+        solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
+    if (!solution.run) return {};
+    const Structure& structure = solution.run->structure();
+    const Model& model = structure.model();
 
     struct Member {
         double part = 0, force = 0, euler = 0;  ///< force over Euler's load, N, N
         int member = 0;
     };
     std::vector<Member> found;
-    const auto& elements = structure->elements();
+    const auto& elements = structure.elements();
     for (int i = 0; i < int(elements.size()); ++i) {
         const int member = elements[i].member;
-        const auto& ends = linear->members()[member].node;
-        const double length = (linear->nodes()[ends[1]].position - linear->nodes()[ends[0]].position).norm();
-        const beam::Rigidity& r = elements[i].rigidity;
-        const double pi = 3.14159265358979323846, euler = pi * pi * std::min(r.EIx, r.EIy) / (length * length);
+        const auto& ends = model.members()[member].node;
+        const double euler = euler_load(elements[i].rigidity,
+                                        (model.nodes()[ends[1]].position - model.nodes()[ends[0]].position).norm());
         for (double side : {-1.0, 1.0}) {
-            const double force = -run->section_forces(i, side).N;
+            const double force = -solution.run->section_forces(i, side).N;
             if (!(force > near_buckling * euler)) continue;
             if (found.empty() || found.back().member != member) found.push_back({0, 0, euler, member});
             found.back().force = std::max(found.back().force, force);
@@ -194,16 +184,16 @@ std::vector<Warning> near_euler(const RunRecord& record, const std::vector<Piece
             list.back().more = int(found.size()) - buckling_told;
             break;
         }
-        const auto& groups = linear->members()[m.member].groups;
+        const auto& groups = model.members()[m.member].groups;
         list.push_back(
-            {"member " + std::to_string(m.member + 1) +
-                 (groups.empty() ? "" : " (" + linear->groups()[groups[0]] + ")") + " carries " + digits(m.force) +
-                 " N in compression in a linear solution of the loads, " + digits(m.part, 3) + " times Euler's load " +
-                 digits(m.euler) + " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
+            {"member " + std::to_string(m.member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")") +
+                 " carries " + digits(m.force) + " N in compression in a linear solution of the loads, " +
+                 digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
+                 " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
              declared.p_delta() ? "it may buckle: that shows with a small imperfection"
                                 : "it may buckle: that shows in large displacement with p_delta = \"member\" "
                                   "of hinge.model, or eight elements a member, and a small imperfection",
-             linear->asked_at("member " + std::to_string(m.member + 1))});
+             model.asked_at("member " + std::to_string(m.member + 1))});
     }
     return list;
 }
@@ -260,7 +250,7 @@ std::string checked_model(const RunRecord& record) {
                  "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
                  record.asked_at});
     }
-    for (Warning& d : near_euler(record, bodies)) list.push_back(std::move(d));
+    for (Warning& d : near_euler(record)) list.push_back(std::move(d));
     for (const Warning& d : list) text += told(d);
     return text + (list.empty() ? "  no warnings\n" : "");
 }

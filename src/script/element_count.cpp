@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <tuple>
 
-#include "algebra/modes.h"
-#include "core/errors.h"
 #include "core/text.h"
 #include "effects/member_loads.h"
-#include "run/statics.h"
+#include "script/linear_solution.h"
 
 namespace hinge::script {
 namespace {
@@ -81,69 +78,39 @@ double largest_moment(const std::vector<Cut>& sections, const beam::YieldSurface
     return largest;
 }
 
-/// A linear static solution, and of each node whether it has one: bodies that supports do not hold are kept where they
-/// are. Nothing where there is none at all.
-struct Solution {
-    std::unique_ptr<Statics> run;
-    std::vector<char> solved;
-};
-
-Solution solve(const std::shared_ptr<const Structure>& structure) {
-    const std::size_t nodes = structure->position().size();
-    StaticSettings settings;
-    settings.steps = 1;
-    Solution s{nullptr, std::vector<char>(nodes, 1)};
-    try {
-        s.run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
-    } catch (const InputError&) {
-        const Bodies bodies = find_bodies(*structure, initial_state(*structure));
-        std::vector<std::vector<int>> of(bodies.count);
-        for (std::size_t n = 0; n < nodes; ++n)
-            if (bodies.of_node[n] >= 0) of[bodies.of_node[n]].push_back(int(n));
-        settings.held.assign(nodes, 0);
-        for (const auto& body : of)
-            if (!free_motions(*structure, body).empty())
-                for (int n : body) settings.held[n] = 63, s.solved[n] = 0;
-        try {
-            s.run = std::make_unique<Statics>(structure, initial_state(*structure), settings);
-        } catch (const InputError&) { return {}; }
-    }
-    s.run->advance();
-    if (s.run->verdict() != Verdict::completed) return {};
-    return s;
-}
-
 }  // namespace
 
 void decide_elements(Model& model) {
     if (!model.has_undecided_elements()) return;
-    auto linear = std::make_shared<Model>(model);
-    for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) linear->leave_out(effect);
+    Model linear = model;
     std::set<int> loaded;
     for (const MemberLoad& load : model.declared<MemberLoad>(member_loads_effect)) loaded.insert(load.member);
     for (int i = 0; i < int(model.members().size()); ++i)
         if (const MemberData& m = model.members()[i]; m.elements_by == ElementsBy::undecided)
-            linear->set_elements(i,
-                                 loaded.count(i) > 0 ? of_loaded_members
-                                 : model.gravity()   ? of_heavy_members
-                                                     : 2,
-                                 m.elements_by, 0, false);
-    const auto structure = std::make_shared<const Structure>(linear);
-    const Solution solution = solve(structure);
+            linear.set_elements(i,
+                                loaded.count(i) > 0 ? of_loaded_members
+                                : model.gravity()   ? of_heavy_members
+                                                    : 2,
+                                m.elements_by, 0, false);
+    const LinearSolution solution = solve_linearly(linear);
+    if (!solution.run) {
+        for (int i = 0; i < int(model.members().size()); ++i)
+            if (model.members()[i].elements_by == ElementsBy::undecided)
+                model.set_elements(i, 2, ElementsBy::no_solution, 0, false);
+        return;
+    }
 
-    const auto& elements = structure->elements();
+    const auto& elements = solution.run->structure().elements();
     for (int first = 0, end; first < int(elements.size()); first = end) {
         const int index = elements[first].member;
         for (end = first; end < int(elements.size()) && elements[end].member == index;) ++end;
         const MemberData& m = model.members()[index];
         if (m.elements_by != ElementsBy::undecided) continue;
-        if (!solution.run || !solution.solved[m.node[0]]) {
+        if (!solution.solved[m.node[0]]) {
             model.set_elements(index, 2, ElementsBy::no_solution, 0, false);
             continue;
         }
-        const beam::Rigidity& r = elements[first].rigidity;
-        const double length = elements[first].length * (end - first),
-                     euler = std::pow(std::numbers::pi / length, 2) * std::min(r.EIx, r.EIy);
+        const double euler = euler_load(elements[first].rigidity, elements[first].length * (end - first));
         std::vector<Cut> sections;
         double compression = 0;
         for (int i = first; i < end; ++i)

@@ -24,4 +24,11 @@ Bodies find_bodies(const Structure& structure, const State& state) {
     return bodies;
 }
 
+std::vector<std::vector<int>> nodes_of(const Bodies& bodies) {
+    std::vector<std::vector<int>> nodes(bodies.count);
+    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
+        if (bodies.of_node[n] >= 0) nodes[bodies.of_node[n]].push_back(int(n));
+    return nodes;
+}
+
 }  // namespace hinge

@@ -12,5 +12,7 @@ struct Bodies {
 
 /// Bodies that whole elements hold together in `state`; numbered by their first nodes.
 Bodies find_bodies(const Structure& structure, const State& state);
+/// The nodes of each body, rising.
+std::vector<std::vector<int>> nodes_of(const Bodies& bodies);
 
 }  // namespace hinge

@@ -33,6 +33,10 @@ struct Sweep::Kind {
     Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
     beam::PairKind<Lanes> pair;                  // what N does to the bending of pairs
     bool can_yield;
+
+    beam::Stiffness stiffness(int i) const {
+        return {k[0][i], k[1][i], k[2][i], k[3][i], k[4][i], k[5][i], k[6][i], k[7][i]};
+    }
 };
 
 struct Sweep::Found {
@@ -325,8 +329,7 @@ void Sweep::keep_twist(State& state) const {
     const beam::YieldSurface* surface[2];
     for (int j : {0, 1}) {
         const int at = i + j;
-        k[j] = {kind.k[0][at], kind.k[1][at], kind.k[2][at], kind.k[3][at],
-                kind.k[4][at], kind.k[5][at], kind.k[6][at], kind.k[7][at]};
+        k[j] = kind.stiffness(at);
         for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
         surface[j] = &structure_.elements()[element + at].yield;
     }
@@ -400,8 +403,6 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 for (int i = 0; i < lane_count; ++i) {
                     if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
                     const Element& e = structure_.elements()[element + i];
-                    const beam::Stiffness k = {kind.k[0][i], kind.k[1][i], kind.k[2][i], kind.k[3][i],
-                                               kind.k[4][i], kind.k[5][i], kind.k[6][i], kind.k[7][i]};
                     Vec6 trial;
                     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
                     if (!trial.allFinite()) continue;  // the step names the culprit
@@ -410,8 +411,8 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                         i |= 1;
                         continue;
                     }
-                    found.yielding.push_back(
-                        {element + i, beam::return_to_surface(trial, k, e.yield, section, section_count)});
+                    found.yielding.push_back({element + i, beam::return_to_surface(trial, kind.stiffness(i), e.yield,
+                                                                                   section, section_count)});
                     for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
                 }
         }

@@ -36,9 +36,9 @@ local function text(format, value) return format:format(value) end
 local function energy_error(run) return run.energy.remainder / run.energy.initial end
 
 -- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
-local function case_one(options, rule, breaks)
+local function case_one(options, rule, breaks, p_delta)
   local q = impact.parameters { dt = 1e-5 }
-  local model = hinge.model {}
+  local model = hinge.model { p_delta = p_delta }
   local _, plane = impact.add(model, q)
   if rule then model:contact(rule) end
   if breaks then model:fracture(breaks) end
@@ -119,6 +119,11 @@ local function savings(job, quick)
   compare("effective stiffness in single precision", "precision = 'double'",
     function() return case_one(hit) end,
     function() return case_one(with(hit, { precision = "double" })) end)
+  for name, chosen in pairs { newmark = hit, explicit = { duration = hit.duration, integrator = "explicit" } } do
+    compare("axial force on chords, " .. name, "p_delta = 'member'",
+      function() return case_one(chosen) end,
+      function() return case_one(chosen, nil, nil, "member") end)
+  end
   -- a bar thrown at a portal from 3 m away
   local function thrown(dt)
     local model = hinge.model {}
