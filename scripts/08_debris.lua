@@ -23,7 +23,7 @@ for i = -4, 4 do
   model:member { a, b, section = bar, material = steel, group = "floor", elements = 4 }
 end
 for i = 0, 4 do
-  local angle, z = 0.7 * i + 0.1, side + h + 0.12 * i
+  local angle, z = 0.5 * i - 1, side + h + 0.12 * i
   local x, y = 0.6 * math.cos(angle), 0.6 * math.sin(angle)
   model:member { model:node { -x, -y, z }, model:node { x, y, z }, section = bar, material = steel, group = "debris" }
 end

@@ -25,7 +25,8 @@ return hinge.scenario {
   accuracy = { dt = { 1e-5, 2e-5, 4e-5 }, elements_per_member = { 2, 4 }, formulation = { "asi-gauss", "asi" } },
 
   run = function(p, job)
-    local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member }
+    local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member,
+      p_delta = "chord" } -- as in the paper
     local frame = building.add(model, { bays = { 4, 4 }, storeys = 10 })
     local plane, parts = aircraft.add(model, {
       size = p.size, mass = p.mass, speed = p.speed, heading = { 1, 0, 0 },

@@ -42,14 +42,13 @@ function hinge.model(options) end
 ---10). The elastic point goes to the hinge too, and its partner's point to the middle; forces stay continuous but the
 ---elastic energy jumps, which the energy error shows
 ---@field shift? "plastic"|"whole"
----where the axial force of an element acts in large displacement. chord (default): on the element's chord, as in the
----paper. Two elements a member then carry too much in compression: a pinned column 2.27 times Euler's load, a clamped
----one whose head sways 1.22 times; four elements 1.10 times each. member: also on the bending of each pair of elements
----between its ends, by the stability functions of the exact beam-column (src/beam/beam_column.h). Elastic columns then
----buckle at Euler's load to 0.1 % with two elements. One that is clamped at both ends and cannot sway needs four.
----member needs formulation asi-gauss, displacement large and shift plastic. Newmark's steps of one solution keep the
----energy less well with it: where the energy error asks for it, give `iterations`, take shorter steps or another
----integrator
+---where the axial force of an element acts in large displacement. member (default): on the element's chord, and on the
+---bending of each pair of elements between its ends, by the stability functions of the exact beam-column
+---(src/beam/beam_column.h). Elastic columns buckle at Euler's load to 0.1 % with two elements. One that is clamped at
+---both ends and cannot sway needs four to bend out; statics counts that load with two, too. chord: on the chord alone,
+---as in the paper. Two elements a member then carry too much in compression: a pinned column 2.27 times Euler's load, a
+---clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation asi-gauss,
+---displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
@@ -61,12 +60,12 @@ function hinge.model(options) end
 ---default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their
 ---ends. The first run decides, once for all runs of the model, from what is declared by then: one linear solution in
 ---statics, with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it
----takes from the bending stiffness; with p_delta = "member" two elements have that exactly, and members from Euler's
----load on get four. Four go to a member where moments between its ends reach the fully plastic one, and to one with
----loads of its own that yields anywhere. Impacts, motions of supports, `hold` of a static run and loads that are
----functions of the run are not in it, and bodies that model:fix does not hold keep two. The solution is a direct one:
----0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge plan and summary.json say how many members got how
----many, and why. asi-gauss only
+---takes from the bending stiffness. With p_delta = "member", the default, two elements have that exactly, and members
+---from Euler's load on get four. Four go to a member where moments between its ends reach the fully plastic one, and to
+---one with loads of its own that yields anywhere. Impacts, motions of supports, `hold` of a static run and loads that
+---are functions of the run are not in it, and bodies that model:fix does not hold keep two. The solution is a direct
+---one: 0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge plan and summary.json say how many members got
+---how many, and why. asi-gauss only
 ---@field elements_per_member? integer|"auto"
 ---of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
 ---compression, and near Euler's load the load at which it buckles; default 0.01
@@ -604,8 +603,9 @@ function model:counts() end
 
 ---A static run: loads and gravity are brought to equilibrium in steps. In large displacement it tells where it comes
 ---past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
----asi-gauss elements see a pinned member buckle at 2.27 times Euler's load, four at 1.10, eight at 1.024, sixteen at
----1.005; with p_delta = "member" two see it at 1.000. Beams turn over sideways, too. They resist it by bending and
+---asi-gauss elements see a pinned member buckle at 1.000 times Euler's load; with p_delta = "chord" at 2.27 times, four
+---at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is pressed beyond Euler's load between
+---clamped ends cannot bend out; it counts as unstable. Beams turn over sideways, too. They resist it by bending and
 ---torsion (G J) alone: not by warping, and nothing but what the model has, such as a floor, holds them.
 ---@param options? hinge.static_options
 ---@return hinge.run

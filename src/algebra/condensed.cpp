@@ -172,9 +172,31 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const auto& list : {coupled_, nodes}) changed.insert(changed.end(), list.begin(), list.end());
     couplings_ = couplings;
+    if (structure_.p_delta()) {  // outer nodes that a bridge joins are coupled, too
+        for (std::size_t i = 0, n = nodes.size(); i < n; ++i)
+            if (const int first = pair_about(nodes[i]); first >= 0) {
+                nodes.push_back(structure_.elements()[first].node[0]);
+                nodes.push_back(structure_.elements()[first + 1].node[1]);
+            }
+        std::sort(nodes.begin(), nodes.end());
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        changed.insert(changed.end(), nodes.begin(), nodes.end());
+    }
     if (nodes == coupled_) return;
     coupled_ = std::move(nodes);
+    bridges_.clear();
+    for (int node : coupled_)
+        if (const int first = structure_.p_delta() ? pair_about(node) : -1; first >= 0)
+            bridges_.push_back(
+                {first, structure_.elements()[first].node[0], structure_.elements()[first + 1].node[1], Mat6::Zero()});
     lay_out();
+}
+
+/// The first element of the pair whose middle node this is, -1 if it is none.
+template <class Number>
+int Condensed<Number>::pair_about(int node) const {
+    const auto at = structure_.elements_at(node);
+    return at.size() == 2 && structure_.elements()[at[0]].partner == at[1] ? std::min(at[0], at[1]) : -1;
 }
 
 template <class Number>
@@ -205,6 +227,8 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
             own -= block * get(m.pull[here]);
             if (m.count == 2) block = -block * get(m.pull[1 - here]);
             else block.setZero();
+            if (parts.has_bridges() && m.count == 2 && e.partner == m.element[1 - here])
+                block += parts.bridge(std::min(element, e.partner), element < e.partner ? 0 : 1);
         }
         put(&value_[36 * std::size_t(begin + k)], block);
     }
@@ -241,6 +265,7 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
     });
+    for (Bridge& b : bridges_) b.K = parts.bridge(b.first, 0);
 }
 
 /// r: the right side without the nodes between.
@@ -314,6 +339,14 @@ double Condensed<Number>::multiply() {
         Eigen::Map<Vec6>(&q_[stride * a]) += w.head<6>();
         Eigen::Map<Vec6>(&q_[stride * b]) += w.tail<6>();
         dot += v.dot(w);
+    }
+    for (const Bridge& bridge : bridges_) {
+        const int a = place_[bridge.a], b = place_[bridge.b];
+        const Vec6 x = Eigen::Map<const Vec6>(&d_[stride * a]), y = Eigen::Map<const Vec6>(&d_[stride * b]);
+        const Vec6 on_a = bridge.K.lazyProduct(y), on_b = bridge.K.transpose().lazyProduct(x);
+        Eigen::Map<Vec6>(&q_[stride * a]) += on_a;
+        Eigen::Map<Vec6>(&q_[stride * b]) += on_b;
+        dot += x.dot(on_a) + y.dot(on_b);
     }
     return dot;
 }

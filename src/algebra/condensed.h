@@ -65,6 +65,7 @@ private:
     double multiply();
     void follow(double alpha);
     int far(int place, int entry) const;
+    int pair_about(int node) const;
     bool takes_part(int node) const { return resting_.empty() || resting_[node] < 0; }
 
     const Structure& structure_;
@@ -74,6 +75,11 @@ private:
     std::vector<Colour> colour_;  ///< of each place, while it is not coupled
     std::vector<Coupling> couplings_;
     std::vector<int> coupled_;  ///< nodes, rising
+    struct Bridge {
+        int first, a, b;  ///< first element of the pair; its outer nodes
+        Mat6 K;
+    };
+    std::vector<Bridge> bridges_;  ///< of pairs whose middle node is coupled: such a node is not taken out
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`
     int joints_ = 0;
     std::vector<int> order_, place_;  ///< node of each place; place of each node, -1

@@ -33,26 +33,46 @@ void EffectiveStiffness::mark(int node) {
     if (!is_dirty_[node]) is_dirty_[node] = 1, dirty_.push_back(node);
 }
 
-Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, const Mat6* given) const {
-    const Element& e = structure_.elements()[index];
-    const PlacedElement place = place_element(structure_, index, pose);
-    const Mat3 axes = axes_of(place);
-    const Mat6 k = given ? *given : elastic_tangent(structure_, state, pose, index);
-    const auto stiffness_of = [&](const Mat6& k, bool geometric) {
-        return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
-                                  : beam::linear_tangent(axes.transpose(), e.length, k);
-    };
-    const auto stiffness = [&](bool geometric) { return stiffness_of(k, geometric); };
+namespace {
+
+const GivenTangent* find(const std::vector<GivenTangent>& given, int element) {
+    if (given.empty()) return nullptr;
+    const auto at = std::lower_bound(given.begin(), given.end(), element,
+                                     [](const GivenTangent& g, int e) { return g.element < e; });
+    return at != given.end() && at->element == element ? &*at : nullptr;
+}
+
+}  // namespace
+
+/// m M + gamma dt C.
+Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const PlacedElement& place) const {
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     const double of_M = mass_factor_ + by_damping_ * c.of_mass;
+    const Mat3 axes = axes_of(place);
+    Mat12 M = of_M * structure_.inertia(index).matrix(axes);
+    if (c.of_stiffness != 0) {  // in proportion to the elastic stiffness alone, also where an element yields
+        const Mat6 k = stiffness_now(structure_, state, index).matrix();
+        M += (by_damping_ * c.of_stiffness) *
+             (structure_.large() ? element_tangent(place, state.force[index], k, false)
+                                 : beam::linear_tangent(axes.transpose(), structure_.elements()[index].length, k));
+    }
+    return M;
+}
+
+Mat12 EffectiveStiffness::single_part(int index, const State& state, const Pose& pose, const Mat6& k) const {
+    const Element& e = structure_.elements()[index];
+    const PlacedElement place = place_element(structure_, index, pose);
+    const auto stiffness = [&](bool geometric) {
+        return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
+                                  : beam::linear_tangent(axes_of(place).transpose(), e.length, k);
+    };
     const Mat12 K = stiffness(geometric_);
     Mat12 A;
     if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
     else A = (0.5 * stiffness_factor_) * (K + K.transpose());
-    if (of_M == 0) return A;
-    Mat12 M = of_M * structure_.inertia(index).matrix(axes);
-    if (c.of_stiffness != 0)  // in proportion to the elastic stiffness alone, also where an element yields
-        M += (by_damping_ * c.of_stiffness) * stiffness_of(stiffness_now(structure_, state, index).matrix(), false);
+    const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
+    if (mass_factor_ + by_damping_ * c.of_mass == 0) return A;
+    const Mat12 M = inertia_part(index, state, place);
     A += M;
     if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
         A.llt().info() != Eigen::Success)
@@ -60,11 +80,76 @@ Mat12 EffectiveStiffness::part(int index, const State& state, const Pose& pose, 
     return A;
 }
 
+EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const State& state, const Pose& pose,
+                                                           const std::vector<GivenTangent>& given) const {
+    beam::PairMatrix k;
+    if (const GivenTangent* g = find(given, first))
+        k << g->own, g->partner, g->partner.transpose(), find(given, first + 1)->own;
+    else k = elastic_pair_tangent(structure_, state, pose, first);
+    const PlacedElement place[2] = {place_element(structure_, first, pose), place_element(structure_, first + 1, pose)};
+    Mat12 M[2] = {Mat12::Zero(), Mat12::Zero()};
+    bool heavy = false;
+    for (int i : {0, 1}) {
+        const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[first + i];
+        if (mass_factor_ + by_damping_ * c.of_mass == 0) continue;
+        M[i] = inertia_part(first + i, state, place[i]), heavy = true;
+    }
+    // rows of the first element's nodes, columns of the second one's
+    const Mat12 between = stiffness_factor_ * forces_at_nodes(place[0]) * k.topRightCorner<6, 6>() *
+                          forces_at_nodes(place[1]).transpose();
+    const auto put_together = [&](bool geometric) {
+        PairPart part;
+        for (int i : {0, 1}) {
+            const Mat12 K = element_tangent(place[i], state.force[first + i], k.block<6, 6>(6 * i, 6 * i), geometric);
+            if (keeping_ == Keeping::unsymmetric || !geometric) part.A[i] = stiffness_factor_ * K + M[i];
+            else part.A[i] = (0.5 * stiffness_factor_) * (K + K.transpose()) + M[i];
+        }
+        const auto outer = between.topLeftCorner<6, 6>(), at_middle = between.bottomLeftCorner<6, 6>(),
+                   far = between.bottomRightCorner<6, 6>();
+        part.A[0].topRightCorner<6, 6>() += outer;
+        part.A[0].bottomLeftCorner<6, 6>() += outer.transpose();
+        part.A[0].bottomRightCorner<6, 6>() += at_middle + at_middle.transpose();
+        part.A[1].topRightCorner<6, 6>() += far;
+        part.A[1].bottomLeftCorner<6, 6>() += far.transpose();
+        part.bridge = between.topRightCorner<6, 6>();
+        return part;
+    };
+    PairPart part = put_together(geometric_);
+    if (geometric_ && heavy && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow)) {
+        Eigen::Matrix<double, 18, 18> whole = Eigen::Matrix<double, 18, 18>::Zero();
+        whole.topLeftCorner<12, 12>() = part.A[0];
+        whole.bottomRightCorner<12, 12>() += part.A[1];
+        whole.bottomLeftCorner<6, 6>() = part.bridge.transpose();  // the factors read the lower half
+        if (whole.llt().info() != Eigen::Success) part = put_together(false);
+    }
+    return part;
+}
+
+ElementPart EffectiveStiffness::part(int index, const State& state, const Pose& pose,
+                                     const std::vector<GivenTangent>& given) const {
+    if (in_pair(structure_, state, index)) {
+        const PairPart both = pair_part(index & ~1, state, pose, given);
+        return {both.A[index & 1], index & 1 ? Mat6(both.bridge.transpose()) : both.bridge};
+    }
+    const GivenTangent* g = find(given, index);
+    return {single_part(index, state, pose, g ? g->own : stiffness_now(structure_, state, index).matrix()),
+            Mat6::Zero()};
+}
+
 void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Pose& pose,
-                               const std::vector<const Mat6*>& tangents) {
+                               const std::vector<GivenTangent>& given) {
+    if (structure_.p_delta() && !matrices_.has_bridges()) matrices_.set_bridge(0, Mat6::Zero());
     pool_.share(int(elements.size()), 64, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i)
-            matrices_.set(elements[i], part(elements[i], state, pose, tangents.empty() ? nullptr : tangents[i]));
+        for (int i = first; i < end; ++i) {
+            const int e = elements[i];
+            if (!in_pair(structure_, state, e)) {
+                matrices_.set(e, part(e, state, pose, given).A);
+            } else if (e % 2 == 0) {  // both of the pair
+                const PairPart both = pair_part(e, state, pose, given);
+                matrices_.set(e, both.A[0]), matrices_.set(e + 1, both.A[1]);
+                matrices_.set_bridge(e, both.bridge);
+            }
+        }
     });
     for (int index : elements)
         for (int node : structure_.elements()[index].node) mark(node);
@@ -162,6 +247,10 @@ bool EffectiveStiffness::factorise() {
         for (int end : {0, 1})
             factors_.add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end],
                          matrices_.across(int(e), end));
+    for (std::size_t e = 0; matrices_.has_bridges() && e + 1 < structure_.elements().size(); e += 2)
+        for (int end : {0, 1})
+            factors_.add(structure_.elements()[e + end].node[end], structure_.elements()[e + 1 - end].node[1 - end],
+                         matrices_.bridge(int(e), end));
     for (const Coupling& p : couplings_)
         for (int a : {0, 1})
             for (int b : {0, 1}) factors_.add(a == 0 ? p.a : p.b, b == 0 ? p.a : p.b, p.K.block<6, 6>(6 * a, 6 * b));
@@ -187,6 +276,10 @@ void EffectiveStiffness::add_to(DirectFactors& factors, bool symmetric_part, con
             add(structure_.elements()[e].node[end], structure_.elements()[e].node[1 - end], across[end],
                 across[1 - end]);
     }
+    for (std::size_t e = 0; matrices_.has_bridges() && e + 1 < structure_.elements().size(); e += 2)
+        for (int end : {0, 1})
+            add(structure_.elements()[e + end].node[end], structure_.elements()[e + 1 - end].node[1 - end],
+                matrices_.bridge(int(e), end), matrices_.bridge(int(e), 1 - end));
     for (const Coupling& p : couplings_)
         for (int a : {0, 1})
             for (int b : {0, 1})

@@ -22,15 +22,22 @@ enum class Keeping : std::uint8_t {
              ///< the next step sees
 };
 
+/// dp/dd of an element that flows, or whose partner does.
+struct GivenTangent {
+    int element;
+    Mat6 own;
+    Mat6 partner;  ///< d(its p)/d(its partner's d); zero where its bending does not follow the axial force
+};
+
 class EffectiveStiffness {
 public:
     EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor, double stiffness_factor,
                        bool geometric, Keeping keeping);
 
-    /// Builds the part of these elements for the state at `pose`; `tangents` gives dp/dd of those that yield (null:
-    /// elastic).
+    /// Builds the part of these elements (rising) for the state at `pose`; `given`, rising, in the place of the elastic
+    /// tangent. Of a pair whose bending follows its axial force both elements are to be in the list, or none.
     void build(const std::vector<int>& elements, const State& state, const Pose& pose,
-               const std::vector<const Mat6*>& tangents);
+               const std::vector<GivenTangent>& given);
     void remove(int element);
     /// Of each element, empty for none; `by_damping`: what C counts for in the matrix, gamma dt. Elements must be built
     /// anew.
@@ -70,8 +77,8 @@ public:
     /// yardstick of a step.
     double time_product(int repeats) const;
 
-    /// An element's part, nothing of it held. `given`: in the place of its elastic stiffness.
-    Mat12 part(int element, const State& state, const Pose& pose, const Mat6* given) const;
+    /// An element's part, nothing of it held. `given`: as in build.
+    ElementPart part(int element, const State& state, const Pose& pose, const std::vector<GivenTangent>& given) const;
 
     struct Counts {
         long built = 0, iterations = 0, solves = 0, factorisations = 0;
@@ -88,6 +95,13 @@ public:
     }
 
 private:
+    struct PairPart {
+        Mat12 A[2];
+        Mat6 bridge;
+    };
+    Mat12 single_part(int element, const State& state, const Pose& pose, const Mat6& k) const;
+    PairPart pair_part(int first, const State& state, const Pose& pose, const std::vector<GivenTangent>& given) const;
+    Mat12 inertia_part(int element, const State& state, const PlacedElement& place) const;
     const DirectFactors& symmetric_factors();
     void add_to(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) const;
     bool factorise_shifted(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal);

@@ -39,6 +39,26 @@ void ElementMatrices::set(int element, const Mat12& A) {
 void ElementMatrices::clear(int element) {
     set(element, Mat12::Zero());
     empty_[element] = 1;
+    if (has_bridges()) set_bridge(element & ~1, Mat6::Zero());
+}
+
+void ElementMatrices::set_bridge(int first, const Mat6& between) {
+    const auto fill = [&](auto& bridges) {
+        using Number = std::remove_reference_t<decltype(bridges[0])>;
+        if (bridges.empty()) bridges.assign(bridge_numbers(), 0);
+        for (int i = 0; i < 36; ++i) bridges[std::size_t(first) / 2 * 36 + i] = Number(between.data()[i]);
+    };
+    narrow_ ? fill(narrow_bridge_) : fill(wide_bridge_);
+}
+
+Mat6 ElementMatrices::bridge(int first, int end) const {
+    if (!has_bridges()) return Mat6::Zero();
+    const std::size_t at = std::size_t(first) / 2 * 36;
+    const Mat6 between = narrow_
+                             ? Mat6(Eigen::Map<const Eigen::Matrix<float, 6, 6>>(&narrow_bridge_[at]).cast<double>())
+                             : Mat6(Eigen::Map<const Mat6>(&wide_bridge_[at]));
+    const int a = structure_.elements()[first].node[0], b = structure_.elements()[first + 1].node[1];
+    return end == 0 ? masked(a, b, between) : masked(b, a, between.transpose());
 }
 
 template <class Number>

@@ -22,6 +22,13 @@ struct Coupling {
     }
 };
 
+/// An element's part of the effective stiffness, order [u1 t1 u2 t2], and what its pair has between its two outer
+/// ends: the row of its own one, the column of its partner's; zero without a pair.
+struct ElementPart {
+    Mat12 A;
+    Mat6 bridge;
+};
+
 /// The left side is (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
 class Blocks {
 public:

@@ -132,20 +132,31 @@ template <class Real>
     return size > c(1e-6) * whole + c(1e-18) * k.axial;
 }
 
-/// Goes on from `out`, the first step of Newton's method from N, halving where a step would leave what is known to hold
-/// the solution: N - EA/l (e + bow(N)) grows with N, so there is one. Lanes that have theirs keep it.
+/// Goes on from `out`, the first step of Newton's method from N. N - EA/l (e + bow(N)) grows with N, and the slopes of
+/// S and A have their bounds where they become straight lines: so there is one N, and it is known what it lies between.
+/// That is halved where a step would leave it, or is not half of the step before. Lanes that have theirs keep it.
 template <class Real>
 [[gnu::noinline]] void find_N(const PairKind<Real>& k, const PairShape<Real>& y, Real N, Real change,
                               PairForces<Real>& out) {
     const auto c = [&](double v) { return spread(v, N); };
+    const auto size = [&](const Real& v) { return Real(v < c(0) ? c(0) - v : v); };
+    const PairNumbers<Real> ends[2] = {pair_numbers(c(pair_least)), pair_numbers(c(pair_most))};
+    Real low = y.straight, high = y.straight;
+    for (int plane : {0, 1}) {
+        low += y.bowing * (ends[0].S1 * y.square[plane] + ends[0].A1 * y.difference_square[plane]);
+        high += y.bowing * (ends[1].S1 * y.square[plane] + ends[1].A1 * y.difference_square[plane]);
+    }
     auto open = still_open(k, out.N_whole, change);
-    Real low = c(-1e300), high = c(1e300);
+    Real last = high - low;
     for (int i = 0; i < 200 && any_true(open); ++i) {
-        low = change < c(0) ? N : low;
-        high = change > c(0) ? N : high;
+        low = change < c(0) && N > low ? N : low;
+        high = change > c(0) && N < high ? N : high;
+        const Real middle = c(0.5) * (low + high);
         Real next = N - change;
-        next = next < low ? c(0.5) * (low + high) : next;
-        next = next > high ? c(0.5) * (low + high) : next;
+        next = next < low ? middle : next;
+        next = next > high ? middle : next;
+        next = size(change) > c(0.5) * last ? middle : next;
+        last = size(next - N);
         N = open ? next : N;
         PairForces<Real> there;
         change = step_to_N(k, y, N, there);

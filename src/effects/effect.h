@@ -234,10 +234,10 @@ public:
     virtual void steady_load_changed(int node, const Vec3& force) { (void)node, (void)force; }
     virtual void reached(const std::vector<Reached>& elements) { (void)elements; }
     virtual void effective_stiffness_begins() {}
-    /// The matrix of an element's effective stiffness, with nothing held, each time it is built.
+    /// An element's part of the effective stiffness, with nothing held, each time it is built.
     virtual bool watches_matrices() const { return false; }
     virtual bool watches_matrix(int element) const { return (void)element, false; }
-    virtual void matrix_built(int element, const Mat12& A) { (void)element, (void)A; }
+    virtual void matrix_built(int element, const ElementPart& part) { (void)element, (void)part; }
     /// Bodies that it may move are not at rest.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
     /// What supports that move with `supports` do, J, on the momentum that nodes have at `velocity`.

@@ -47,9 +47,10 @@ std::vector<PlanLine> large_displacement_plan(const Structure& s, const RunKind&
                         : geometric.active ? "part of large displacement"
                                            : "explicit steps form no stiffness; the forces have it";
     return {{"large displacement", large,
-             !large        ? "displacement = \"small\""
-             : s.p_delta() ? "the default; with the axial force on the bending of members (p_delta = \"member\")"
-                           : "the default; displacement = \"small\" leaves it out",
+             !large ? "displacement = \"small\""
+             : s.p_delta()
+                 ? "the default, with the axial force on the bending of members; p_delta = \"chord\" leaves that out"
+                 : "the default; displacement = \"small\" leaves it out",
              large ? "" : s.model().asked_at("model")},
             geometric};
 }

@@ -13,7 +13,7 @@ public:
                             return t < begin ? path(begin) + speed * (t - begin) : path(t);
                         }};
             moved_.push_back(std::move(moved));
-            for (int e : w.structure.elements_at(m.node)) matrices_[e] = Mat12::Zero();
+            for (int e : w.structure.elements_at(m.node)) matrices_[e] = {Mat12::Zero(), Mat6::Zero()};
         }
     }
 
@@ -62,7 +62,13 @@ public:
                     if (w_.state.broken[e]) continue;
                     Vec12 of_element;
                     of_element << change[element.node[0]], change[element.node[1]];
-                    force += matrices_.at(e).row((element.node[0] == m.node ? 0 : 6) + m.component).dot(of_element);
+                    const ElementPart& part = matrices_.at(e);
+                    const int end = element.node[0] == m.node ? 0 : 1;
+                    force += part.A.row(6 * end + m.component).dot(of_element);
+                    if (element.partner < 0 || (e < element.partner) != (end == 0))
+                        continue;  // not the pair's outer node
+                    const int far = w_.structure.elements()[element.partner].node[1 - end];
+                    force += part.bridge.row(m.component).dot(change[far]);
                 }
             else force += momentum_at(m, w_.trial.acceleration, false);
             m.next_force = force;
@@ -71,7 +77,7 @@ public:
 
     bool watches_matrices() const override { return true; }
     bool watches_matrix(int element) const override { return matrices_.count(element) > 0; }
-    void matrix_built(int element, const Mat12& A) override { matrices_.at(element) = A; }
+    void matrix_built(int element, const ElementPart& part) override { matrices_.at(element) = part; }
 
     /// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what
     /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
@@ -153,7 +159,7 @@ private:
         for (auto& m : s.moved_) {
             a(m.from, m.now, m.before, m.long_before, m.apart, m.next, m.speed, m.acceleration, m.force, m.next_force,
               m.begun);
-            for (int e : s.w_.structure.elements_at(m.node)) a(s.matrices_.at(e));
+            for (int e : s.w_.structure.elements_at(m.node)) a(s.matrices_.at(e).A, s.matrices_.at(e).bridge);
         }
     }
 
@@ -174,8 +180,7 @@ private:
     }
 
     std::vector<Moved> moved_;
-    std::unordered_map<int, Mat12>
-        matrices_;  ///< of the effective stiffness, whole, for the elements at moved supports
+    std::unordered_map<int, ElementPart> matrices_;  ///< of the elements at moved supports
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {

@@ -112,7 +112,7 @@ struct ModelOptions {
     Displacement displacement = Displacement::large;
     Shift shift = Shift::plastic;
     MassShape mass = MassShape::linear;
-    PDelta p_delta = PDelta::chord;
+    PDelta p_delta = PDelta::member;
     bool plasticity = true;
     int elements_per_member = 2;
     bool automatic_elements = false;  ///< elements_per_member = "auto"

@@ -370,14 +370,15 @@ void EnergyMomentum::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
-        const std::vector<const Mat6*> given = tangents_of(rebuild_, w_.yielding, tangents);
+        const std::vector<GivenTangent> given =
+            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding, tangents);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         effective_->build(rebuild_, w_.state, middle_, given);
         for (const auto& effect : *effects_)
             for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
                 if (effect->watches_matrix(rebuild_[i]))
-                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given[i]));
+                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given));
         for (int e : rebuild_) built_[e] = axes_of(place_element(w_.structure, e, middle_)), in_rebuild_[e] = 0;
         rebuild_.clear();
     }
@@ -445,7 +446,9 @@ void EnergyMomentum::kept() {
 }
 
 void EnergyMomentum::stiffness_changed(int element) {
-    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+    if (!effective_ || in_rebuild_[element]) return;
+    in_rebuild_[element] = 1, rebuild_.push_back(element);
+    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
 }
 
 void EnergyMomentum::dt_changed(double dt) {
@@ -459,6 +462,7 @@ void EnergyMomentum::dt_changed(double dt) {
 void EnergyMomentum::removed(int element) {
     effective_->remove(element);
     effective_->set_held(w_.state.held);
+    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
     find_node_inertia();
 }
 

@@ -191,18 +191,19 @@ void Newmark::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
-        const std::vector<const Mat6*> given = tangents_of(rebuild_, w_.yielding, tangents_);
-        for (std::size_t i = 0; i < rebuild_.size(); ++i)
-            if (given[i]) built_[rebuild_[i]] = *given[i];
+        const std::vector<GivenTangent> given =
+            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding, tangents_);
+        for (std::size_t i = 0; i < tangents_.size(); ++i)
+            if (const int e = w_.yielding[i].element; in_rebuild_[e]) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
         effective_->build(rebuild_, w_.state, w_.trial, given);
         for (const auto& effect : *effects_)
             for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
                 if (effect->watches_matrix(rebuild_[i]))
-                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given[i]));
+                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given));
         w_.force.swap(w_.state.force);
         for (int e : rebuild_) {
-            w_.sweep.mark_built(e, axes_of(place_element(w_.structure, e, w_.trial)));
+            w_.sweep.mark_built(e, w_.state, w_.trial);
             in_rebuild_[e] = 0;
             if (mass_.now()) mass_.changed(e);
         }
@@ -357,7 +358,9 @@ void Newmark::kept() {
 }
 
 void Newmark::stiffness_changed(int element) {
-    if (effective_ && !in_rebuild_[element]) in_rebuild_[element] = 1, rebuild_.push_back(element);
+    if (!effective_ || in_rebuild_[element]) return;
+    in_rebuild_[element] = 1, rebuild_.push_back(element);
+    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
 }
 
 void Newmark::dt_changed(double dt) {
@@ -371,6 +374,7 @@ void Newmark::dt_changed(double dt) {
 void Newmark::removed(int element) {
     effective_->remove(element);
     effective_->set_held(w_.state.held);
+    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
 }
 
 template <class Self, class A>

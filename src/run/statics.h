@@ -72,6 +72,7 @@ private:
     void refuse_mechanism();
     void refuse_idle_loads() const;
     int negative_modes();
+    int modes_within_pairs();
     int modes_under_control();
     double locate(double increment, const std::vector<Vec6>& arrived_by);
     void describe_mode();
@@ -85,6 +86,7 @@ private:
            noise_ = 0;
     int converged_in_ = 0;
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
+    int pressed_ = -1;                          ///< the member of the last modes within pairs that is pressed most
     int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
     double stiffening_ = 0;      ///< a share of the stiffness without hinges that they keep in the tangent, at least
     double tried_ = 0;           ///< the step by which an exchange of mechanisms was passed

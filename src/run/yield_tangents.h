@@ -22,13 +22,29 @@ inline std::vector<Mat6> yield_tangents(const Structure& structure, const State&
     return tangents;
 }
 
-/// Of each element of `list` (rising), its tangent if it flows, null if it is elastic.
-inline std::vector<const Mat6*> tangents_of(const std::vector<int>& list, const std::vector<Yielding>& yielding,
-                                            const std::vector<Mat6>& tangents) {
-    std::vector<const Mat6*> given(list.size(), nullptr);
+/// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from
+/// their [D_p], or whose partner does.
+inline std::vector<GivenTangent> given_tangents(const Structure& structure, const State& state, const Pose& pose,
+                                                const Sweep& sweep, const std::vector<int>& list,
+                                                const std::vector<Yielding>& yielding,
+                                                const std::vector<Mat6>& tangents) {
+    std::vector<GivenTangent> given;
+    int done = -1;  // elements up to here have theirs
     for (std::size_t i = 0; i < yielding.size(); ++i) {
-        const auto at = std::lower_bound(list.begin(), list.end(), yielding[i].element);
-        if (at != list.end() && *at == yielding[i].element) given[at - list.begin()] = &tangents[i];
+        const int element = yielding[i].element;
+        if (element <= done || !std::binary_search(list.begin(), list.end(), element)) continue;
+        if (!in_pair(structure, state, element)) {
+            given.push_back({element, tangents[i], Mat6::Zero()});
+            continue;
+        }
+        const int first = element & ~1;
+        const beam::Flow* flow[2] = {nullptr, nullptr};
+        flow[element - first] = &yielding[i].flow;
+        if (i + 1 < yielding.size() && yielding[i + 1].element == first + 1) flow[1] = &yielding[i + 1].flow;
+        const beam::PairMatrix K = pair_tangent(structure, state, pose, sweep, first, flow);
+        given.push_back({first, K.topLeftCorner<6, 6>(), K.topRightCorner<6, 6>()});
+        given.push_back({first + 1, K.bottomRightCorner<6, 6>(), K.bottomLeftCorner<6, 6>()});
+        done = first + 1;
     }
     return given;
 }

@@ -65,7 +65,8 @@ int model(lua_State* L) {
                        formulation + "' takes 'linear'");
     const bool bends =
         m.formulation == Formulation::asi_gauss && m.displacement == Displacement::large && m.shift == Shift::plastic;
-    m.p_delta = o.word("p_delta", {"chord", "member"}, "chord") == "member" ? PDelta::member : PDelta::chord;
+    m.p_delta =
+        o.word("p_delta", {"chord", "member"}, bends ? "member" : "chord") == "member" ? PDelta::member : PDelta::chord;
     if (m.p_delta == PDelta::member && !bends)
         o.complain(
             "p_delta", "'member'",

@@ -191,8 +191,8 @@ std::vector<Warning> near_euler(const RunRecord& record) {
                  digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
                  " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
              declared.p_delta() ? "it may buckle: that shows with a small imperfection"
-                                : "it may buckle: that shows in large displacement with p_delta = \"member\" "
-                                  "of hinge.model, or eight elements a member, and a small imperfection",
+                                : "it may buckle: that shows in large displacement with p_delta = \"member\", its "
+                                  "default, or eight elements a member, and a small imperfection",
              model.asked_at("member " + std::to_string(m.member + 1))});
     }
     return list;

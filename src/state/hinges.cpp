@@ -12,15 +12,35 @@ void move_point(const Structure& structure, State& state, int element, double s)
     state.point[element] = s;
 }
 
-Mat6 elastic_tangent(const Structure& structure, const State& state, const Pose& pose, int index) {
-    Mat6 k = stiffness_now(structure, state, index).matrix();
-    const Element& e = structure.elements()[index];
-    if (!structure.p_delta() || state.broken[e.partner]) return k;
-    const int first = std::min(index, e.partner);
-    Vec6 d[2];
+namespace {
+
+/// What its plastic deformation leaves of each element's deformation.
+void elastic_deformations(const Structure& structure, const State& state, const Pose& pose, int first, Vec6 (&d)[2]) {
     for (int i : {0, 1}) d[i] = element_deformation(structure, first + i, pose) - state.plastic[first + i];
-    const beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(e), d[0], d[1]);
-    return k += index == first ? K.topLeftCorner<6, 6>() : K.bottomRightCorner<6, 6>();
+}
+
+}  // namespace
+
+beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
+                              int first, const beam::Flow* const (&flow)[2]) {
+    double section[2];
+    const int n = sweep.sections(section);
+    const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
+    const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
+    const beam::YieldSurface* surface[2] = {&e[0]->yield, &e[1]->yield};
+    Vec6 elastic[2];
+    elastic_deformations(structure, state, pose, first, elastic);
+    for (int i : {0, 1})
+        if (flow[i]) elastic[i] -= flow[i]->plastic;
+    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, section, n, flow);
+}
+
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first) {
+    Vec6 d[2];
+    elastic_deformations(structure, state, pose, first, d);
+    beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first]), d[0], d[1]);
+    for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += stiffness_now(structure, state, first + i).matrix();
+    return K;
 }
 
 std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,

@@ -27,8 +27,15 @@ inline beam::Stiffness stiffness_now(const Structure& structure, const State& st
     return state.point[element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[element]);
 }
 
-/// dp/dd of an elastic element at `pose`, 6 x 6; of a pair whose bending follows its axial force, with the partner's
-/// deformation held.
-Mat6 elastic_tangent(const Structure& structure, const State& state, const Pose& pose, int element);
+/// Whether the element is one of a pair whose bending follows its axial force, and both are whole.
+inline bool in_pair(const Structure& structure, const State& state, int element) {
+    return structure.p_delta() && !state.broken[element] && !state.broken[structure.elements()[element].partner];
+}
+
+/// dp/dd of such a pair, 12 x 12, `first` its first element. `flow`: of its elements, null where one does not flow.
+beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
+                              int first, const beam::Flow* const (&flow)[2]);
+/// The same while both are elastic.
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first);
 
 }  // namespace hinge

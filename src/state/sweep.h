@@ -42,7 +42,8 @@ public:
     void run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
              std::vector<Yielding>& yielding);
 
-    /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked. Filled by run.
+    /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked, or, where bending
+    /// follows the axial force, that have bent by more. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
     void watch_rotation(double tolerance);
     /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound.
@@ -51,8 +52,8 @@ public:
     /// there is none. Filled by run; large displacement.
     int folded() const { return folded_; }
     std::string folded_reason() const;  ///< why a run cannot go on with it
-    /// Marks the present frame of the element at `pose` as the one its stiffness was built for.
-    void mark_built(int element, const Mat3& frame);
+    /// Marks where the element is at `pose` as what its stiffness was built for.
+    void mark_built(int element, const State& state, const Pose& pose);
 
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
@@ -100,7 +101,8 @@ private:
     std::vector<Shared> shared_;  ///< places in left_ of each such node, in the order of its elements
     std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
     std::vector<Vec6> left_;
-    std::vector<Lanes> built_;  ///< six a block: frame z and y at the last build
+    std::size_t built_stride() const { return structure_.p_delta() ? 8 : 6; }
+    std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and what its elements were bent by
     std::vector<int> rotated_;
     std::vector<int> wound_;
     int folded_ = -1;

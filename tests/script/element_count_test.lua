@@ -19,7 +19,7 @@ local section = hinge.section.solid { width = b, depth = b }
 -- One member from { 0, 0, 0 } to { L, 0, 0 }. `a`, `b`: what is held at its ends.
 local function bar(o)
   local model = hinge.model { elements_per_member = o.elements or "auto", elements_accuracy = o.accuracy,
-    p_delta = o.p_delta, displacement = o.displacement, plasticity = o.plasticity }
+    p_delta = o.p_delta or "chord", displacement = o.displacement, plasticity = o.plasticity }
   local s = { model = model, a = model:node { 0, 0, 0 }, b = model:node { L, 0, 0 } }
   model:fix(s.a, o.a or "xyz,rx")
   model:fix(s.b, o.b or "yz")
@@ -39,7 +39,8 @@ local function decided(o)
   return s.member.elements
 end
 
-do -- What "auto" goes by: a pinned column of n elements buckles at so many times Euler's load.
+do -- What "auto" goes by where the axial force acts on chords alone: the critical load of a pinned column of n
+   -- elements, over Euler's.
   for n, wanted in pairs { [2] = 2.269, [4] = 1.102, [8] = 1.024, [16] = 1.006 } do
     local s = bar { material = elastic, elements = n, push = 3 * P_E }
     local run = s.model:static { steps = 60, to_limit = true, record = false }:finish()
@@ -101,7 +102,7 @@ end
 
 -- A frame with a slender column, a beam with a load and a bar that flies, in one order or the other.
 local function frame(o)
-  local model = hinge.model { elements_per_member = o.auto and "auto" or 2 }
+  local model = hinge.model { elements_per_member = o.auto and "auto" or 2, p_delta = "chord" }
   local n, made = {}, {}
   for i, at in ipairs { { 0, 0, 0 }, { 0, 0, L }, { 5, 0, L }, { 5, 0, 0 }, { 2, 3, 15 }, { 3, 3, 15 } } do
     n[i] = model:node(at)
@@ -183,7 +184,7 @@ do -- hinge plan and summary.json
 local hinge = require "hinge"
 local steel = hinge.material { E = 2e11, density = 7850, yield_stress = 245e6 }
 local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
-local model = hinge.model { elements_per_member = "auto" }
+local model = hinge.model { elements_per_member = "auto", p_delta = "chord" }
 local function column(x, push, load)
   local a, b = model:node { x, 0, 0 }, model:node { x, 0, 10 }
   if push then model:fix(a, "xyz,rz") model:fix(b, "xy") end

@@ -34,7 +34,7 @@ end
 -- Two legs of 10 m, GA = EA = 1e6 N, EI = GJ = 1e3 N m^2, 1 kg/m, rotary inertia 20, 10, 10 kg m; the elbow is pushed
 -- out of the plane by 0 -> 50 -> 0 N in 2 s.
 local function cantilever(options)
-  local model = hinge.model { elements_per_member = 10, mass = options.mass or "cubic" }
+  local model = hinge.model { elements_per_member = 10, mass = options.mass or "cubic", p_delta = options.p_delta }
   local foot, elbow, tip = model:node { 0, 0, 0 }, model:node { 10, 0, 0 }, model:node { 10, 10, 0 }
   local material = hinge.material { E = 1e6, nu = -0.5, density = 1 }
   local section = hinge.section.general { area = 1, Ix = 1e-3, Iy = 1e-3, J = 1e-3, shear_area_x = 1, shear_area_y = 1,
@@ -54,7 +54,8 @@ local function extreme(probe, from, to)
   end
   return most
 end
-for _, case in ipairs { { mass = "cubic" }, { mass = "linear" }, { mass = "cubic", run = { step_control = 0 } },
+for _, case in ipairs { { mass = "cubic" }, { mass = "linear" },
+  { mass = "cubic", p_delta = "chord", run = { step_control = 0 } },
   { mass = "cubic", run = { dt = 0.5, duration = 200 } }, { mass = "cubic", slender = true },
   { mass = "linear", slender = true } } do
   local run, elbow, tip = cantilever(case)

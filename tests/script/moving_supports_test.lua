@@ -97,7 +97,7 @@ local paths = {
 }
 for what, path in pairs(paths) do
   for name, settings in pairs {
-    newmark = { {}, 1e-6 }, damped = { { rho_infinity = 0.8 }, 1e-6 },
+    newmark = { {}, 3e-6 }, damped = { { rho_infinity = 0.8 }, 3e-6 },
     ["long steps"] = { { dt = 2e-4, iterations = 30 }, 1e-3 },
     explicit = { { integrator = "explicit" }, 5e-4 }, ["beta 0.4"] = { { beta = 0.4 }, 1e-3 },
   } do
@@ -109,7 +109,7 @@ end
 -- Feet that tear their columns: an element that breaks next to a foot stays on it as a
 -- rigid offset mass, which the foot drives too.
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 300e6 }
-for name, settings in pairs { newmark = { { dt = 1e-5 }, 1e-4 }, damped = { { dt = 1e-5, rho_infinity = 0.8 }, 1e-4 },
+for name, settings in pairs { newmark = { { dt = 1e-5 }, 3e-4 }, damped = { { dt = 1e-5, rho_infinity = 0.8 }, 3e-4 },
   explicit = { { integrator = "explicit" }, 1e-4 } } do
   local left, run = shaken(function(t) return 0.05 * (1 - math.cos(200 * t)) end, settings[1],
     steel, { axial_strain = 0.002, curvature_x = 0.06, curvature_y = 0.06 })

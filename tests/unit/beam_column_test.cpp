@@ -88,6 +88,31 @@ TEST_CASE("beam-column: S and A fall ever faster, without a jump in value or slo
     }
 }
 
+TEST_CASE("beam-column: N solves its equation, however far the pair is bent and pressed", "[beam_column]") {
+    Dice dice(11);
+    double worst = 0;
+    for (int trial = 0; trial < 200000; ++trial) {
+        const SomePair pair = some_pair(dice, 1, 1);
+        const PairKind<double>& k = pair.kind;
+        const double e = dice(-10, 10) / (k.axial * k.c[0]), size = std::pow(10, dice(-3, 0));
+        const double sum[2] = {dice(-size, size), dice(-size, size)},
+                     difference[2] = {dice(-size, size), dice(-size, size)};
+        const auto beyond = [&](double N) {  // N - EA/l (e + bow(N)), which grows with N
+            double bow = 0;
+            for (int plane : {0, 1}) {
+                const PairNumbers<double> of = pair_numbers(-k.c[plane] * N);
+                bow -= k.length / 8 * (of.S1 * sum[plane] * sum[plane] + of.A1 * difference[plane] * difference[plane]);
+            }
+            return N - k.axial * (e + bow);
+        };
+        double low = -1e10, high = 1e10;
+        for (int i = 0; i < 100; ++i) (beyond(0.5 * (low + high)) > 0 ? high : low) = 0.5 * (low + high);
+        const double N = pair_forces(k, e, sum, difference).N_whole;
+        worst = largest_of(worst, std::abs(N - low) / (std::abs(low) + 1e-3 / k.c[0]));
+    }
+    CHECK_FIGURE("N by halving and by Newton's method", worst, 1e-6);
+}
+
 TEST_CASE("beam-column: eight at once are the same bits as one at a time", "[beam_column]") {
     Dice dice(3);
     for (int round = 0; round < 200; ++round) {

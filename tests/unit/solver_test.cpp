@@ -145,7 +145,7 @@ struct Dense {
         for (int i : all_elements(structure))
             if (std::find(removed.begin(), removed.end(), i) == removed.end())
                 add(structure.elements()[i].node[0], structure.elements()[i].node[1],
-                    parts.part(i, state, pose_of(state), nullptr));
+                    parts.part(i, state, pose_of(state), {}).A);
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
         if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += offset;
         free = free_degrees_of_freedom(state.held);
