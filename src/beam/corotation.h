@@ -3,6 +3,12 @@
 // The frame: e3 along the chord, e1 and e2 from the mean of the two nodes' y axes. The end rotations are the rotation
 // vectors of the nodes relative to that frame, so a rigid motion of any size leaves no deformation. Nodal rotations are
 // quaternions. The forces are the exact gradient of the deformation's work (see tangent.h for their derivative).
+//
+// The twist is the difference of the two rotation vectors along the chord. Against the chord they hold the shear angle
+// too. Where an element is bent in one plane and sheared in the other this takes the strain energy off by the shear
+// angle times (G J - E I) times the curvature, which does not vanish as elements get shorter: a right-angle cantilever
+// that is bent far out of its plane comes to within 1e-6 to 6e-6 of its answer and no nearer, and nearer where
+// G J = E I.
 #pragma once
 
 #include "core/lanes.h"
