@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <unistd.h>
 
 #include "prompt.h"
 #include "script/module.h"
@@ -17,7 +18,7 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out, code, within, budget, quantity;
     std::vector<std::string> overrides;
-    bool sandbox = false, effects = false, resume = false;
+    bool sandbox = false, effects = false, resume = false, quiet = false, json = false;
     hinge::script::Limits limits;
 };
 
@@ -95,6 +96,14 @@ void end_on_signals(Context& context) {
     for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &note, nullptr);
 }
 
+/// --json: objects alone go to standard output; what else would be printed there goes to standard error.
+std::FILE* events_alone_on_stdout() {
+    std::fflush(stdout);
+    const int own = dup(STDOUT_FILENO);
+    if (own < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return nullptr;
+    return fdopen(own, "w");
+}
+
 int with_lua(const Request& request, const char* module, const char* function, bool progress) {
     std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
     lua_State* L = state.get();
@@ -104,7 +113,9 @@ int with_lua(const Request& request, const char* module, const char* function, b
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
     if (request.verb != "cost") context->out_dir = request.out;  // runs that are only compared leave nothing
-    context->progress = progress;
+    context->progress = progress && !request.quiet && !request.json;
+    context->looks_over = progress;
+    if (request.json) context->events = events_alone_on_stdout();
     context->sandbox = request.sandbox;
     context->resume = request.resume;
     if (request.verb == "run") end_on_signals(*context);
@@ -141,7 +152,7 @@ int run(Request request, bool named) {
                                               : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     const int status = with_lua(request, "hinge.runner", "main", true);
-    if (status <= 1 && fs::exists(fs::path(request.out) / "summary.json"))
+    if (status <= 1 && !request.quiet && !request.json && fs::exists(fs::path(request.out) / "summary.json"))
         std::cout << "written to " << request.out << "\n";
     return status;
 }
@@ -168,6 +179,14 @@ int main(int argc, char** argv) {
     run_verb->add_option("--out", request.out,
                          "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
     run_verb->add_flag("--resume", request.resume, "Resume each run that names a checkpoint, where its file exists");
+    auto* quiet = run_verb->add_flag("-q,--quiet", request.quiet,
+                                     "Print what the script prints and why a run failed: no progress, changes of "
+                                     "state, warnings (summary.json has them)");
+    run_verb
+        ->add_flag("--json", request.json,
+                   "Print one JSON object a line, each with its 'event': run_begun, progress, state, warning, note, "
+                   "run_ended, summary, error; what the script prints goes to standard error")
+        ->excludes(quiet);
     run_verb->footer(
         "Exit status: 0 done; 1 the run failed; 2 the script or its input is wrong; 3 interrupted, and a checkpoint "
         "was written; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no checkpoint was written.");

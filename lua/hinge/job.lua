@@ -95,7 +95,7 @@ end
 function Job:note(text)
   text = tostring(text)
   self.notes[#self.notes + 1] = text
-  print("note: " .. text)
+  if not core.event("note", { text = text }) then print("note: " .. text) end
 end
 
 --- Says how a job of several runs went as a whole; without it, the last run's verdict stands.

@@ -120,6 +120,7 @@ function runner.guard(f, memory)
   elseif type(result) ~= "table" then -- the error stumbled over itself
     result = { status = wrong_input, text = tostring(result) }
   end
+  core.event("error", { status = result.status, message = result.text })
   io.stderr:write("hinge: " .. result.text .. "\n") -- one write: what a terminal echoes meanwhile does not come between
   return result.status
 end

@@ -35,6 +35,7 @@ public:
     double shortest_taken() const { return size_.least_taken(); }  ///< s
     long rejected() const { return size_.rejected(); }             ///< steps taken back by step control
     bool explicit_steps() const { return settings_.explicit_steps(); }
+    double largest_energy() const { return largest_energy_.most(); }  ///< J, that any account has had where it looked
     const Fastest& fastest() const { return integrator_->fastest; }
     /// Seconds that one product of this run's effective stiffness, block by block and uncondensed, with a vector takes:
     /// the yardstick of a step.

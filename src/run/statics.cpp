@@ -27,6 +27,14 @@ constexpr double first_off_balance = 1e-3;
 /// Of the whole: a step halved below this ends the run, at the limit load.
 constexpr double smallest_step = 1e-5;
 
+/// Newton's method no longer gets anywhere where so many iterations in a row had to be halved so often: what is out of
+/// balance falls by less than a thousandth in each.
+constexpr int most_idle = 5, halvings_of_idle = 8;
+
+/// A structure that answers the load so many times as softly as it did at first is at a limit point.
+constexpr double soft = 10;
+constexpr std::size_t most_named = 3;
+
 /// Whether supports leave some body of the structure a motion as if it were rigid.
 bool moves_freely(const Structure& structure, const State& state) {
     const auto bodies = nodes_of(find_bodies(structure, state));
@@ -254,6 +262,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     const bool tangent_known = tangent_known_ && w_.yielding.empty();
     tangent_known_ = tangent_of_trial_ = false;
     const int iterations = stiffening_ > 0 ? 400 : settings_.iterations;
+    int idle = 0;
     for (int iteration = 1; iteration <= iterations; ++iteration) {
         if (!(iteration == 1 && tangent_known) && !renew_and_factorise(off_balance)) return Outcome::diverged;
         if (iteration > 1 && structure_->large())
@@ -273,6 +282,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         if (!effective_->solve(right_, change_, direct).converged ||
             !effective_->solve(unit_load, response_, direct).converged)
             return Outcome::diverged;
+        if (first_softness_ == 0) first_softness_ = std::sqrt(dot(response_, response_));
 
         double d_factor = 0;
         if (settings_.control == Control::load) {
@@ -316,7 +326,8 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
         const std::vector<Vec3> moved_before = w_.rotation_step;
         const double factor_before = trial_factor_;
         double scale = 0, r = 0, share = 1;
-        for (int halving = 0;; ++halving, share /= 2) {
+        int halving = 0;
+        for (;; ++halving, share /= 2) {
             if (halving > 0) {
                 w_.trial = before;
                 w_.rotation_step = moved_before;
@@ -329,6 +340,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
                 r <= (1 - 1e-3 * share) * last_balance)
                 break;
         }
+        idle = halving >= halvings_of_idle ? idle + 1 : 0;
         last_balance = r;
         off_balance = r / scale;
         for (std::size_t i = 0; i < step.size(); ++i) total[i] += step[i];
@@ -342,6 +354,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             return Outcome::converged;
         }
         if (iteration > 8 && r > 1e3 * first) return Outcome::diverged;
+        if (idle >= most_idle) return Outcome::diverged;
     }
     return Outcome::diverged;
 }
@@ -396,6 +409,7 @@ int Statics::modes_under_control() {
 /// snap: that is none.
 Statics::Found Statics::try_step(double increment) {
     wavered_ = false;
+    if (on_try) on_try();
     if (equilibrate(increment, true) != Outcome::converged &&
         (hinges_.empty() || stiffening_ > 0 || equilibrate(increment, false) != Outcome::converged))
         return Found::nothing;
@@ -534,10 +548,39 @@ void Statics::end_at_limit(const std::string& why, const std::string& advice) {
     limit_ = true;
 }
 
+/// Where the last try was given up: the node that the loads move most, if that is far more than they did at first, and
+/// the members with plastic hinges there. "" where the structure is as stiff as ever.
+std::string Statics::limit_point() const {
+    const double softness = std::sqrt(dot(response_, response_));
+    if (!(softness > soft * first_softness_) || !std::isfinite(softness)) return "";
+    int node = 0, component = 0;
+    double most = 0;
+    for (std::size_t i = 0; i < response_.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            if (const double size = std::abs(response_[i][c]); size > most) most = size, node = int(i), component = c;
+    std::vector<int> members;
+    for (const Yielding& y : w_.yielding) members.push_back(structure_->elements()[y.element].member);
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    std::string text =
+        ": a limit load, where " + structure_->node_name(node) + " gives way, " + component_name(component);
+    for (std::size_t i = 0; i < std::min(members.size(), most_named); ++i)
+        text += (i > 0                 ? ", "
+                 : members.size() == 1 ? ", with plastic hinges in member "
+                                       : ", with plastic hinges in members ") +
+                std::to_string(members[i] + 1);
+    if (members.size() > most_named) text += " and " + std::to_string(members.size() - most_named) + " more";
+    return text;
+}
+
 /// No equilibrium is found from where the state is: why that may be, and what can be done about it.
 std::string Statics::advice_at_end() {
-    if (settings_.control == Control::load)
-        return ": a limit load, a mechanism or a snap; control by displacement or arc length can go on";
+    if (settings_.control == Control::load) {
+        const std::string where = limit_point(),
+                          on = "; control by displacement or arc length goes on past it, to_limit = true takes it as "
+                               "the end, and model:dynamic follows what comes after it in time";
+        return where.empty() ? ": a limit load, a mechanism or a snap" + on : where + on;
+    }
     if (settings_.control == Control::arc)
         return ": the path turns too sharply or ends there; more steps make a shorter arc";
     const int n = settings_.node, c = settings_.component;
@@ -563,6 +606,12 @@ std::string Statics::advice_at_end() {
     return ", where " + driven + " is " + number_text(displacement(n)[c]) + (c < 3 ? " m" : " rad") +
            ": it would have to turn back there, or the structure comes apart in another way; drive what goes on moving "
            "one way, or control by arc length";
+}
+
+double Statics::part_done() const {
+    return settings_.control == Control::arc            ? double(steps_done()) / settings_.steps
+           : settings_.control == Control::displacement ? progress_
+                                                        : state_.factor;
 }
 
 bool Statics::advance() {
@@ -600,7 +649,8 @@ bool Statics::advance() {
             }
             if (increment < smallest_step) {
                 char step[80];
-                std::snprintf(step, sizeof step, " (step %ld halved to %.1e)", steps_done() + 1, increment);
+                std::snprintf(step, sizeof step, " (step %ld halved down to %.1g of the way)", steps_done() + 1,
+                              increment);
                 end_at_limit("no equilibrium found beyond load factor " + number_text(state_.factor) + step,
                              advice_at_end());
                 break;

@@ -2,6 +2,7 @@
 // path.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "algebra/effective_stiffness.h"
@@ -54,6 +55,9 @@ public:
     }  ///< what supports and this run hold, six bits a node
     const std::optional<Instability>& instability() const { return instability_; }
     static const char* component_name(int component);  ///< ux uy uz rx ry rz
+    /// The part of the way to factor 1, to the target, or of the steps, that is done: 0 to 1.
+    double part_done() const;
+    std::function<void()> on_try;  ///< called before each try of a step; a step that is halved has many
     /// Of the instability: where, how many, by what motion and in which members.
     std::string instability_text() const;
 
@@ -78,6 +82,7 @@ private:
     void describe_mode();
     void end_at_limit(const std::string& why, const std::string& advice);
     std::string advice_at_end();
+    std::string limit_point() const;
 
     StaticSettings settings_;
     std::vector<std::uint8_t> held_;
@@ -91,6 +96,7 @@ private:
     double stiffening_ = 0;      ///< a share of the stiffness without hinges that they keep in the tangent, at least
     double tried_ = 0;           ///< the step by which an exchange of mechanisms was passed
     double first_response_ = 0;  ///< of what is driven, to the loads at factor 1
+    double first_softness_ = 0;  ///< m, size of the first move that the loads at factor 1 ask for
     std::optional<double> branching_;  ///< load factor where displacement control can no longer hold it
     long substeps_ = 0, rejected_ = 0;
     bool limit_ = false;

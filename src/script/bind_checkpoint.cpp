@@ -102,7 +102,7 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
     for (std::size_t i = 0; i < r.probes.size(); ++i) *r.probes[i] = std::move(beside.probes[i]);
     r.past = std::move(beside.history);
     c.frames = std::move(beside.frames);
-    r.wakings_shown = r.run->wakings().size();
+    r.wakings_seen = r.run->wakings().size();
     r.resumed_at = r.run->steps_done();
     if (c.progress) std::fprintf(stderr, "goes on from %s: %s\n", path.c_str(), place_text(*r.run).c_str());
 }

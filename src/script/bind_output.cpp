@@ -2,17 +2,15 @@
 #include <algorithm>
 #include <dlfcn.h>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "core/files.h"
 #include "output/plot.h"
 #include "script/element_count.h"
+#include "script/events.h"
 #include "script/plan.h"
 #include "script/snapshot.h"
 
 namespace hinge::script {
-
-using Json = nlohmann::ordered_json;
 
 output::Snapshot make_snapshot(const Run& run) {
     const Structure& structure = run.structure();
@@ -331,39 +329,6 @@ int render_file(lua_State* L) {
     return 0;
 }
 
-Json to_json(lua_State* L, int index, int depth) {
-    index = lua_absindex(L, index);
-    switch (lua_type(L, index)) {
-        case LUA_TBOOLEAN: return bool(lua_toboolean(L, index));
-        case LUA_TNUMBER:
-            if (lua_isinteger(L, index)) return lua_tointeger(L, index);
-            return std::isfinite(lua_tonumber(L, index)) ? Json(lua_tonumber(L, index))
-                                                         : Json(show(lua_tonumber(L, index)));
-        case LUA_TSTRING: return lua_tostring(L, index);
-        case LUA_TTABLE: break;
-        default: return nullptr;
-    }
-    if (depth > 16 || !lua_checkstack(L, 4)) return "...";
-    if (const lua_Integer n = lua_rawlen(L, index); n > 0) {
-        Json list = Json::array();
-        for (lua_Integer i = 1; i <= n; ++i) {
-            lua_rawgeti(L, index, i);
-            list.push_back(to_json(L, -1, depth + 1));
-            lua_pop(L, 1);
-        }
-        return list;
-    }
-    std::map<std::string, Json> sorted;
-    lua_pushnil(L);
-    while (lua_next(L, index)) {
-        if (lua_type(L, -2) == LUA_TSTRING) sorted[lua_tostring(L, -2)] = to_json(L, -1, depth + 1);
-        lua_pop(L, 1);
-    }
-    Json object = Json::object();
-    for (auto& [k, v] : sorted) object[k] = std::move(v);
-    return object;
-}
-
 Json energy_json(const Run& run) {
     const Energy e = run.energy();
     Json j = {{"initial", e.initial}};
@@ -423,6 +388,8 @@ int write_summary(lua_State* L) {
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
         j["energy"] = energy_json(run);
+        j["energy_error"] =
+            std::isfinite(r->last_energy_share) ? Json(r->last_energy_share) : Json(show(r->last_energy_share));
         j["worst_remainder"] = r->worst_energy_error;
         if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
             j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
@@ -451,10 +418,12 @@ int write_summary(lua_State* L) {
     Json results = field("results");
     j["results"] = results.is_null() ? Json::object() : results;
     if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
+    if (!c->warned.empty()) j["warnings"] = c->warned;
     if (!c->out_dir.empty()) {
         make_folder(c->out_dir);
         write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
+    write_event(*c, "summary", {{"folder", c->out_dir}, {"summary", j}});
     lua_pushstring(L, verdict.c_str());
     lua_pushstring(L, reason.c_str());
     return 2;
@@ -474,6 +443,14 @@ int write_json(lua_State* L) {
     prepare_folder(*context(L), file);
     write_whole(file, to_json(L, 2, 0).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return 0;
+}
+
+/// core.event(kind, fields): a line of hinge run --json. Returns whether somebody listens.
+int event(lua_State* L) {
+    const char* kind = luaL_checkstring(L, 1);
+    const auto c = context(L);
+    write_event(*c, kind, to_json(L, 2));
+    return lua_pushboolean(L, c->events != nullptr), 1;
 }
 
 int append_text(lua_State* L) {
@@ -505,6 +482,7 @@ void open_output(lua_State* L, int module) {
                                          {"write_text", guarded<write_text>},
                                          {"write_json", guarded<write_json>},
                                          {"append", guarded<append_text>},
+                                         {"event", guarded<event>},
                                          {"write_summary", guarded<write_summary>},
                                          {"out_dir", guarded<out_dir>},
                                          {nullptr, nullptr}};

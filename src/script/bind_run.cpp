@@ -199,6 +199,7 @@ int fields(lua_State* L) {
     else if (key == "reason") lua_pushstring(L, run.reason().c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
     else if (key == "energy") push_energy(L, run);
+    else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
     else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
     else if (key == "hash")
@@ -353,11 +354,11 @@ void open_run(lua_State* L) {
                                        {"snapshot", guarded<run_snapshot>}, {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name, {"kind",    "time",    "factor",       "index",           "planned_steps",
-                                      "verdict", "reason",  "energy",       "worst_remainder", "contacts",
-                                      "stages",  "effects", "wall_seconds", "fastest",         "dt",
-                                      "hash",    "counts",  "wakings",      "probes",          "instability",
-                                      "limit"});
+    name_fields(L, RunBox::lua_name, {"kind",    "time",        "factor",       "index",           "planned_steps",
+                                      "verdict", "reason",      "energy",       "worst_remainder", "contacts",
+                                      "stages",  "effects",     "wall_seconds", "fastest",         "dt",
+                                      "hash",    "counts",      "wakings",      "probes",          "instability",
+                                      "limit",   "energy_error"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

@@ -24,7 +24,11 @@ struct Context {
     std::string out_dir;                         ///< empty: nothing is written unless a path is given
     std::string library;                         ///< folder of the Lua library
     std::string picture_module;                  ///< path of the output module
-    bool progress = false;                       ///< show a progress line on stderr
+    bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state, warnings
+    std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
+    bool looks_over = false;                     ///< look for likely mistakes in the models that are run
+    std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
+    int warnings_told = 0, looked_over = 0;      ///< lines; models
     volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
     bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on
     int exit_status = 3;                ///< after such an end: 3 with a checkpoint written, else 128 and the signal
@@ -42,6 +46,7 @@ struct Context {
     int runs = 0;                              ///< made so far
     std::string described;                     ///< all plans printed so far: a loop's runs are described once
     int histories = 0;                         ///< kept by number so far
+    int begun = 0;                             ///< runs that have taken a step
     std::size_t unseen = 0;                    ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
@@ -154,7 +159,14 @@ struct RunRecord : Recorded {
     long resumed_at = 0;               ///< steps
     std::vector<LuaFunction> on_step;  ///< called after each step
     std::chrono::steady_clock::time_point start, last_progress, last_write;
-    std::size_t wakings_shown = 0;
+    int number = 0;  ///< of the program's runs that have begun, from 1
+    std::size_t wakings_seen = 0;
+    struct Changes {
+        int awake = 0, asleep = 0;
+        double last = 0;  ///< s
+    };
+    std::map<std::string, Changes>
+        changes;  ///< of state, by effect: the first of each kind is told, the others counted
     bool instability_shown = false;
     std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
     double last_energy_share = 0;                 ///< the energy error as a part of it

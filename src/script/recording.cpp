@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "script/checkpoint.h"
+#include "script/events.h"
 
 namespace hinge::script {
 
@@ -41,6 +43,7 @@ void sample(RunRecord& r) {
 void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     r.begun = true;
+    r.number = ++c->begun;
     r.start = r.last_progress = r.last_write = Clock::now();
     if (!c->out_dir.empty() && r.every > 0) {
         make_folder(c->out_dir);
@@ -63,12 +66,19 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     }
 }
 
+/// The energy error beside what the run has turned over.
+void weigh_error(RunRecord& r, const Energy& e) {
+    if (!r.largest_energy) r.largest_energy.emplace(r.run->structure());
+    if (const auto* d = dynamic_cast<const Dynamics*>(r.run.get()))  // it looks between the rows too
+        r.largest_energy->set_most(std::max(r.largest_energy->most(), d->largest_energy()));
+    r.last_energy_share = r.largest_energy->share(e, r.run->accounts());
+}
+
 void add_row(RunRecord& r) {
     const Energy e = r.run->energy();
     r.initial = e.initial;
     r.last_energy_error = e.error;
-    if (!r.largest_energy) r.largest_energy.emplace(r.run->structure());
-    r.last_energy_share = r.largest_energy->share(e, r.run->accounts());
+    weigh_error(r, e);
     if (!std::isnan(r.worst_energy_error) && !(std::abs(e.error) <= r.worst_energy_error))
         r.worst_energy_error = std::abs(e.error);  // an error that is not a number stays
     const long step = r.run->state().step;
@@ -113,23 +123,125 @@ bool on_screen() {
     return screen;
 }
 
-void show_progress(const Context& c, RunRecord& r, bool last) {
-    if (!c.progress) return;
+/// Clears the progress line before another is written.
+const char* line_start() { return on_screen() ? "\r\033[K" : ""; }
+
+/// 1234, 12, 1.2, 0.12
+std::string rate_text(double v) { return v >= 9.5 ? number_text(std::round(v)) : number_text(v, 2); }
+
+/// 12 s, 3 min 20 s, 2 h 5 min
+std::string duration_text(double s) {
+    const long whole = std::lround(s);
+    const auto two = [](long a, const char* large, long b, const char* small) {
+        return std::to_string(a) + large + (b > 0 ? " " + std::to_string(b) + small : "");
+    };
+    if (whole < 120) return std::to_string(whole) + " s";
+    return whole < 7200 ? two(whole / 60, " min", whole % 60, " s")
+                        : two(whole / 3600, " h", whole % 3600 / 60, " min");
+}
+
+/// How far a run is; `trying`: a static run is within a step that is halved, and has found no equilibrium there yet.
+void show_progress(const Context& c, RunRecord& r, bool last, bool trying = false) {
+    if (!c.progress && !c.events) return;
     const double wall = seconds(Clock::now() - r.start);
-    if (last && wall < 2) return;
-    const bool screen = on_screen();
+    if (last && wall < 2 && !c.events) return;
     const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
-    const double share = std::min(1.0, double(done) / double(std::max(1L, all)));
-    const double left = now > 0 ? wall * double(std::max(0L, all - done)) / double(now) : 0;
+    const auto* statics = dynamic_cast<const Statics*>(r.run.get());
+    const double share =
+        std::clamp(statics ? statics->part_done() : double(done) / double(std::max(1L, all)), 0.0, 1.0);
+    if (!trying && r.every == 0) weigh_error(r, r.run->energy());  // no row has done it
+    if (c.events) {
+        Json j = {{"run", r.number}, {"kind", r.run->kind()},       {"step", done},
+                  {"steps", all},    {"time", r.run->state().time}, {"factor", r.run->state().factor},
+                  {"part", share},   {"wall_seconds", wall},        {"energy_error", r.last_energy_share},
+                  {"halved", trying}};
+        if (last) j["verdict"] = name(r.run->verdict()), j["reason"] = r.run->reason();
+        write_event(c, last ? "run_ended" : "progress", std::move(j));
+        return;
+    }
     std::string bar(24, '-');
     for (int i = 0; i < int(24 * share); ++i) bar[i] = '#';
-    char energy_error[48] = "";
-    if (r.last_energy_error != 0)
-        std::snprintf(energy_error, sizeof energy_error, "  energy error %+.2g %%", 100 * r.last_energy_share);
-    std::fprintf(stderr, "%s%s [%s] %3.0f %%  step %ld of %ld  %.0f steps/s  %s%.0f s%s%s", screen ? "\r\033[K" : "",
-                 r.run->kind(), bar.c_str(), 100 * share, done, all, double(now) / std::max(wall, 1e-9),
-                 last ? "took " : "left ", last ? wall : left, energy_error, screen && !last ? "" : "\n");
+    std::string text = std::string(line_start()) + r.run->kind() + " [" + bar + "]";
+    char part[80];
+    std::snprintf(part, sizeof part, " %3.0f %%  step %ld of %ld", 100 * share, done, all);
+    text += part;
+    if (trying) {
+        std::snprintf(part, sizeof part,
+                      "; the next one is halved, %ld times so far: no equilibrium yet beyond factor ",
+                      statics->rejected());
+        text += part + number_text(r.run->state().factor);
+    } else if (last) {
+        text += "  took " + duration_text(wall);
+    } else if (now > 0) {
+        text += "  " + rate_text(double(now) / std::max(wall, 1e-9)) + " steps/s  left " +
+                duration_text(wall * double(std::max(0L, all - done)) / double(now));
+    }
+    if (!trying && r.last_energy_error != 0) {
+        std::snprintf(part, sizeof part, "  energy error %+.2g %% of the largest energy", 100 * r.last_energy_share);
+        text += part;
+    }
+    std::fprintf(stderr, "%s%s", text.c_str(), on_screen() && !last ? "" : "\n");
     std::fflush(stderr);
+}
+
+void show_if_due(const Context& c, RunRecord& r, bool trying) {
+    const auto now = Clock::now();
+    const double pause = c.events ? 1 : on_screen() ? 0.2 : 10, first = c.events ? 1 : on_screen() ? 2 : 5;
+    if (seconds(now - r.start) <= first || seconds(now - r.last_progress) <= pause) return;
+    show_progress(c, r, false, trying);
+    r.last_progress = now;
+}
+
+/// A run takes its first step: from now on it is told how it goes.
+void tell_of_beginning(const std::shared_ptr<Context>& c, RunRecord& r) {
+    if (c->events) {
+        const Structure& s = r.run->structure();
+        write_event(*c, "run_begun",
+                    {{"run", r.number},
+                     {"kind", r.run->kind()},
+                     {"line", r.asked_at},
+                     {"members", s.model().members().size()},
+                     {"elements", s.elements().size()},
+                     {"nodes", s.position().size()},
+                     {"free_dofs", s.free_dofs()},
+                     {"steps", r.run->planned_steps()}});
+    }
+    if (auto* statics = dynamic_cast<Statics*>(r.run.get()); statics && (c->progress || c->events))
+        statics->on_try = [c = std::weak_ptr(c), &r, seen = 0L, statics]() mutable {
+            const auto context = c.lock();
+            if (context && statics->rejected() > seen) seen = statics->rejected(), show_if_due(*context, r, true);
+        };
+}
+
+/// Effects that woke or fell asleep: the first of each kind is told, the others are counted.
+void tell_changes(const Context& c, RunRecord& r, bool over) {
+    for (const auto& list = r.run->wakings(); r.wakings_seen < list.size(); ++r.wakings_seen) {
+        const Run::Waking& w = list[r.wakings_seen];
+        RunRecord::Changes& so_far = r.changes[w.effect];
+        so_far.last = w.time;
+        if ((w.awake ? so_far.awake : so_far.asleep)++ > 0) continue;
+        if (c.events)
+            write_event(
+                c, "state",
+                {{"run", r.number}, {"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
+        else if (c.progress)
+            std::fprintf(stderr, "%st = %s s: %s %s, %s\n", line_start(), number_text(w.time, 4).c_str(),
+                         w.effect.c_str(), w.awake ? "awake" : "asleep", w.why.c_str());
+    }
+    if (!over) return;
+    for (const auto& [effect, n] : r.changes) {
+        if (n.awake + n.asleep < 3 && n.awake < 2 && n.asleep < 2) continue;
+        const auto times = [](int n) { return n == 1 ? std::string("once") : std::to_string(n) + " times"; };
+        if (c.events)
+            write_event(
+                c, "changes",
+                {{"run", r.number}, {"effect", effect}, {"awake", n.awake}, {"asleep", n.asleep}, {"last", n.last}});
+        else if (c.progress)
+            std::fprintf(stderr, "%s%s: awake %s, asleep %s in all, the last at t = %s s (run.wakings)\n", line_start(),
+                         effect.c_str(), times(n.awake).c_str(), n.asleep == 0 ? "never" : times(n.asleep).c_str(),
+                         number_text(n.last, 4).c_str());
+    }
+    r.changes.clear();
 }
 
 }  // namespace
@@ -181,6 +293,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         begin_history(c, record);
         if (!r.started) add_row(r);
         r.started = true;
+        tell_of_beginning(c, r);
     }
     mind_interrupts(L, *c, r);
     keep_if_due(L, *c, r);
@@ -209,24 +322,15 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         write_rows(r);
         r.last_write = now;
     }
-    for (const auto& list = r.run->wakings(); r.wakings_shown < list.size(); ++r.wakings_shown)
-        if (c->progress) {
-            const Run::Waking& w = list[r.wakings_shown];
-            std::fprintf(stderr, "%st = %.4g s: %s %s, %s\n", on_screen() ? "\r\033[K" : "", w.time, w.effect.c_str(),
-                         w.awake ? "awake" : "asleep", w.why.c_str());
-        }
+    tell_changes(*c, r, over);
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
     if (statics && statics->instability() && !r.instability_shown && r.run->verdict() != Verdict::failed) {
         r.instability_shown = true;
-        if (c->progress)
-            std::fprintf(stderr, "%sstatic: %s\n", on_screen() ? "\r\033[K" : "", statics->instability_text().c_str());
-    }
-    const double pause = on_screen() ? 0.2 : 10;
-    if (seconds(now - r.start) > (on_screen() ? 2.0 : 5.0) && seconds(now - r.last_progress) > pause) {
-        show_progress(*c, r, false);
-        r.last_progress = now;
+        if (c->events) write_event(*c, "instability", {{"run", r.number}, {"text", statics->instability_text()}});
+        else if (c->progress) std::fprintf(stderr, "%sstatic: %s\n", line_start(), statics->instability_text().c_str());
     }
     if (over) show_progress(*c, r, true);
+    else show_if_due(*c, r, false);
     return more;
 }
 

@@ -1,0 +1,162 @@
+-- What hinge run says of a run as it goes, in words and as JSON: how far it is, its energy error, what changed, what
+-- looks like a mistake.
+--
+-- Run: lua5.4 tests/script/telling_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "telling"
+local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+
+local hinge = quote(arg[1] .. "/hinge")
+local folder = support.temporary_folder()
+local function hinge_run(text, arguments)
+  support.write(folder .. "/scene.lua", text)
+  return run(("cd %s && %s run scene.lua %s"):format(quote(folder), hinge, arguments or ""))
+end
+local function summary() return support.json(support.read(folder .. "/out/scene/summary.json")) end
+
+-- The lines of --json; each must be an object with an event.
+local function events(printed)
+  local list = {}
+  for line in printed:gmatch "[^\n]+" do
+    local good, object = pcall(support.json, line)
+    if expect(good and type(object) == "table" and object.event, "no event: %s", line) then
+      list[#list + 1] = object
+      list[object.event] = list[object.event] or {}
+      table.insert(list[object.event], object)
+    end
+  end
+  return list
+end
+
+-- Changes of state: the first of each kind is told, the others are counted --------------------------------------------
+
+local bouncing = [[
+local hinge = require "hinge"
+local model = hinge.model()
+local steel = hinge.material { E = 206e9, density = 7850 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local a, b, c, d = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 0.5, -0.5, 0.06 },
+  model:node { 0.5, 0.5, 0.06 }
+model:fix({ a, b }, "all")
+model:member { a, b, section = bar, material = steel, group = "rail" }
+model:member { c, d, section = bar, material = steel, group = "bar" }
+model:gravity { 0, 0, -9.80665 }
+model:contact { rule = "surface" }
+local run = model:dynamic { dt = 1e-5, duration = 0.4 }
+run:finish()
+print "the script's own words"
+]]
+local status, printed, complaint = hinge_run(bouncing)
+equal(status, 0, "status; " .. complaint)
+local awake, asleep = 0, 0
+for _, w in ipairs(summary().wakings) do
+  if w.effect == "contact" then awake, asleep = awake + (w.awake and 1 or 0), asleep + (w.awake and 0 or 1) end
+end
+expect(awake > 5 and asleep > 5, "contact wakes %d times, falls asleep %d times", awake, asleep)
+for _, what in ipairs { "awake", "asleep" } do
+  equal(select(2, complaint:gsub("t = %S+ s: contact " .. what, "")), 1, "told: " .. what)
+end
+expect(complaint:find(("contact: awake %d times, asleep %d times in all, the last at t = "):format(awake, asleep), 1,
+  true), "counted: %s", complaint)
+
+local quiet
+status, quiet, complaint = hinge_run(bouncing, "--quiet")
+expect(status == 0 and quiet == "the script's own words\n" and complaint == "", "--quiet: %s%s", quiet, complaint)
+expect(printed:find "written to out/scene\n$", "not quiet: %s", printed)
+
+status, printed, complaint = hinge_run(bouncing, "--json")
+local said = events(printed)
+equal(status, 0, "--json: status")
+equal(complaint, "the script's own words\n", "--json: stderr")
+equal(said[1] and said[1].event, "run_begun", "--json: the first line")
+equal(said[#said] and said[#said].event, "summary", "--json: the last line")
+expect(said.run_begun and #said.run_begun == 1 and said.run_begun[1].members == 2
+  and said.run_begun[1].line == "scene.lua:11" and said.run_begun[1].steps == 40000, "--json: run_begun")
+expect(said.run_ended and said.run_ended[1].verdict == "completed" and said.run_ended[1].step == 40000
+  and said.run_ended[1].part == 1, "--json: run_ended")
+for _, state in ipairs { true, false } do
+  local told = 0
+  for _, e in ipairs(said.state or {}) do
+    if e.effect == "contact" and e.awake == state then told = told + 1 end
+  end
+  equal(told, 1, "--json: contact, awake " .. tostring(state))
+end
+local counted
+for _, e in ipairs(said.changes or {}) do if e.effect == "contact" then counted = e end end
+expect(counted and counted.awake == awake and counted.asleep == asleep, "--json: changes")
+local last = said.summary and said.summary[1] or { summary = {} }
+expect(last.folder == "out/scene" and last.summary.verdict == "completed" and last.summary.state_hash
+  == summary().state_hash, "--json: the summary")
+
+status, printed = hinge_run("local t = nil\nreturn t.x\n", "--json")
+said = events(printed)
+expect(status == 2 and #said == 1 and said[1].event == "error" and said[1].status == 2
+  and said[1].message:find "scene.lua:2: attempt to index a nil value", "--json: an error: %s", printed)
+equal(run(hinge .. " run scene.lua --json --quiet"), 2, "--json and --quiet")
+
+-- The energy error is held against the largest energy, whenever that was, not against what is left at the end ---------
+
+local swinging = [[
+local hinge = require "hinge"
+local model = hinge.model()
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall)
+model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9, density = 7850 } }
+model:load { node = tip, force = { 0, 0, -1000 } }
+local run = model:dynamic { dt = 1e-4, duration = 0.025, record = RECORD, beta = 0.3 }
+local most = 0
+while run:step() do
+  most = math.max(most, run.energy.work)
+end
+return { most = most, of_work = run.energy.remainder / run.energy.work, error = run.energy_error,
+  of_most = run.energy.remainder / most }
+]]
+for _, record in ipairs { "1", "100000", "false" } do
+  status = hinge_run((swinging:gsub("RECORD", record)))
+  local r = summary().results
+  expect(status == 0 and math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work, r.of_most)
+  expect(r.error / r.of_most > 0.5 and r.error / r.of_most < 1.01, "record = %s: energy error %s, of the largest %s",
+    record, r.error, r.of_most)
+  expect(math.abs(summary().energy_error - r.error) < 1e-12, "record = %s: summary.json %s", record,
+    summary().energy_error)
+end
+
+-- A static run that finds no equilibrium says so while it looks for one -----------------------------------------------
+
+status, printed, complaint = hinge_run([[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }
+local bar = hinge.section.solid { width = 0.2, depth = 0.2 }
+local model, at = hinge.model { elements_per_member = 4 }, {}
+for k = 0, 5 do
+  for j = 0, 2 do
+    for i = 0, 4 do
+      local node = model:node { 5 * i, 5 * j, 3.5 * k }
+      at[100 * k + 10 * j + i] = node
+      if k == 0 then model:fix(node) else
+        model:member { at[100 * k - 100 + 10 * j + i], node, section = bar, material = steel, up = { 1, 0, 0 } }
+        if i > 0 then model:member { at[100 * k + 10 * j + i - 1], node, section = bar, material = steel } end
+        if j > 0 then model:member { at[100 * k + 10 * j + i - 10], node, section = bar, material = steel } end
+        model:load { node = node, force = { 6e4, 0, -2e5 } }
+      end
+    end
+  end
+end
+local run = model:static { steps = 3 }
+local clock = os.clock()
+run:finish()
+io.stderr:write(os.clock() - clock, "\n")
+]], "--json")
+said = events(printed)
+local taken = tonumber(complaint:match "^[%d.]+")
+for _, e in ipairs(said.progress or {}) do
+  expect(e.part < 1 and e.step <= e.steps and e.halved, "while it is halved: part %s, step %s of %s", e.part, e.step,
+    e.steps)
+end
+expect(taken and (taken < 2.5 or said.progress), "nothing was said for %s s", taken)
+expect(status == 1 and said.run_ended and said.run_ended[1].reason:find "a limit load, where .* gives way",
+  "an overloaded frame: %s", printed)
+
+checks.done()
