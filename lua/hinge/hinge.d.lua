@@ -613,7 +613,8 @@ function model:static(options) end
 
 ---@class hinge.static_options
 ---default 10; of arc length at most so many. A step that finds no equilibrium is halved, down to 1e-5 of the whole way,
----and is still one step to run:steps(), run.index and history.csv; a limit load may cut the last one short
+---and is still one step to run:steps(), run.index and history.csv; a limit load may cut the last one short. A try in
+---which Newton's method no longer gets anywhere is given up before its last iteration
 ---@field steps? integer
 ---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad). Driven, a step that
 ---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
@@ -728,6 +729,9 @@ function model:dynamic(options) end
 ---@field limit? boolean
 ---@field instability? hinge.instability in statics: where the structure became unstable; nil where it did not
 ---@field worst_remainder number J, the largest absolute value of energy.remainder so far
+---energy.remainder as a part of the largest energy, which is the largest value that any account of the energy balance
+---has had so far (energy_tolerance of model:dynamic is held against the same); at the last row of history.csv
+---@field energy_error number
 ---@field contacts { bound: integer, released: integer } pairs of elements: ties made or contacts begun; released
 ---@field stages { name: string, seconds: number }[] what the steps took, stage by stage
 ---@field effects hinge.effect[] all that there are, in the step or not

@@ -30,14 +30,14 @@ local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic"
   "numerical",
   "remainder" }
 
-local function energy_table(energy)
-  local brought = math.abs(energy.initial) + math.abs(energy.work)
+local function energy_table(run)
+  local energy = run.energy
   local lines = { "energy, kJ" }
   for _, name in ipairs(accounts) do
     local joules = energy[name]
     if joules and (joules ~= 0 or name ~= "numerical") then
-      local part = name == "remainder" and brought > 0
-        and ("   %.2g %% of initial and work"):format(100 * joules / brought) or ""
+      local part = name == "remainder"
+        and ("   %.2g %% of the largest energy"):format(100 * run.energy_error) or ""
       lines[#lines + 1] = ("%-16s%14.3f%s"):format(name, joules / 1e3, part)
     end
   end
@@ -70,7 +70,7 @@ function report.show(run, groups)
     contacts = contacts
       .. ("\nfastest node: %.4g m/s at t = %.4g s (%s)"):format(fastest.speed, fastest.time, fastest.node)
   end
-  local parts = { head, damage_table(damage, groups), contacts, energy_table(run.energy), seconds_table(run.stages) }
+  local parts = { head, damage_table(damage, groups), contacts, energy_table(run), seconds_table(run.stages) }
   print(table.concat(parts, "\n\n"))
   return damage
 end

@@ -72,7 +72,7 @@ equal(complaint, "the script's own words\n", "--json: stderr")
 equal(said[1] and said[1].event, "run_begun", "--json: the first line")
 equal(said[#said] and said[#said].event, "summary", "--json: the last line")
 expect(said.run_begun and #said.run_begun == 1 and said.run_begun[1].members == 2
-  and said.run_begun[1].line == "scene.lua:11" and said.run_begun[1].steps == 40000, "--json: run_begun")
+  and said.run_begun[1].line == "scene.lua:12" and said.run_begun[1].steps == 40000, "--json: run_begun")
 expect(said.run_ended and said.run_ended[1].verdict == "completed" and said.run_ended[1].step == 40000
   and said.run_ended[1].part == 1, "--json: run_ended")
 for _, state in ipairs { true, false } do
@@ -116,7 +116,8 @@ return { most = most, of_work = run.energy.remainder / run.energy.work, error = 
 for _, record in ipairs { "1", "100000", "false" } do
   status = hinge_run((swinging:gsub("RECORD", record)))
   local r = summary().results
-  expect(status == 0 and math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work, r.of_most)
+  expect(status == 0 and math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work,
+    r.of_most)
   expect(r.error / r.of_most > 0.5 and r.error / r.of_most < 1.01, "record = %s: energy error %s, of the largest %s",
     record, r.error, r.of_most)
   expect(math.abs(summary().energy_error - r.error) < 1e-12, "record = %s: summary.json %s", record,
