@@ -145,4 +145,7 @@ function check.options(where, options, rules)
   return result
 end
 
+--- "1 setting", "2 settings"
+function check.count(n, what) return ("%d %s%s"):format(n, what, n == 1 and "" or "s") end
+
 return check

@@ -24,9 +24,9 @@ function render.main(options)
   return runner.guard(function()
     local frames = render.frames(options.out)
     for _, frame in ipairs(frames) do
-      core.render_file(frame.file, (frame.file:gsub("%.vtp$", "") .. ".png"), ("f_y at %s s"):format(frame.time))
+      core.render_file(frame.file, (frame.file:gsub("%.vtp$", "") .. ".png"), "f_y (eq 14)")
     end
-    print(("%d pictures in %s"):format(#frames, options.out))
+    print(("%s in %s"):format(check.count(#frames, "picture"), options.out))
     return 0
   end)
 end

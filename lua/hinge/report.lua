@@ -63,8 +63,8 @@ function report.show(run, groups)
   local damage = report.damage(run, groups)
   local head = ("%s at %.6g s"):format(run.verdict, run.time)
   if run.reason and run.reason ~= "" then head = head .. ": " .. run.reason end
-  local contacts = ("contacts: %d pairs of elements bound, %d released")
-    :format(run.contacts.bound, run.contacts.released)
+  local contacts = ("contacts: %s of elements bound, %d released")
+    :format(check.count(run.contacts.bound, "pair"), run.contacts.released)
   local fastest = run.fastest
   if fastest then
     contacts = contacts

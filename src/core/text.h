@@ -19,4 +19,17 @@ inline std::string vector_text(const Vec3& v, int digits = 6) {
            "}";
 }
 
+/// "1 member", "2 members"
+inline std::string count_text(long n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// A time in the unit that suits it: "2 ms", "30.5 us"
+inline std::string time_text(double s, int digits = 3) {
+    const double size = s < 0 ? -s : s;
+    if (size == 0 || size >= 0.9995) return number_text(s, digits) + " s";
+    if (size >= 0.9995e-3) return number_text(1e3 * s, digits) + " ms";
+    return size >= 0.9995e-6 ? number_text(1e6 * s, digits) + " us" : number_text(1e9 * s, digits) + " ns";
+}
+
 }  // namespace hinge

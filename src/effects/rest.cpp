@@ -1,6 +1,7 @@
 // Bodies at rest take no part in a step until something reaches them.
 #include <algorithm>
 
+#include "core/text.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -58,7 +59,7 @@ public:
         long still = 0;
         for (const Element& e : elements) still += resting[e.node[0]] >= 0;
         host_.note_waking(count == 1 ? "body" : std::to_string(count) + " bodies", false,
-                          std::to_string(still) + " elements at rest until something reaches them");
+                          count_text(still, "element") + " at rest until something reaches them");
         std::erase_if(w_.supported, [&](int n) { return resting[n] >= 0; });
         for (std::size_t e = 0; e < elements.size(); ++e)
             if (!s.broken[e] && resting[elements[e].node[0]] >= 0) w_.sweep.drop(int(e));

@@ -17,7 +17,10 @@ double text_size(const View& view) { return std::clamp(std::min(view.height / 44
 
 std::string time_text(double seconds) {
     char text[48];
-    std::snprintf(text, sizeof text, "t = %.*f ms", std::abs(seconds) < 1e-3 && seconds != 0 ? 3 : 1, seconds * 1e3);
+    if (std::abs(seconds) >= 10) std::snprintf(text, sizeof text, "t = %.2f s", seconds);
+    else
+        std::snprintf(text, sizeof text, "t = %.*f ms", std::abs(seconds) < 1e-3 && seconds != 0 ? 3 : 1,
+                      seconds * 1e3);
     return text;
 }
 
@@ -35,16 +38,16 @@ std::string left_out(const View& view) {
     return line;
 }
 
-void draw_heading(Pen& pen, const View& view, double time, double em) {
+void draw_heading(Pen& pen, const View& view, const std::string& when, double em) {
     const double top = view.height - 1.25 * em;
     TextStyle left{.size = 1.3 * em, .bold = true};
     TextStyle right{.size = 1.3 * em, .across = 1};
     // A long title shrinks before it runs into the time.
-    const double room = view.width - 3 * em - pen.size_of(time_text(time), right)[0] - 2 * em;
+    const double room = view.width - 3 * em - pen.size_of(when, right)[0] - 2 * em;
     const double wide = pen.size_of(view.title, left)[0];
     if (wide > room) left.size = std::max(0.6 * em, left.size * room / wide);
     pen.text(1.5 * em, top, view.title, left);
-    pen.text(view.width - 1.5 * em, top, time_text(time), right);
+    pen.text(view.width - 1.5 * em, top, when, right);
     pen.text(1.5 * em, top - 1.6 * em, left_out(view), {.size = 0.9 * em, .colour = faint_ink});
 }
 
@@ -98,15 +101,22 @@ void draw_axes(Pen& pen, const View& view, const Camera& camera, double em) {
 
 }  // namespace
 
+std::string moment_text(const Snapshot& snapshot) {
+    if (!snapshot.factor) return time_text(snapshot.time);
+    char text[48];
+    std::snprintf(text, sizeof text, "load factor %.4g", *snapshot.factor);
+    return text;
+}
+
 Margins caption_margins(const View& view) {
     const double em = text_size(view);
     const double heading = left_out(view).empty() ? 2.4 : 3.8;
     return {static_cast<int>(heading * em), static_cast<int>(3.6 * em)};
 }
 
-void draw_caption(Pen& pen, const View& view, double time, const Camera& camera, bool nothing) {
+void draw_caption(Pen& pen, const View& view, const std::string& when, const Camera& camera, bool nothing) {
     const double em = text_size(view);
-    draw_heading(pen, view, time, em);
+    draw_heading(pen, view, when, em);
     draw_legend(pen, view, em);
     draw_axes(pen, view, camera, em);
     if (nothing)

@@ -1,6 +1,8 @@
 // What stands around the drawn structure: title, time, legend of colours and the directions of the axes.
 #pragma once
 
+#include <string>
+
 #include "output/framing.h"
 #include "output/picture.h"
 #include "output/sketch.h"
@@ -14,7 +16,10 @@ struct Margins {
 
 Margins caption_margins(const View& view);
 
-/// `nothing`: no bar is drawn, which the picture then says.
-void draw_caption(Pen& pen, const View& view, double time, const Camera& camera, bool nothing);
+/// The moment of a snapshot as pictures show it: "t = 12.5 ms", "load factor 0.62".
+std::string moment_text(const Snapshot& snapshot);
+
+/// `when`: that; `nothing`: no bar is drawn, which the picture then says.
+void draw_caption(Pen& pen, const View& view, const std::string& when, const Camera& camera, bool nothing);
 
 }  // namespace hinge::output

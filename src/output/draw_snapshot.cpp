@@ -73,7 +73,8 @@ Pixels draw_pixels(const Snapshot& snapshot, const View& view) {
     const Camera camera = fit_camera(shown, typical_radius(bars), view.from, view.up, view.width, height);
     drop_out_of_sight(bars, camera);
 
-    const auto caption = sketch([&](Pen& pen) { draw_caption(pen, view, snapshot.time, camera, bars.empty()); });
+    const auto caption =
+        sketch([&](Pen& pen) { draw_caption(pen, view, moment_text(snapshot), camera, bars.empty()); });
     const vtkNew<vtkRenderer> scene;
     scene->SetViewport(0, 1.0 * margins.bottom / view.height, 1, 1 - 1.0 * margins.top / view.height);
     for (const auto& actor : make_actors(bars, camera)) scene->AddActor(actor);

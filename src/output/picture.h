@@ -29,6 +29,7 @@ struct Bar {
 /// A structure at one instant.
 struct Snapshot {
     double time = 0;                            ///< s
+    std::optional<double> factor;               ///< load factor, of statics, which have no time
     std::vector<std::array<double, 3>> points;  ///< m
     std::vector<std::uint8_t> is_virtual;  ///< per point: 1 for the virtual node of a broken element; empty: none is
     std::vector<Bar> bars;

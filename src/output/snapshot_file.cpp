@@ -73,6 +73,12 @@ void add_field(vtkPolyData* data, const Snapshot& snapshot) {
     time->SetName("TimeValue");
     time->InsertNextValue(snapshot.time);
     data->GetFieldData()->AddArray(time);
+    if (snapshot.factor) {
+        const vtkNew<vtkDoubleArray> factor;
+        factor->SetName("LoadFactor");
+        factor->InsertNextValue(*snapshot.factor);
+        data->GetFieldData()->AddArray(factor);
+    }
     const vtkNew<vtkStringArray> groups;
     groups->SetName("groups");
     for (const std::string& group : snapshot.groups) groups->InsertNextValue(group);
@@ -176,6 +182,8 @@ Snapshot decode_snapshot(const std::string& bytes, const std::string& name) {
     vtkFieldData* field = data->GetFieldData();
     Snapshot snapshot;
     snapshot.time = find_array<vtkDoubleArray>(field, "TimeValue", 1, name)->GetValue(0);
+    if (field->GetAbstractArray("LoadFactor"))
+        snapshot.factor = find_array<vtkDoubleArray>(field, "LoadFactor", 1, name)->GetValue(0);
     const vtkIdType n = data->GetNumberOfPoints();
     const auto* is_virtual = find_array<vtkUnsignedCharArray>(data->GetPointData(), "is_virtual", n, name);
     snapshot.points.resize(static_cast<std::size_t>(n));

@@ -122,6 +122,7 @@ void Dynamics::take_step() {
     };
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
+    integrator_->remedy = nullptr;
     stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
     if (meets_) stage(at_.contact, [&] { meet(); });    // [which elements come into contact: eqs 17 to 19]
     if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
@@ -466,12 +467,15 @@ void Dynamics::control_step() {
 
 /// What may keep the energy of such a run better.
 std::string Dynamics::remedies() const {
+    const bool finest = control_.on() && verdict_ == Verdict::failed;  // steps have been halved already
     const bool newmark = !explicit_steps() && !settings_.conserving;
     const bool may_conserve =
         newmark && structure_->large() && structure_->model().options().shift != Shift::whole &&
         std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->takes_mean_forces(); });
-    std::vector<const char*> list{"a shorter dt"};
-    if (newmark && !settings_.automatic) list.push_back("dt = 'auto'");
+    std::vector<const char*> list;
+    if (integrator_->remedy) list.push_back(integrator_->remedy);
+    list.push_back(finest ? "a larger step_control" : "a shorter dt");
+    if (!finest && !settings_.conserving && !settings_.chosen) list.push_back("dt = 'auto'");
     if (!control_.on()) list.push_back("step_control");
     if (newmark && settings_.alpha() == 0) list.push_back("rho_infinity below 1");
     if (may_conserve) list.push_back("integrator = 'energy-momentum'");
@@ -485,14 +489,18 @@ std::string Dynamics::remedies() const {
 /// After a step that went well, or one that failed: whether the energy balance still closes.
 void Dynamics::guard() {
     const bool running = verdict_ == Verdict::running, failed = verdict_ == Verdict::failed;
-    if (!guard_.due(state_, running)) return;
+    const bool due = guard_.due(state_, running);
+    if (!due && !failed) return;
     char what[160] = "";
     if (const Fastest& fast = fastest(); fast.node >= 0)
         std::snprintf(what, sizeof what, "; fastest was %s with %.3g m/s at t = %.6g s",
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
-    const auto lost = guard_.look(state_, largest_energy_.share(energy(), accounts_), running, what);
-    if (!lost) return;
-    std::string why = failed ? reason_ + "; before it, " + *lost : *lost;
+    std::optional<std::string> lost;
+    if (due) lost = guard_.look(state_, largest_energy_.share(energy(), accounts_), running, what);
+    if (!lost && !failed) return;
+    // a fold has advice of its own; no step helps against a load that is not finite
+    if (!lost && (sweep_.folded() >= 0 || reason_.find("the load on") != std::string::npos)) return;
+    const std::string why = !failed ? *lost : lost ? reason_ + "; before it, " + *lost : reason_;
     fail(why + "; " + remedies() + " may hold");
 }
 

@@ -2,6 +2,7 @@
 // checkpoint.
 #include <algorithm>
 
+#include "core/text.h"
 #include "run/dynamics.h"
 
 namespace hinge {
@@ -18,14 +19,15 @@ double Dynamics::time_product(int repeats) const {
 
 std::vector<PlanLine> Dynamics::effects() const {
     std::vector<PlanLine> list = plan_of(*structure_, w_.kind);
+    std::string because = (explicit_steps()       ? "explicit steps of "
+                           : settings_.conserving ? "energy-momentum method, steps of "
+                                                  : "Newmark's method, steps of ") +
+                          time_text(shortest()) +
+                          (explicit_steps()      ? ", lumped masses"
+                           : settings_.automatic ? ", eight times that where nothing happens"
+                                                 : "") +
+                          (structure_->cubic() ? ", cubic mass" : "");
     char how[160];
-    std::snprintf(how, sizeof how,
-                  explicit_steps()       ? "explicit steps of %.3g us, lumped masses"
-                  : settings_.conserving ? "energy-momentum method, steps of %.3g us"
-                  : settings_.automatic  ? "Newmark's method, steps of %.3g us, eight times that where nothing happens"
-                                         : "Newmark's method, steps of %.3g us",
-                  1e6 * shortest());
-    std::string because = how + std::string(structure_->cubic() ? ", cubic mass" : "");
     if (control_.on())
         std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy",
                       100 * settings_.step_control),

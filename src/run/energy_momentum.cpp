@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
 #include "run/yield_tangents.h"
 #include "state/node_mass.h"
 #include "state/nodes.h"
@@ -293,11 +294,7 @@ void EnergyMomentum::solve(Step& step) {
     stages_.timed(solve_stage_, [&] {
         SolverSettings solver = settings_.solver;
         const SolveReport report = effective_->solve(right_, change_, solver);
-        if (!report.converged)
-            step.failure = solver.direct
-                               ? "the effective stiffness could not be factorised"
-                               : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
-                                     " iterations; a shorter dt makes the system easier";
+        if (!report.converged) fail_to_solve(step, solver, report);
     });
     size_ = 0;
     for (std::size_t i = 0; i < right_.size(); ++i) size_ += right_[i].dot(change_[i]);
@@ -422,8 +419,8 @@ bool EnergyMomentum::correct(Step& step) {
     }
     if (last || !(size <= lost * first)) {
         step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
-                       " iterations (last correction " + std::to_string(std::sqrt(size / first)) +
-                       " of the first); a shorter dt or more iterations may help";
+                       " iterations (last correction " + number_text(std::sqrt(size / first), 2) + " of the first)";
+        remedy = "more iterations";
         return false;
     }
     return true;

@@ -1,5 +1,7 @@
 #include "run/integrator.h"
 
+#include "core/text.h"
+
 #include "state/rotate.h"
 
 namespace hinge {
@@ -23,6 +25,13 @@ std::string Integrator::name_the_culprit() const {
     for (std::size_t i = 0; i < w_.resisting.size(); ++i)
         if (size(i) > size(most)) most = i;
     return "the forces at " + s.node_name(int(most)) + " grow without bound";
+}
+
+void Integrator::fail_to_solve(Step& step, const SolverSettings& solver, const SolveReport& report) {
+    step.failure = solver.direct
+                       ? "the effective stiffness could not be factorised"
+                       : "conjugate gradients did not converge in " + count_text(report.iterations, "iteration");
+    remedy = solver.direct ? nullptr : "solver = 'direct', more solver_iterations";
 }
 
 }  // namespace hinge

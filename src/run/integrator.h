@@ -87,6 +87,7 @@ public:
     virtual void restore(Reader& from) = 0;
 
     Fastest fastest;
+    const char* remedy = nullptr;  ///< what may help where the last step could not be solved
 
 protected:
     /// The supports' reactions: what they must add to hold their degrees of freedom.
@@ -117,6 +118,7 @@ protected:
             if (f.speed > fastest.speed * fastest.speed) fastest = {std::sqrt(f.speed), f.node, time};
     }
     std::string name_the_culprit() const;
+    void fail_to_solve(Step& step, const SolverSettings& solver, const SolveReport& report);
     void move_to_rotated(int first, int end);
 
     Workspace& w_;

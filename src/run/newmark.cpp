@@ -5,6 +5,7 @@
 
 #include "algebra/stable_step.h"
 #include "core/rotation.h"
+#include "core/text.h"
 #include "run/step_size.h"
 #include "run/yield_tangents.h"
 #include "state/nodes.h"
@@ -240,10 +241,7 @@ void Newmark::solve_for_change(Step& step) {
     SolverSettings solver = settings_.solver;
     solver.floor = motion_ * std::pow(rounding / step.dt, 2);
     const SolveReport report = effective_->solve(right_, change_, solver);
-    if (!report.converged)
-        step.failure = solver.direct ? "the effective stiffness could not be factorised"
-                                     : "conjugate gradients did not converge in " + std::to_string(report.iterations) +
-                                           " iterations; a shorter dt makes the system easier";
+    if (!report.converged) fail_to_solve(step, solver, report);
 }
 
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
@@ -297,10 +295,12 @@ bool Newmark::correct(Step& step) {
     if (step.iteration == 1) first_change_ = size;
     // A last correction of a thousandth of the first is near enough: 251 of 273 runs of tests/hard keep their bounds
     // so, 246 if it must be 1e-4 of it, 254 if a hundredth will do.
-    if (iterations_ > 1 && step.iteration == iterations_ && size > 1e-6 * first_change_ && first_change_ > 1e-12)
+    if (iterations_ > 1 && step.iteration == iterations_ && size > 1e-6 * first_change_ && first_change_ > 1e-12) {
         step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
-                       " iterations (last correction " + std::to_string(std::sqrt(size / first_change_)) +
-                       " of the first); a shorter dt or more iterations may help";
+                       " iterations (last correction " + number_text(std::sqrt(size / first_change_), 2) +
+                       " of the first)";
+        remedy = "more iterations";
+    }
     return step.iteration < iterations_ && size > tolerance_ * tolerance_ * first_change_;
 }
 

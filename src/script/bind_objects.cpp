@@ -2,6 +2,7 @@
 // are gone.
 #include <algorithm>
 
+#include "core/text.h"
 #include "script/objects.h"
 
 namespace hinge::script {
@@ -287,8 +288,8 @@ int remove_load(lua_State* L) {
 int model_text(lua_State* L) {
     auto& m = self_or_gone<ModelBox>(L, "tostring");
     if (!gone(m).empty()) return push_text(L, name_of(m) + gone(m));
-    return push_text(L, "model: " + std::to_string(m.value->nodes().size()) + " nodes, " +
-                            std::to_string(m.value->members().size()) + " members");
+    return push_text(L, "model: " + count_text(long(m.value->nodes().size()), "node") + ", " +
+                            count_text(long(m.value->members().size()), "member"));
 }
 
 int model_fields(lua_State* L) {

@@ -17,6 +17,7 @@ output::Snapshot make_snapshot(const Run& run) {
     const State& state = run.state();
     output::Snapshot snapshot;
     snapshot.time = state.time;
+    if (dynamic_cast<const Statics*>(&run)) snapshot.factor = state.factor;
     snapshot.groups = structure.model().groups();
     for (std::size_t i = 0; i < structure.position().size(); ++i) {
         const Vec3 x = structure.position()[i] + state.displacement[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/text.h"
 #include "script/check.h"
 #include "script/plan.h"
 #include "script/recording.h"
@@ -28,10 +29,16 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
             c->described.find(plan) == std::string::npos) {
             c->described += plan;
             std::printf("%s", plan.c_str());
-            if (const std::string model = c->checking ? checked_model(*record) : "";
-                c->described.find(model) != std::string::npos)
-                std::printf("  the model as above\n\n");
-            else c->described += model, std::printf("%s\n", model.c_str());
+            if (!c->checking) {
+                std::printf("\n");
+            } else {
+                const std::string model = checked_model(*record);
+                const auto [known, fresh] = c->described_at.try_emplace(model, record->asked_at);
+                if (fresh) std::printf("%s\n", model.c_str());
+                else
+                    std::printf("  the same model as that of the run made at %s, with the same warnings\n\n",
+                                known->second.c_str());
+            }
         }
     push<RunBox>(L, record);
     hold_registry(L, *record->model);
@@ -337,7 +344,7 @@ int probe_fields(lua_State* L) {
 
 int probe_text(lua_State* L) {
     const Probe& p = *self<ProbeBox>(L, "tostring").value;
-    return lua_pushstring(L, ("probe " + p.name + ": " + std::to_string(p.value.size()) + " values, the last " +
+    return lua_pushstring(L, ("probe " + p.name + ": " + count_text(long(p.value.size()), "value") + ", the last " +
                               show(p.value.back()))
                                  .c_str()),
            1;

@@ -45,9 +45,10 @@ struct Context {
     std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
     int runs = 0;                              ///< made so far
     std::string described;                     ///< all plans printed so far: a loop's runs are described once
-    int histories = 0;                         ///< kept by number so far
-    int begun = 0;                             ///< runs that have taken a step
-    std::size_t unseen = 0;                    ///< bytes that objects took outside Lua since all was collected
+    std::map<std::string, std::string> described_at;  ///< lines of the runs whose models were, by what was said of them
+    int histories = 0;                                ///< kept by number so far
+    int begun = 0;                                    ///< runs that have taken a step
+    std::size_t unseen = 0;                           ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
 bool has_context(lua_State* L);

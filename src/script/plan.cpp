@@ -19,9 +19,10 @@ std::string plan_of(const RunRecord& record) {
     const Run& run = *record.run;
     const Structure& s = run.structure();
     std::string text = std::string(run.kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) +
-                       ": " + std::to_string(s.model().members().size()) + " members, " +
-                       std::to_string(s.elements().size()) + " elements, " + std::to_string(s.free_dofs()) +
-                       " degrees of freedom, " + std::to_string(run.planned_steps()) + " steps\n";
+                       ": " + count_text(long(s.model().members().size()), "member") + ", " +
+                       count_text(long(s.elements().size()), "element") + ", " + std::to_string(s.free_dofs()) +
+                       (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom, " +
+                       count_text(run.planned_steps(), "step") + "\n";
     const std::vector<PlanLine> list = effects_of(record);
     std::size_t name = 0, why = 0;
     for (const PlanLine& e : list) name = std::max(name, e.name.size()), why = std::max(why, e.because.size());
@@ -33,8 +34,8 @@ std::string plan_of(const RunRecord& record) {
         text +=
             "  elements = \"auto\", elements_accuracy = " + number_text(s.model().options().elements_accuracy) + ":\n";
         for (const ElementGroup& g : groups)
-            text += "    " + std::to_string(g.elements) + " in " + std::to_string(g.members) +
-                    (g.members == 1 ? " member" : " members") + ": " + g.because + "\n";
+            text += "    " + std::to_string(g.elements) + " in " + count_text(g.members, "member") + ": " + g.because +
+                    "\n";
     }
     return text;
 }

@@ -96,7 +96,8 @@ status, printed = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nloc
 expect(status == 0 and printed:find "as far as it goes without results", "a script that needs results: %s %s",
   status, printed)
 _, printed = check(scene { more = "model:static {}" })
-expect(select(2, printed:gsub("natural periods", "")) == 1 and printed:find "the model as above",
+expect(select(2, printed:gsub("natural periods", "")) == 1
+  and printed:find "the same model as that of the run made at scene.lua:11, with",
   "one model, two runs: %s", printed)
 status, printed = check("local p = ...\n" .. scene { E = "p.E" }, "E=206e6*1000")
 expect(status == 0 and printed:find "no warnings", "settings: %s", printed)

@@ -75,7 +75,7 @@ equal(select(2, typed "type(hinge), hinge.version"):match "^%a+", "table", "hing
 support.write(path "scene.lua",
   "assert(hinge == nil, 'a global')\nmodel = require 'hinge'.model()\nmodel:node { 1, 2, 3 }\ngiven = (...).n\n")
 status, printed, complaint = typed("model, given\n", "scene.lua n=3")
-expect(status == 0 and printed == "model: 1 nodes, 0 members\t3\n", "after a script: %s %s%s", status,
+expect(status == 0 and printed == "model: 1 node, 0 members\t3\n", "after a script: %s %s%s", status,
   printed, complaint)
 support.write(path "wrong.lua", "error 'wrong'\n")
 equal(typed("1\n", "wrong.lua"), 2, "status of a script that stumbles, in a pipe")

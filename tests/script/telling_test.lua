@@ -108,7 +108,7 @@ model:load { node = tip, force = { 0, 0, -1000 } }
 local run = model:dynamic { dt = 1e-4, duration = 0.025, record = RECORD, beta = 0.3 }
 local most = 0
 while run:step() do
-  most = math.max(most, run.energy.work)
+  if run.energy.work > most then most = run.energy.work end
 end
 return { most = most, of_work = run.energy.remainder / run.energy.work, error = run.energy_error,
   of_most = run.energy.remainder / most }
@@ -159,5 +159,63 @@ end
 expect(taken and (taken < 2.5 or said.progress), "nothing was said for %s s", taken)
 expect(status == 1 and said.run_ended and said.run_ended[1].reason:find "a limit load, where .* gives way",
   "an overloaded frame: %s", printed)
+
+-- Words ---------------------------------------------------------------------------------------------------------------
+
+local beam = [[
+local hinge = require "hinge"
+local model = hinge.model { displacement = "large", elements_per_member = 2 }
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall)
+model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9, density = 7850 } }
+model:load { node = tip, force = { 0, 0, -1000 } }
+]]
+local function hinge_on(verb, text)
+  support.write(folder .. "/scene.lua", text)
+  return run(("cd %s && %s %s scene.lua"):format(quote(folder), hinge, verb))
+end
+local _
+_, printed = hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = 4e-3 }")
+expect(printed:find("static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n", 1, true)
+  and printed:find("Newmark's method, steps of 2 ms\n", 1, true), "plan: %s", printed)
+_, printed = hinge_on("plan", beam .. "model:dynamic { dt = 1.5e-8, duration = 3e-8, integrator = 'explicit' }\n"
+  .. "model:dynamic { dt = 1.25e-5, duration = 1 }\nmodel:dynamic { dt = 2, duration = 4 }")
+expect(not printed:find "model", "plan: what it does not say: %s", printed)
+for _, part in ipairs { "explicit steps of 15 ns, lumped masses\n", "steps of 12.5 us\n", "steps of 2 s\n",
+  " 2 steps\n" } do
+  expect(printed:find(part, 1, true), "plan, %s: %s", part, printed)
+end
+_, printed = hinge_on("check", beam .. "model:static { steps = 1 }\nmodel:static { steps = 2 }")
+expect(printed:find("\n  the same model as that of the run made at scene.lua:8, with the same warnings\n", 1, true),
+  "check: %s", printed)
+
+-- Runs that fail name what may hold, each remedy once.
+for options, wanted in pairs {
+  ["dt = 1e-3, solver_iterations = 1"] = "conjugate gradients did not converge in 1 iteration; solver = 'direct', "
+    .. "more solver_iterations, a shorter dt, dt = 'auto', step_control, rho_infinity below 1 or integrator = "
+    .. "'energy-momentum' may hold",
+  ["dt = 1e-3, solver_iterations = 1, energy_tolerance = 0"] = "conjugate gradients did not converge in 1 iteration; "
+    .. "solver = 'direct', more solver_iterations, a shorter dt, ...",
+  ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction ... of "
+    .. "the first); more iterations, a shorter dt, dt = 'auto', step_control or integrator = 'energy-momentum' may "
+    .. "hold",
+  ["dt = 5e-3, iterations = 2, integrator = 'energy-momentum', step_control = 0"] = "Newton did not converge in 2 "
+    .. "iterations (last correction ... of the first); more iterations, a shorter dt or step_control may hold",
+} do
+  local failed
+  local loaded = beam:gsub("%-1000", "-4e4"):gsub("r = 2", "r = 16")
+  status, _, failed = hinge_on("run", loaded .. "model:dynamic { duration = 0.1, " .. options .. " }:finish()")
+  expect(status == 1 and support.says(failed, "...hinge: the run failed: step ..., t = ... s: " .. wanted .. "..."),
+    "%s:\n    says   %s\n    wanted %s", options, failed, wanted)
+  expect(select(2, failed:gsub("a shorter dt", "")) == 1, "%s: one advice twice: %s", options, failed)
+end
+
+-- A picture's title has no digits that nobody reads.
+status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
+  .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
+equal(status, 0, "frames")
+_, printed = run(("cd %s && %s render out/scene"):format(quote(folder), hinge))
+expect(printed == "3 pictures in out/scene\n", "render: %s", printed)
 
 checks.done()

@@ -203,12 +203,14 @@ TEST_CASE("a snapshot comes back as it was written", "[output]") {
     }
     SECTION("odd names of groups") { snapshot.groups = {"", "a b <&\">", "\xCF\x84\xCE\xB1"}; }
     SECTION("no bars") { snapshot = Snapshot{}; }
+    SECTION("of statics") { snapshot.factor = 0.625; }
 
     REQUIRE(write(folder / "a.vtp", snapshot) == "");
     Snapshot back;
     back.groups = {"left over"};
     REQUIRE(read(folder / "a.vtp", back) == "");
     check_same(snapshot, back);
+    CHECK(back.factor == snapshot.factor);
     CHECK(folder.files() == 1);  // nothing is left beside it
 }
 
@@ -316,6 +318,22 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
         wild.points[1] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
         CHECK(render(folder / "b.png", wild, view) == "");
     }
+}
+
+TEST_CASE("a picture of statics shows the load factor, not a time", "[output]") {
+    const Folder folder;
+    Snapshot now = portal(2), later = now;
+    later.time = 2 * now.time;
+    const auto same = [&] {
+        REQUIRE(render(folder / "now.png", now, {}) == "");
+        REQUIRE(render(folder / "later.png", later, {}) == "");
+        return contents(folder / "now.png") == contents(folder / "later.png");
+    };
+    CHECK(!same());
+    now.factor = later.factor = 0.5;
+    CHECK(same());
+    later.factor = 0.75;
+    CHECK(!same());
 }
 
 TEST_CASE("bars have the colour of their class: five of f_y, a hinge's, a broken one's", "[output]") {

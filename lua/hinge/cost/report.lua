@@ -1,5 +1,6 @@
 -- What came out of a comparison: tables for the reader, cost.csv and summary.json.
 local core = require "hinge.core"
+local check = require "hinge.check"
 local jobs = require "hinge.job"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
@@ -50,8 +51,9 @@ local function settings_table(result)
   end
   local fewest, most = math.huge, 0
   for _, s in ipairs(result.settings) do fewest, most = math.min(fewest, #s.times), math.max(most, #s.times) end
-  paper.table(("%d settings, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)")
-    :format(#result.settings, fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)), head, rows)
+  local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
+  paper.table(("%s, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)")
+    :format(check.count(#result.settings, "setting"), times), head, rows)
 end
 
 local function answers_table(result)
@@ -154,8 +156,8 @@ function report.show(result)
   for _, s in ipairs(result.failed) do print(("no answer: %s: %s"):format(s.label, s.failed)) end
   local out = result.left_out[1]
   if out then
-    print(("left out by the budget: %d settings, such as %s, about %.2g s and %.2g s for its reference")
-      :format(#result.left_out, out.label, out.estimate, out.rest))
+    print(("left out by the budget: %s, such as %s, about %.2g s and %.2g s for its reference")
+      :format(check.count(#result.left_out, "setting"), out.label, out.estimate, out.rest))
   end
   local sound, all = 0, 0
   for _, q in pairs(result.quantities) do sound, all = sound + (q.state == "sound" and 1 or 0), all + 1 end
