@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "beam/tangent.h"
+#include "core/text.h"
 
 namespace hinge {
 namespace {
@@ -147,6 +148,40 @@ std::vector<RigidMotion> free_motions(const Structure& structure, const std::vec
             motions.push_back(
                 {centre, solver.eigenvectors().col(i).head<3>(), solver.eigenvectors().col(i).tail<3>() / reach});
     return motions;
+}
+
+namespace {
+
+bool moves_a_support(const Structure& structure, const std::vector<int>& supports, const RigidMotion& m) {
+    for (int n : supports) {
+        Vec6 motion;
+        motion << m.v + m.w.cross(structure.position()[n] - m.centre), m.w;
+        for (int c = 0; c < 6; ++c)
+            if (structure.fixed()[n] >> c & 1 && std::abs(motion[c]) > 1e-9) return true;
+    }
+    return false;
+}
+
+std::string triple(const Vec3& v) {
+    return vector_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0 : x; }), 4);
+}
+
+}  // namespace
+
+std::string ways_to_move(const Structure& structure, const std::vector<int>& supports,
+                         const std::vector<RigidMotion>& motions) {
+    std::string text;
+    for (int c = 0; c < 6; ++c) {
+        RigidMotion m{structure.position()[supports[0]], Vec3::Zero(), Vec3::Zero()};
+        (c < 3 ? m.v : m.w)[c % 3] = 1;
+        if (!moves_a_support(structure, supports, m))
+            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "rotate about ") + "xyz"[c % 3];
+    }
+    if (!text.empty()) return text + (text.find("rotate") == std::string::npos ? "" : " through that node");
+    const RigidMotion& m = motions[0];
+    if (m.w.norm() < 1e-9 * m.v.norm()) return "move along " + triple(m.v.normalized());
+    return "rotate about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +
+           triple(m.w.normalized());
 }
 
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,

@@ -2,6 +2,7 @@
 // supports leave it.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "algebra/node_blocks.h"
@@ -19,6 +20,11 @@ struct RigidMotion {
 /// where its supports hold it. Members join their nodes rigidly, so what a body can do without resistance is this and
 /// no more.
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes);
+
+/// How a body moves that its supports (nodes) do not hold, in words: along or about an axis of space where it can, else
+/// about its own line: "rotate about z through that node", that is the first of the supports.
+std::string ways_to_move(const Structure& structure, const std::vector<int>& supports,
+                         const std::vector<RigidMotion>& motions);
 
 /// The lowest `count` circular frequencies (rad/s, rising) of the body that these nodes make up, after the zero ones of
 /// its `rigid` free motions. Fewer where it has fewer degrees of freedom. Every element must

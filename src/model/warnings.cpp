@@ -23,7 +23,9 @@ struct Finder {
     void tell(const std::string& kind, const std::string& what, const std::string& advice,
               const std::string& asked_at) {
         const auto [known, fresh] = place.try_emplace(kind, found.size());
-        if (fresh) found.push_back({what, advice, asked_at});
+        static const std::set<std::string> units = {"E",       "yield strain", "yield stress", "density",
+                                                    "section", "span",         "gravity"};
+        if (fresh) found.push_back({what, advice, asked_at, 0, units.count(kind) > 0});
         else ++found[known->second].more;
     }
     const Vec3& position(int node) const { return model.nodes()[node].position; }
@@ -38,6 +40,7 @@ struct Finder {
 
     void materials();
     void sections();
+    void spans();
     void gravity();
     void lone_nodes();
     void tiny_members();
@@ -90,6 +93,19 @@ void Finder::sections() {
                  "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) +
                      " m across, and the longest member that has it " + number(longest[&s]) + " m",
                  "in mm? sizes are in m, areas in m^2, moments of area in m^4", s.asked_at);
+    }
+}
+
+/// A member longer than any building's, and far more slender than a cable of that length.
+void Finder::spans() {
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        const Section& s = *model.members()[i].section;
+        const double slender = length(i) / std::sqrt(std::max(s.Ix, s.Iy) / s.area);
+        if (length(i) > 300 && slender > 2000)
+            tell("span",
+                 name(i) + " is " + number(length(i)) + " m long, " + number_text(std::round(slender), 9) +
+                     " times its section's radius of gyration",
+                 "nodes in mm? positions are in m", member_line(i));
     }
 }
 
@@ -196,11 +212,16 @@ std::vector<Warning> warnings(const Model& model) {
     Finder finder{model, {}, {}};
     finder.materials();
     finder.sections();
+    finder.spans();
     finder.gravity();
     finder.lone_nodes();
     finder.tiny_members();
     finder.unjoined();
     return std::move(finder.found);
+}
+
+bool doubts_units(const std::vector<Warning>& list) {
+    return std::any_of(list.begin(), list.end(), [](const Warning& w) { return w.of_units; });
 }
 
 }  // namespace hinge

@@ -152,6 +152,25 @@ bool Statics::renew_and_factorise(double off_balance) {
     return good;
 }
 
+/// Of the body that the node is part of, where supports hold it, but not in all ways: where it is held, and how it can
+/// move. A member that spins about its own line gives way inside; what does not hold it is its foot.
+std::string Statics::loosely_held_body(int node) const {
+    for (const std::vector<int>& body : nodes_of(find_bodies(*structure_, state_))) {
+        if (!std::binary_search(body.begin(), body.end(), node)) continue;
+        std::vector<int> supports;
+        for (int n : body) {
+            if (held_[n] != structure_->fixed()[n]) return "";  // held for this run alone
+            if (structure_->fixed()[n]) supports.push_back(n);
+        }
+        const auto motions = free_motions(*structure_, body);
+        if (supports.empty() || motions.empty()) return "";
+        std::string text = "a mechanism: what is supported at " + structure_->node_name(supports[0]);
+        if (supports.size() > 1) text += " and " + count_text(long(supports.size()) - 1, "more node");
+        return text + " can " + ways_to_move(*structure_, supports, motions);
+    }
+    return "";
+}
+
 void Statics::refuse_mechanism() {
     renew_and_factorise(1);
     const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
@@ -179,6 +198,8 @@ void Statics::refuse_mechanism() {
                                      : std::string("Make the stiffest of them softer: a million times the others is as "
                                                    "good as rigid")));
     }
+    if (const std::string body = loosely_held_body(loose / 6); !body.empty())
+        throw InputError(body + " without resistance; fix what it may not do with model:fix, or hold = a group");
     throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
                      (supported ? "the structure, or a part of it, is a mechanism or not supported against it"
                                 : "the model has no supports, so it can move as a rigid body") +
@@ -530,9 +551,9 @@ std::string Statics::instability_text() const {
                        (i.count > 1 ? ", in " + std::to_string(i.count) + " ways" : "");
     if (i.node >= 0) text += ": " + structure_->node_name(i.node) + " gives way, " + component_name(i.component);
     for (std::size_t k = 0; k < i.members.size(); ++k)
-        text += (k > 0              ? " and "
-                 : i.by_compression ? ", by compression of member "
-                                    : ", by bending of member ") +
+        text += (k > 0 ? (k + 1 == i.members.size() ? " and " : ", ")
+                       : std::string(i.by_compression ? ", by compression of member" : ", by bending of member") +
+                             (i.members.size() > 1 ? "s " : " ")) +
                 std::to_string(i.members[k] + 1);
     if (i.node < 0 && !i.members.empty())
         text += ", beyond Euler's load between clamped ends: two elements cannot show that, four can";

@@ -74,6 +74,7 @@ private:
     bool past_exchange(double increment);
     void commit(double factor);
     void refuse_mechanism();
+    std::string loosely_held_body(int node) const;
     void refuse_idle_loads() const;
     int negative_modes();
     int modes_within_pairs();

@@ -40,6 +40,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
                                 known->second.c_str());
             }
         }
+    look_over(*c, *record);
     push<RunBox>(L, record);
     hold_registry(L, *record->model);
     push_registry(L, *record->model);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "script/check.h"
 #include "script/checkpoint.h"
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
@@ -19,6 +20,7 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m) {
     context(L)->running = L;
     decide_elements(*copy);
     if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
+    look_over(*context(L), *copy);
     return copy;
 }
 

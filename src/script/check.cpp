@@ -17,12 +17,7 @@ constexpr double near_buckling = 0.5;  // of Euler's load
 constexpr int most_nodes = 20000;      // of a body whose periods are looked for: some ten seconds
 
 std::string digits(double v, int n = 4) { return number_text(v, n); }
-std::string count(std::size_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-std::string triple(const Vec3& v) {
-    return vector_text(v.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0 : x; }), 4);
-}
+std::string count(std::size_t n, const std::string& what) { return count_text(long(n), what); }
 
 struct Piece {
     std::vector<int> nodes, supports;
@@ -81,35 +76,9 @@ std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& add
         if (const int b = found.of_node[c.a]; b >= 0) bodies[b].held_by_effects = true;
     for (const Blocks::Node& n : added.stiffness.nodes)
         if (const int b = found.of_node[n.node]; b >= 0) bodies[b].held_by_effects = true;
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const Piece& a, const Piece& b) { return a.members > b.members; });
     return bodies;
-}
-
-bool moves_a_support(const Structure& structure, const Piece& body, const RigidMotion& m) {
-    for (int n : body.supports) {
-        Vec6 motion;
-        motion << m.v + m.w.cross(structure.position()[n] - m.centre), m.w;
-        for (int c = 0; c < 6; ++c)
-            if (structure.fixed()[n] >> c & 1 && std::abs(motion[c]) > 1e-9) return true;
-    }
-    return false;
-}
-
-/// How a body moves against which its supports do nothing: along or about an axis of space where it can, else about its
-/// own line.
-std::string ways(const Structure& structure, const Piece& body, const std::vector<RigidMotion>& motions) {
-    const int support = body.supports[0];
-    std::string text;
-    for (int c = 0; c < 6; ++c) {
-        RigidMotion m{structure.position()[support], Vec3::Zero(), Vec3::Zero()};
-        (c < 3 ? m.v : m.w)[c % 3] = 1;
-        if (!moves_a_support(structure, body, m))
-            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "rotate about ") + "xyz"[c % 3];
-    }
-    if (!text.empty()) return text + (text.find("rotate") == std::string::npos ? "" : " through that node");
-    const RigidMotion& m = motions[0];
-    if (m.w.norm() < 1e-9 * m.v.norm()) return "move along " + triple(m.v.normalized());
-    return "rotate about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +
-           triple(m.w.normalized());
 }
 
 /// What an axial wave takes through an element, and through all of its member, s: the shortest times.
@@ -129,13 +98,6 @@ Waves shortest_waves(const Structure& structure) {
     return least;
 }
 
-std::string told(const Warning& d) {
-    std::string where = d.asked_at;
-    if (d.more > 0)
-        where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
-    return "  warning: " + d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice + "\n";
-}
-
 std::string periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
     if (!body.heavy) return "no periods without a density";
     if (int(body.nodes.size()) > most_nodes)
@@ -146,15 +108,66 @@ std::string periods(const Structure& structure, const Piece& body, int rigid, co
     return text.empty() ? "nothing that vibrates" : "natural periods " + text + " s";
 }
 
-/// Members whose compression is beyond half of Euler's load, the worst first, by one linear solution of the loads that
-/// are declared. Bodies without supports are held; where there is no such solution nothing is said.
-std::vector<Warning> near_euler(const RunRecord& record) {
+/// Of the loads that are declared; none where the model is large. Bodies without supports are held.
+LinearSolution linear_solution(const RunRecord& record, int most) {
     const Structure& declared = record.run->structure();
-    if (int(declared.position().size()) > most_nodes) return {};
+    if (int(declared.position().size()) > most) return {};
     const auto* statics = dynamic_cast<const Statics*>(record.run.get());
-    const LinearSolution solution =
-        solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
+    return solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
+}
+
+/// The size of what acts, as a script gives it: its largest load on a node, else gravity.
+std::string largest_load(const Model& model) {
+    const NodalLoad* largest = nullptr;
+    const auto size = [](const NodalLoad& l) { return std::max(l.force.norm(), l.moment.norm()); };
+    for (const NodalLoad& l : model.loads())
+        if (!largest || size(l) > size(*largest)) largest = &l;
+    if (largest && size(*largest) > 0) {
+        const bool force = largest->force.norm() >= largest->moment.norm();
+        return std::string("the largest of them is ") + digits(size(*largest), 3) + (force ? " N" : " N m") +
+               ", on node " + std::to_string(largest->node + 1);
+    }
+    return model.gravity() ? "gravity is " + digits(model.gravity()->norm(), 3) + " m/s^2" : "they act on members";
+}
+
+/// Strains, by a linear solution, that no building material follows elastically, and that plastic hinges would not see
+/// but far beyond a limit load: in statics, and where what acts may end again soon.
+constexpr double much_strain = 0.05, much_strain_in_dynamics = 0.5;
+
+/// Loads that would strain a section as nothing does that stands.
+std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& solution) {
     if (!solution.run) return {};
+    const Structure& structure = solution.run->structure();
+    const Model& model = record.run->structure().model();
+    double most = 0;
+    int at = -1;
+    for (int i = 0; i < int(structure.elements().size()); ++i) {
+        const Element& e = structure.elements()[i];
+        const Section& s = *model.members()[e.member].section;
+        const double half = 0.5 * std::max({s.width, s.depth, std::sqrt(s.area)});
+        for (double side : {-1.0, 1.0}) {
+            const SectionForces f = solution.run->section_forces(i, side);
+            const double strain = std::abs(f.N) / e.rigidity.EA +
+                                  half * (std::abs(f.Mx) / e.rigidity.EIx + std::abs(f.My) / e.rigidity.EIy);
+            if (strain > most) most = strain, at = i;
+        }
+    }
+    if (!(most > (record.run->kind() == std::string("static") ? much_strain : much_strain_in_dynamics))) return {};
+    const int member = structure.elements()[at].member;
+    const auto percent = [](double part) {
+        return (part > 0.1 ? number_text(std::round(100 * part), 9) : digits(100 * part, 2)) + " %";
+    };
+    return {{"the loads would strain member " + std::to_string(member + 1) + " by " + percent(most) +
+                 " in a linear solution of them; " + largest_load(model),
+             "in mN? forces are in N, moments in N m. A thousandth of them would strain it by " + percent(most / 1000) +
+                 "; steel yields at about 0.1 %",
+             model.asked_at("loads")}};
+}
+
+/// Members whose compression is beyond half of Euler's load, the worst first.
+std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& solution) {
+    if (!solution.run) return {};
+    const Structure& declared = record.run->structure();
     const Structure& structure = solution.run->structure();
     const Model& model = structure.model();
 
@@ -200,6 +213,43 @@ std::vector<Warning> near_euler(const RunRecord& record) {
 
 }  // namespace
 
+std::string warning_text(const Warning& d) {
+    std::string where = d.asked_at;
+    if (d.more > 0)
+        where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
+    return d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice;
+}
+
+std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads) {
+    const Structure& s = record.run->structure();
+    const bool impact = !s.model().asked_at("contact").empty() || !s.model().asked_at("ground").empty();
+    std::vector<Warning> list;
+    for (const Piece& body : bodies_of(s, added_by_effects(*record.run))) {
+        const auto motions = free_motions(s, body.nodes);
+        if (!motions.empty() && !body.supports.empty() && !body.held_by_effects)
+            list.push_back(
+                {"mechanism: the body of " + count(body.members, "member") + " held at " +
+                     s.node_name(body.supports[0]) +
+                     (body.supports.size() > 1 ? " and " + count(body.supports.size() - 1, "more node") : "") +
+                     " can " + ways_to_move(s, body.supports, motions) + " without resistance",
+                 "fix what it may not do with model:fix",
+                 s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
+    }
+    const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
+    if (const Waves waves = shortest_waves(s); (all || impact) && waves.in_element >= 0 && d && !d->explicit_steps() &&
+                                               !d->settings().automatic && d->settings().dt > waves.member)
+        list.push_back(
+            {"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
+                 std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
+             "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
+             record.asked_at});
+    const LinearSolution solution = linear_solution(record, most_solved);
+    if (loads)
+        for (Warning& w : huge_loads(record, solution)) list.push_back(std::move(w));
+    for (Warning& w : near_euler(record, solution)) list.push_back(std::move(w));
+    return list;
+}
+
 std::string checked_run(const RunRecord& record) {
     const Structure& s = record.run->structure();
     double mass = 0;
@@ -213,45 +263,27 @@ std::string checked_run(const RunRecord& record) {
 
 std::string checked_model(const RunRecord& record) {
     const Structure& s = record.run->structure();
-    std::vector<Warning> list = warnings(s.model());
-    std::string text;
     const AddedToModes added = added_by_effects(*record.run);
-    std::vector<Piece> bodies = bodies_of(s, added);
-    std::stable_sort(bodies.begin(), bodies.end(),
-                     [](const Piece& a, const Piece& b) { return a.members > b.members; });
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::vector<Piece> bodies = bodies_of(s, added);
+    std::string text;
+    for (std::size_t i = 0; i < bodies.size() && i < bodies_told; ++i) {
         const Piece& body = bodies[i];
-        const auto motions = free_motions(s, body.nodes);
-        if (!motions.empty() && !body.supports.empty() && !body.held_by_effects)
-            list.push_back(
-                {"mechanism: the body of " + count(body.members, "member") + " held at " +
-                     s.node_name(body.supports[0]) +
-                     (body.supports.size() > 1 ? " and " + count(body.supports.size() - 1, "more node") : "") +
-                     " can " + ways(s, body, motions) + " without resistance",
-                 "fix what it may not do with model:fix",
-                 s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
-        if (i < bodies_told)
-            text += "  " +
-                    (body.supports.empty()
-                         ? "free body of " + count(body.members, "member")
-                         : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) +
-                    ", " + digits(body.mass, 6) + " kg: " + periods(s, body, int(motions.size()), added) + "\n";
+        text += "  " +
+                (body.supports.empty()
+                     ? "free body of " + count(body.members, "member")
+                     : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) +
+                ", " + digits(body.mass, 6) +
+                " kg: " + periods(s, body, int(free_motions(s, body.nodes).size()), added) + "\n";
     }
     if (bodies.size() > bodies_told)
-        text += "  and " + std::to_string(bodies.size() - bodies_told) + " smaller bodies\n";
-    if (const Waves waves = shortest_waves(s); waves.in_element >= 0) {
+        text += "  and " + std::to_string(bodies.size() - bodies_told) +
+                (bodies.size() == bodies_told + 1 ? " smaller body\n" : " smaller bodies\n");
+    if (const Waves waves = shortest_waves(s); waves.in_element >= 0)
         text +=
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
-        const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
-        if (d && !d->explicit_steps() && !d->settings().automatic && d->settings().dt > waves.member)
-            list.push_back(
-                {"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
-                     std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
-                 "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
-                 record.asked_at});
-    }
-    for (Warning& d : near_euler(record)) list.push_back(std::move(d));
-    for (const Warning& d : list) text += told(d);
+    std::vector<Warning> list = warnings(s.model());
+    for (Warning& d : warnings_of_run(record, most_nodes, true, !doubts_units(list))) list.push_back(std::move(d));
+    for (const Warning& d : list) text += "  warning: " + warning_text(d) + "\n";
     return text + (list.empty() ? "  no warnings\n" : "");
 }
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "model/warnings.h"
 #include "script/objects.h"
 
 namespace hinge::script {
@@ -13,5 +14,17 @@ std::string checked_run(const RunRecord& record);
 /// What it works on: its bodies with their masses and lowest natural periods, the shortest time that an axial wave
 /// takes through an element, and warnings that name the culprit, the script's line and what to do.
 std::string checked_model(const RunRecord& record);
+
+/// What of that is found quickly, beside hinge::warnings of its model: mechanisms, a long step, loads that are far too
+/// large, columns that may buckle (both of models of at most `most_solved` nodes, by a linear solution). `all`: a long
+/// step also where nothing strikes; `loads`: those that are too large.
+std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads);
+
+/// "what (line, and 3 more like it); advice"
+std::string warning_text(const Warning& d);
+
+/// hinge run: tells of likely mistakes, each once, in ten lines at most; of a model before it is run, and of the run.
+void look_over(Context& c, const Model& model);
+void look_over(Context& c, const RunRecord& record);
 
 }  // namespace hinge::script

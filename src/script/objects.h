@@ -28,6 +28,7 @@ struct Context {
     std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
     bool looks_over = false;                     ///< look for likely mistakes in the models that are run
     std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
+    bool doubts_units = false;                   ///< of the model looked at last
     int warnings_told = 0, looked_over = 0;      ///< lines; models
     volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
     bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on

@@ -141,6 +141,17 @@ suspicious("gravity without its sign", { gravity = "{ 0, 0, 9.81 }" },
   "gravity is {0, 0, 9.81} m/s^2, which pulls up", "model:gravity", { gravity = "{ 9.81, 0, 1 }" })
 suspicious("a step longer than a wave takes", { make = "dynamic { dt = 1e-3, duration = 1 }" },
   "dt is 0.001 s, and an axial wave", "model:dynamic", { make = "dynamic { dt = 'auto', duration = 1 }" })
+suspicious("a load in mN", { more = "model:load { node = b, force = { 1e9, 0, 0 } }" },
+  "the loads would strain member 1 by 2598 % in a linear solution of them; the largest of them is 1e+09 N, on node 2",
+  "model:load", { more = "model:load { node = b, force = { 1e6, 0, 0 } }" })
+suspicious("a load in mN, in statics", { more = "model:load { node = b, force = { 2e6, 0, 0 } }", make = "static {}" },
+  "the loads would strain member 1 by 5.2 % in a linear solution", "model:load",
+  { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static {}" })
+suspicious("a long member", { gravity = "{ 0, 0, -0.1 } local e, f = joint(0, 9, 0), joint(0, 400, 0) member(e, f) "
+  .. "model:fix({ e, f })", make = "dynamic { dt = 'auto', duration = 1 }" },
+  "member 4 is 391 m long, 13545 times its section's radius of gyration", "{e, f",
+  { gravity = "{ 0, 0, -0.1 } local e, f = joint(0, 9, 0), joint(0, 59, 0) member(e, f) model:fix({ e, f })",
+    make = "dynamic { dt = 'auto', duration = 1 }" })
 suspicious("a node nobody uses", { more = "joint(9, 0, 0) joint(9, 0, 1)" },
   "node 5 at {9, 0, 0} m belongs to no member (scene.lua:11, and 1 more like it)", "{9, 0, 0}", {})
 suspicious("nodes in one place", { more = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f)" },
@@ -171,8 +182,9 @@ status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))
 expect(status == 0 and printed:find "\n  free body of 1 member, 78.5 kg: natural periods " and #warnings(printed) == 0,
   "a free body:\n%s", printed)
 status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
-expect(status == 2 and complaint:find "scene.lua:12: model:static: .* without resistance",
-  "a mechanism in statics: %s %s", status, complaint)
+expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: what is supported at node 1 at "
+  .. "{0, 0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do with "
+  .. "model:fix", 1, true), "a mechanism in statics: %s %s", status, complaint)
 
 -- The project's own scenes have none.
 local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")

@@ -273,7 +273,8 @@ wrong("model:static: ... can ... without resistance: the model has no supports, 
 wrong("model:static: ... m can ... without resistance: the structure, or a part of it, "
   .. "is a mechanism or not supported against it; ...",
   function(s) s.model:static {} end, loose_part)
-wrong("model:static: ... can rotate about x without resistance: ...", function(s) s.model:static {} end, free_to_roll)
+wrong("model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 more node can rotate about x "
+  .. "through that node without resistance; ...", function(s) s.model:static {} end, free_to_roll)
 wrong("model:static: the model has no members; add at least one with model:member",
   function() hinge.model():static {} end)
 wrong("model:static: a load acts on node 4 at {2, 0, 0} m, which has no element left",

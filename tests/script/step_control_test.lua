@@ -50,7 +50,8 @@ never:finish()
 equal(never.verdict, "failed", "step_control = 1e-15")
 expect(support.says(never.reason,
   "step ..., t = ... s: the step would lose ... % of the largest energy, its share of step_control is ... %; "
-  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; a larger step_control, ..."), "reason: %s", never.reason)
+  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; a larger step_control, ..."),
+  "reason: %s", never.reason)
 expect(share(never) < 1e-3 and not never:step(), "the state before it, energy error %g", share(never))
 
 -- Impact by surfaces at eight times the step that it needs: what the script is told of belongs to steps that were kept.

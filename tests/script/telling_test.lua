@@ -47,6 +47,7 @@ local run = model:dynamic { dt = 1e-5, duration = 0.4 }
 run:finish()
 print "the script's own words"
 ]]
+local _ -- a result that is not looked at
 local status, printed, complaint = hinge_run(bouncing)
 equal(status, 0, "status; " .. complaint)
 local awake, asleep = 0, 0
@@ -108,7 +109,7 @@ model:load { node = tip, force = { 0, 0, -1000 } }
 local run = model:dynamic { dt = 1e-4, duration = 0.025, record = RECORD, beta = 0.3 }
 local most = 0
 while run:step() do
-  if run.energy.work > most then most = run.energy.work end
+  most = run.energy.work > most and run.energy.work or most
 end
 return { most = most, of_work = run.energy.remainder / run.energy.work, error = run.energy_error,
   of_most = run.energy.remainder / most }
@@ -160,6 +161,69 @@ expect(taken and (taken < 2.5 or said.progress), "nothing was said for %s s", ta
 expect(status == 1 and said.run_ended and said.run_ended[1].reason:find "a limit load, where .* gives way",
   "an overloaded frame: %s", printed)
 
+-- Likely mistakes are told before the run that they spoil, each once, in ten lines at most ----------------------------
+
+local slips = [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206, density = 7850, yield_stress = 245e6 }
+local bar = hinge.section.solid { width = 0.2, depth = 0.2 }
+local model = hinge.model()
+local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3000 }
+local c, d = model:node { 0, 0, 3000 }, model:node { 4000, 0, 3000 }
+model:fix(a, "all")
+model:member { a, b, section = bar, material = steel }
+model:member { c, d, section = bar, material = steel }
+model:gravity { 0, 0, -9.80665 }
+model:static {}
+]]
+local slip_lines = { "E is 206 Pa (the material of member 1) (scene.lua:2); in GPa? 206 GPa is 206e9",
+  "member 1 is 3000 m long, 51962 times its section's radius of gyration (and 1 more like it); nodes in mm? "
+    .. "positions are in m",
+  "nodes 2 and 3 are both at {0, 0, 3000} m, but not joined; use one node for both where their members meet" }
+status, printed, complaint = hinge_run(slips)
+expect(status == 2 and printed == "" and support.says(complaint, "warning: " .. table.concat(slip_lines, "\nwarning: ")
+  .. "\nhinge: scene.lua:11: model:static: ... can ... without resistance: ..."), "slips: %s", complaint)
+_, _, complaint = hinge_run(slips, "--quiet")
+expect(not complaint:find "warning", "slips, quiet: %s", complaint)
+_, printed = hinge_run(slips, "--json")
+said = events(printed)
+equal(said.warning and #said.warning, 3, "slips, --json")
+expect(said.warning and said.warning[1].text:find "^E is 206 Pa" and said.warning[1].line == "scene.lua:2"
+  and said.warning[1].advice == "in GPa? 206 GPa is 206e9", "slips, --json: the first")
+
+-- A hundred models with a slip each: ten lines; all of the first fifty in summary.json. The same slip again: one.
+local many = [[
+local hinge = require "hinge"
+for i = 1, 100 do
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+  model:fix(a, "all")
+  model:member { a, b, section = hinge.section.solid { width = 0.2, depth = 0.2 },
+    material = hinge.material { E = WHICH, density = 7850 } }
+  model:static { steps = 1 }:finish()
+end
+]]
+status, _, complaint = hinge_run((many:gsub("WHICH", "100 + i")))
+local count = select(2, complaint:gsub("warning: ", ""))
+expect(status == 0 and count == 10
+  and complaint:find "\nwarning: and more than these 9; hinge check tells all\n$", "many: %d lines: %s", count,
+  complaint)
+equal(#summary().warnings, 50, "many: summary.json")
+_, _, complaint = hinge_run((many:gsub("WHICH", "100")))
+equal(select(2, complaint:gsub("warning: ", "")), 1, "the same one")
+_, _, complaint = hinge_run((many:gsub("WHICH", "206e9")))
+equal(complaint, "", "none")
+
+-- A thousand times the load, with its size; a foot that spins, by its name.
+local post = many:gsub("100 do", "1 do"):gsub("WHICH", "206e9, yield_stress = 245e6")
+_, _, complaint = hinge_run((post:gsub("model:static", "model:load { node = b, force = { 1e8, 0, 0 } } model:static")))
+expect(complaint:find("^warning: the loads would strain member 1 by 109 %% in a linear solution of them; the largest "
+  .. "of them is 1e%+08 N, on node 2 %(scene.lua:8%); in mN%? "), "a load in mN: %s", complaint)
+status, _, complaint = hinge_run((post:gsub('"all"%)', '"xyz") model:fix(b, "xy")')))
+expect(status == 2 and complaint:find("model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 "
+  .. "more node can rotate about z through that node without resistance; fix what", 1, true), "a foot that spins: %s",
+  complaint)
+
 -- Words ---------------------------------------------------------------------------------------------------------------
 
 local beam = [[
@@ -175,7 +239,6 @@ local function hinge_on(verb, text)
   support.write(folder .. "/scene.lua", text)
   return run(("cd %s && %s %s scene.lua"):format(quote(folder), hinge, verb))
 end
-local _
 _, printed = hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = 4e-3 }")
 expect(printed:find("static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n", 1, true)
   and printed:find("Newmark's method, steps of 2 ms\n", 1, true), "plan: %s", printed)
