@@ -9,5 +9,5 @@
 . "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 
 install_missing
-build_targets hinge_program hinge_output
+build_targets hinge_program hinge_output hinge_module  # the module: what README.md says next is typed at once
 exec "$build/hinge" run "$root/scripts/ten_storey_impact.lua" "$@"

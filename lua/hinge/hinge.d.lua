@@ -929,7 +929,8 @@ function hinge.ground(options) end
 -- Scenarios ----------------------------------------------------------------------------------------------------------
 
 ---A script's parameters, cases and what it runs: a script returns one to the program. A script may also be plain
----statements; it then gets what was written as key=value in a table, `...`, and its return value is its results.
+---statements; it then gets what was written as key=value in a table, `...`, and its return value is its results. Under
+---plain Lua nobody runs a scenario that a script returns: that is an error, which says how to run it.
 ---@param options hinge.scenario_options
 ---@return hinge.scenario
 function hinge.scenario(options) end
@@ -944,6 +945,30 @@ function hinge.scenario(options) end
 ---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
 
 ---@class hinge.scenario
+
+-- Pictures, plots and frames without a job ----------------------------------------------------------------------------
+
+---What job:frame, job:picture, job:strip, job:plot and job:note do, for scripts of plain statements and for any Lua
+---5.4: into the output folder of the program's run, else into the folder where Lua was started.
+---@param run hinge.run
+function hinge.frame(run) end
+
+---@param run hinge.run see job:picture
+---@param view? hinge.view
+---@param filename string plain name ending in .png
+function hinge.picture(run, view, filename) end
+
+---@param snapshots { [1]: hinge.run|hinge.snapshot, [2]?: hinge.view }[] see job:strip
+---@param columns integer snapshots in a row
+---@param filename string plain name ending in .png
+function hinge.strip(snapshots, columns, filename) end
+
+---@param plot hinge.plot see job:plot
+---@param filename string plain name ending in .png
+function hinge.plot(plot, filename) end
+
+---@param text string printed, and kept in summary.json
+function hinge.note(text) end
 
 -- What accuracy costs -------------------------------------------------------------------------------------------------
 

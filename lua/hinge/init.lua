@@ -1,6 +1,7 @@
 -- The module: everything a script gets from `require "hinge"`. hinge.d.lua describes it for editors.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local free = require "hinge.job".free
 
 return check.strict({
   version = core.version,
@@ -9,6 +10,11 @@ return check.strict({
   section = require "hinge.section",
   resume = core.resume,
   ground = require "hinge.ground",
+  frame = free.frame,
+  picture = free.picture,
+  strip = free.strip,
+  plot = free.plot,
+  note = free.note,
   scenario = require "hinge.scenario".new,
   cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for
 }, "hinge")

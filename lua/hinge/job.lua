@@ -29,12 +29,17 @@ local plot_rules = {
   series = { "table" },
 }
 
+-- What a call is named in messages: job:picture, or hinge.picture where a script has no job.
+local function named(job, what) return (job.prefix or "job:") .. what end
+
 local function new(out, case)
   return setmetatable({ out = out, case = case, notes = {} }, Job)
 end
 
 local function must_be_run(where, run)
-  if run == nil then check.fail("%s: the run is missing; give what model:static or model:dynamic returned", where) end
+  local what = "; give what model:static or model:dynamic returned"
+  if run == nil then check.fail("%s: the run is missing%s", where, what) end
+  if type(run) ~= "userdata" then check.fail("%s: the run is %s%s", where, check.show(run), what) end
 end
 
 -- The output folder's file of that name, which must be a plain one.
@@ -59,36 +64,37 @@ end
 
 --- Adds the structure as it is now to frames.pvd, for ParaView.
 function Job:frame(run)
-  must_be_run("job:frame", run)
+  must_be_run(named(self, "frame"), run)
   if self.frames_failed then return end
   self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
 
 --- Draws the structure as it is now into a PNG picture in the output folder.
 function Job:picture(run, view, filename)
-  must_be_run("job:picture", run)
-  view = check.options("job:picture", view, view_rules)
-  try(self, filename, core.write_picture, run:snapshot(), view, picture_path("job:picture", self, filename))
+  must_be_run(named(self, "picture"), run)
+  view = check.options(named(self, "picture"), view, view_rules)
+  try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename))
 end
 
 --- Draws snapshots side by side into one PNG picture: { { run or snapshot, view }, ... }, `columns` in a row.
 function Job:strip(snapshots, columns, filename)
-  check.value("job:strip", "snapshots", snapshots, { "table" })
-  check.value("job:strip", "columns", columns, { "number", whole = true, above = 0 })
+  check.value(named(self, "strip"), "snapshots", snapshots, { "table" })
+  check.value(named(self, "strip"), "columns", columns, { "number", whole = true, above = 0 })
   local pictures, views = {}, {}
   for i, item in ipairs(snapshots) do
-    must_be_run("job:strip", item[1])
+    must_be_run(named(self, "strip"), item[1])
     pictures[i] = item[1].snapshot and item[1]:snapshot() or item[1]
-    views[i] = check.options("job:strip", item[2], view_rules)
+    views[i] = check.options(named(self, "strip"), item[2], view_rules)
   end
-  if #pictures == 0 then check.fail("job:strip: snapshots is empty; must be { { run:snapshot(), view }, ... }") end
-  try(self, filename, core.write_strip, pictures, views, columns, picture_path("job:strip", self, filename))
+  if #pictures == 0 then check.fail("%s: snapshots is empty; must be { { run:snapshot(), view }, ... }",
+    named(self, "strip")) end
+  try(self, filename, core.write_strip, pictures, views, columns, picture_path(named(self, "strip"), self, filename))
 end
 
 --- Draws curves into a PNG picture in the output folder.
 function Job:plot(plot, filename)
-  plot = check.options("job:plot", plot, plot_rules)
-  try(self, filename, core.write_plot, plot, picture_path("job:plot", self, filename))
+  plot = check.options(named(self, "plot"), plot, plot_rules)
+  try(self, filename, core.write_plot, plot, picture_path(named(self, "plot"), self, filename))
 end
 
 --- Says something worth keeping: printed now, and kept in summary.json.
@@ -100,11 +106,11 @@ end
 
 --- Says how a job of several runs went as a whole; without it, the last run's verdict stands.
 function Job:verdict(verdict, reason)
-  check.value("job:verdict", "verdict", verdict, { "string" })
+  check.value(named(self, "verdict"), "verdict", verdict, { "string" })
   if verdict ~= "completed" and verdict ~= "failed" then
-    check.fail("job:verdict: verdict is '%s'; must be 'completed' or 'failed'", verdict)
+    check.fail("%s: verdict is '%s'; must be 'completed' or 'failed'", named(self, "verdict"), verdict)
   end
-  if verdict == "failed" then check.value("job:verdict", "reason", reason, { "string" }) end
+  if verdict == "failed" then check.value(named(self, "verdict"), "reason", reason, { "string" }) end
   self.whole = { verdict = verdict, reason = verdict == "failed" and reason or nil }
 end
 
@@ -115,4 +121,27 @@ local function quiet(case)
   return job
 end
 
-return { new = new, quiet = quiet }
+local current -- where hinge.picture and the like put what they make
+
+--- From now on hinge.picture and the like belong to this job; returns the one before.
+local function use(job)
+  local before = current
+  current = job
+  return before
+end
+
+--- hinge.picture(run, view, filename) and the like, for scripts that get no job: plain statements, any Lua.
+local free = {}
+for _, name in ipairs { "frame", "picture", "strip", "plot", "note" } do
+  free[name] = function(...)
+    if not current then current = new(core.out_dir() == "." and "" or core.out_dir()) end
+    local job = current
+    local before = job.prefix
+    job.prefix = "hinge."
+    local results = table.pack(pcall(job[name], job, ...))
+    job.prefix = before
+    if not results[1] then error(results[2], 0) end
+  end
+end
+
+return { new = new, quiet = quiet, use = use, free = free }

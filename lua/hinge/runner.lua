@@ -70,8 +70,10 @@ local function plan_script(options)
   local say = print
   print = function() end
   local ok, failure = xpcall(function()
+    local this = job.new("", options.case)
+    job.use(this)
     local loaded = runner.load(options.script, runner.plain(options.overrides), options.sandbox)
-    if loaded then loaded.run(loaded:values(options.case, options.overrides), job.new("", options.case)) end
+    if loaded then loaded.run(loaded:values(options.case, options.overrides), this) end
   end, explain)
   print = say
   local described = core.runs_made()
@@ -91,6 +93,7 @@ end
 function runner.run(options)
   local plain = runner.plain(options.overrides)
   local this = job.new(options.out or core.out_dir(), options.case)
+  job.use(this)
 
   local parameters
   local loaded, results = runner.load(options.script, plain, options.sandbox)

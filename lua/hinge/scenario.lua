@@ -29,8 +29,19 @@ local function each_parameter(parameters)
   end
 end
 
+-- Whether `return hinge.scenario { ... }` is the end of a script that Lua's own interpreter runs: nothing would follow.
+local function ends_a_script()
+  local caller = debug.getinfo(3, "S")
+  return debug.getinfo(2, "t").istailcall and caller and caller.what == "C" and not debug.getinfo(4, "S")
+    and type(arg) == "table" and type(arg[0]) == "string"
+end
+
 --- hinge.scenario: see hinge.d.lua.
 function scenario.new(options)
+  if ends_a_script() then
+    check.fail("%s: this script returns a scenario, which plain Lua does not run; the program does: "
+      .. "hinge run %s [key=value ...] [--case NAME]", where, arg[0])
+  end
   local o = check.options(where, options, {
     parameters = { "table", default = {} }, cases = { "table", default = {} },
     accuracy = { "table", default = {} }, run = { "function" },

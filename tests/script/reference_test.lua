@@ -208,6 +208,8 @@ local calls = {
   ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
   ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
   ["job:picture"] = function(x) job:picture(s.run, x, "x.png") end,
+  ["hinge.picture"] = function(x) hinge.picture(s.run, x, "x.png") end,
+  ["hinge.plot"] = function(x) hinge.plot(with({ series = {} }, x), "x.png") end,
   ["job:strip"] = function(x) job:strip({ { s.run, x } }, 1, "x.png") end,
   ["job:plot"] = function(x) job:plot(with({ series = {} }, x), "x.png") end,
   ["ten_storey.add"] = function(x) building.add(hinge.model(), x) end,

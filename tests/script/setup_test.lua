@@ -97,7 +97,7 @@ local builds = ("%s; printf %%s %s >%s/build/hinge; chmod +x %s/build/hinge")
   :format(configures, quote(program), quote(root), quote(root))
 status, _, complaint, calls = machine { packages = all, command = "demo", arguments = "--case II", cmake = builds }
 equal(status, 3, "the program's status: " .. complaint)
-expect(calls:find "cmake %-%-build [^\n]* %-%-target hinge_program hinge_output\n"
+expect(calls:find "cmake %-%-build [^\n]* %-%-target hinge_program hinge_output hinge_module\n"
   and calls:find "hinge run [^\n]*/ten_storey_impact%.lua %-%-case II\n", "calls: %s", calls)
 os.remove(log)
 support.run(("PATH=%s %s"):format(bin, quote(root .. "/scripts/demo.sh")))

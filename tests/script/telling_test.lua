@@ -281,4 +281,41 @@ equal(status, 0, "frames")
 _, printed = run(("cd %s && %s render out/scene"):format(quote(folder), hinge))
 expect(printed == "3 pictures in out/scene\n", "render: %s", printed)
 
+-- Pictures, plots, frames and notes of a script that gets no job, in the program and in plain Lua ---------------------
+
+local drawing = beam .. [[
+local run = model:static { steps = 2 }
+for _ in run:steps() do hinge.frame(run) end
+hinge.picture(run, { title = "beam", width = 200, height = 150 }, "beam.png")
+hinge.strip({ { run }, { run:snapshot() } }, 2, "strip.png")
+hinge.plot({ series = { { x = { 0, 1 }, y = { 0, 1 } } } }, "curve.png")
+hinge.note "looked at"
+]]
+local drawn = { "beam.png", "strip.png", "curve.png", "frames.pvd", "frames/frame_00002.vtp" }
+status, printed, complaint = hinge_run(drawing)
+equal(status, 0, "without a job: " .. complaint)
+for _, name in ipairs(drawn) do
+  expect(support.is_there(folder .. "/out/scene/" .. name), "without a job, in the program: no %s", name)
+end
+expect((summary().notes or {})[1] == "looked at" and printed:find "note: looked at\n", "without a job: the note")
+status, _, complaint = run(("mkdir %s/plain && cd %s/plain && LUA_CPATH=%s/?.so lua5.4 ../scene.lua"):format(folder,
+  folder, quote(arg[1])))
+equal(status, 0, "without a job, plain Lua: " .. complaint)
+for _, name in ipairs(drawn) do
+  expect(support.is_there(folder .. "/plain/" .. name), "without a job, plain Lua: no %s", name)
+end
+status, _, complaint = hinge_run(beam .. "hinge.picture(5, {}, 'a.png')")
+expect(status == 2 and complaint:find("hinge.picture: the run is 5; give what model:static or model:dynamic returned",
+  1, true), "no run: %s", complaint)
+expect(hinge_on("plan", drawing) == 0 and hinge_on("check", drawing) == 0, "plan and check of it")
+
+-- A scenario under plain Lua says how to run it.
+support.write(folder .. "/returned.lua", "return require 'hinge'.scenario { run = function() end }\n")
+status, _, complaint = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 returned.lua"):format(folder, quote(arg[1])))
+expect(status == 1 and complaint:find("hinge run returned.lua [key=value ...]", 1, true),
+  "a scenario, plain Lua: %s %s", status, complaint)
+support.write(folder .. "/used.lua", "local s = dofile 'returned.lua'\nprint(require 'hinge.scenario'.is(s))\n")
+status, printed = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 used.lua"):format(folder, quote(arg[1])))
+expect(status == 0 and printed == "true\n", "a scenario that another script loads: %s %s", status, printed)
+
 checks.done()

@@ -86,7 +86,10 @@ function measure.once(scenario, parameters, case, deadline, without)
   print = function() end
   core.leave_out(without)
   local start = core.clock()
-  local ok, returned = pcall(scenario.run, parameters, jobs.quiet(case))
+  local quiet = jobs.quiet(case)
+  local before = jobs.use(quiet)
+  local ok, returned = pcall(scenario.run, parameters, quiet)
+  jobs.use(before)
   local all = core.clock() - start
   core.on_run(nil)
   core.leave_out(nil)
