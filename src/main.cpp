@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "prompt.h"
+#include "script/folders.h"
 #include "script/module.h"
 #include "script/objects.h"
 #include "script/sandbox.h"
@@ -17,8 +18,8 @@ using hinge::script::Context;
 
 struct Request {
     std::string verb = "run", script, case_name, out, code, within, budget, quantity;
-    std::vector<std::string> overrides;
-    bool sandbox = false, effects = false, resume = false, quiet = false, json = false;
+    std::vector<std::string> overrides, folders;
+    bool sandbox = false, effects = false, resume = false, quiet = false, json = false, out_given = false;
     hinge::script::Limits limits;
 };
 
@@ -59,6 +60,7 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("verb", request.verb);
     set("case", request.case_name);
     set("out", request.out);
+    if (request.out_given) set("out_given", "yes");
     if (request.sandbox) set("sandbox", std::to_string(std::llround(request.limits.memory / (1 << 20))) + "M");
     set("code", request.code);
     set("within", request.within);
@@ -104,7 +106,7 @@ std::FILE* events_alone_on_stdout() {
     return fdopen(own, "w");
 }
 
-int with_lua(const Request& request, const char* module, const char* function, bool progress) {
+int with_lua(Request& request, const char* module, const char* function, bool progress) {
     std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
     lua_State* L = state.get();
     if (!L) return std::cerr << "hinge: not enough memory to start Lua\n", 1;
@@ -121,6 +123,7 @@ int with_lua(const Request& request, const char* module, const char* function, b
     if (request.verb == "run") end_on_signals(*context);
     if (request.sandbox) hinge::script::confine(L, request.limits);
     const int status = call_library(L, module, function, request);
+    if (request.verb == "run") request.out = context->out_dir;  // its name may tell the parameters
     if (request.verb == "run")
         for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
     return status;
@@ -138,13 +141,14 @@ int run(Request request, bool named) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
         return std::cerr << "hinge: there is no verb and no script '" << request.script << "'"
-                         << hinge::script::did_you_mean(
-                                request.script, {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"})
+                         << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "cost", "render",
+                                                                         "history", "reference", "do", "prompt"})
                          << "; hinge --help lists the verbs\n",
                2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
-    if (request.out.empty())
+    request.out_given = !request.out.empty();
+    if (!request.out_given)
         request.out = (fs::path("out") / fs::path(request.script).stem()).string() +
                       (request.case_name.empty() ? "" : "-" + request.case_name) +
                       (request.verb != "cost" ? ""
@@ -160,7 +164,8 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run", "plan", "check", "cost", "render", "reference", "do", "prompt"};
+    const std::vector<std::string> verbs = {"run",     "plan",      "check", "cost",  "render",
+                                            "history", "reference", "do",    "prompt"};
     std::vector<std::string> words(argv + 1, argv + argc);
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named =
@@ -176,8 +181,11 @@ int main(int argc, char** argv) {
     run_verb->add_option("script", request.script, "Lua script")->required();
     run_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     run_verb->add_option("--case", request.case_name, "One of the scenario's cases");
-    run_verb->add_option("--out", request.out,
-                         "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE])");
+    run_verb->add_option(
+        "--out", request.out,
+        "Folder for summary.json, history.csv, frames and pictures (default out/SCRIPT[-CASE] with what differs "
+        "from the script's defaults, such as out/frame-II-speed=100; -2, -3 ... where that holds a run of "
+        "another script of that name)");
     run_verb->add_flag("--resume", request.resume, "Resume each run that names a checkpoint, where its file exists");
     auto* quiet = run_verb->add_flag("-q,--quiet", request.quiet,
                                      "Print what the script prints and why a run failed: no progress, changes of "
@@ -230,6 +238,10 @@ int main(int argc, char** argv) {
         "--effects effects.csv and summary.json, out/SCRIPT[-CASE]-effects)");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    auto* history_verb = app.add_subcommand(
+        "history", "Print whose each output folder is: script, parameters, verdict, version of hinge, time");
+    history_verb->add_option("folders", request.folders, "Output folders, or folders that hold them (default out)");
+    history_verb->footer("Exit status: 0; 2 where no run was written.");
     auto* reference_verb = app.add_subcommand(
         "reference", "Print the reference of all that a script can call, as Markdown; or only the entries on one name");
     reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
@@ -251,6 +263,11 @@ int main(int argc, char** argv) {
     if (*render_verb) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
+    }
+    if (*history_verb) {
+        if (request.folders.empty()) request.folders = {"out"};
+        if (hinge::script::print_history(request.folders)) return 0;
+        return std::cerr << "hinge: no run was written to " << request.folders[0] << "\n", 2;
     }
     if (*reference_verb) return with_lua(request, "hinge.reference", "main", false);
     if (*do_verb || *prompt_verb) {

@@ -89,16 +89,42 @@ local function plan_script(options)
   return done
 end
 
+-- A value as a part of a folder's name.
+local function name_part(value)
+  if type(value) == "table" then
+    local items = {}
+    for i, item in ipairs(value) do items[i] = name_part(item) end
+    return table.concat(items, ",")
+  end
+  local text = math.type(value) == "float" and ("%.6g"):format(value) or tostring(value)
+  return (text:gsub("[^%w._+-]", "_"))
+end
+
+-- The script's output folder: options.out, with the parameters that differ from their defaults in its name unless the
+-- user gave it. `changed`: those.
+local function own_output(options, parameters, changed)
+  if not options.out then return core.out_dir() end
+  local names = check.keys(changed)
+  local folder = options.out
+  for _, name in ipairs(options.out_given and {} or names) do
+    folder = ("%s-%s=%s"):format(folder, name_part(name), name_part(changed[name]))
+  end
+  local owner = { script = core.whole_path(options.script), case = options.case, parameters = parameters,
+    changed = changed }
+  return core.own_output(folder:sub(1, 160), owner, options.out_given ~= nil)
+end
+
 --- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.
 function runner.run(options)
   local plain = runner.plain(options.overrides)
-  local this = job.new(options.out or core.out_dir(), options.case)
+  local this = job.new(own_output(options, plain, plain), options.case)
   job.use(this)
 
   local parameters
   local loaded, results = runner.load(options.script, plain, options.sandbox)
   if loaded then
     parameters = loaded:values(options.case, options.overrides)
+    this.out = own_output(options, parameters, loaded:changed(options.case, parameters))
     results = loaded.run(parameters, this)
   else
     if options.case then

@@ -96,4 +96,20 @@ function Scenario:values(case, overrides)
   return check.strict(result, "parameters")
 end
 
+-- Whether two parameters are the same, lists item by item.
+local function same(a, b)
+  if type(a) ~= "table" or type(b) ~= "table" then return a == b end
+  for i = 1, math.max(#a, #b) do if not same(a[i], b[i]) then return false end end
+  return true
+end
+
+--- Of these values those that differ from the case's, or from the defaults.
+function Scenario:changed(case, parameters)
+  local changed = {}
+  for name, value in pairs(self:values(case)) do
+    if not same(value, parameters[name]) then changed[name] = parameters[name] end
+  end
+  return changed
+end
+
 return scenario

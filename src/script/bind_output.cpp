@@ -7,6 +7,7 @@
 #include "output/plot.h"
 #include "script/element_count.h"
 #include "script/events.h"
+#include "script/folders.h"
 #include "script/plan.h"
 #include "script/snapshot.h"
 
@@ -361,6 +362,7 @@ int write_summary(lua_State* L) {
     if (!reason.empty()) j["reason"] = reason;
     for (const char* name : {"script", "case", "parameters"})
         if (Json v = field(name); !v.is_null()) j[name] = v;
+    j["hinge"] = HINGE_VERSION;
     if (const auto& r = c->record) {
         const Run& run = *r->run;
         const Structure& s = run.structure();
@@ -421,7 +423,7 @@ int write_summary(lua_State* L) {
     if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
     if (!c->warned.empty()) j["warnings"] = c->warned;
     if (!c->out_dir.empty()) {
-        make_folder(c->out_dir);
+        take_folder(*c);
         write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
     write_event(*c, "summary", {{"folder", c->out_dir}, {"summary", j}});
@@ -461,6 +463,25 @@ int append_text(lua_State* L) {
     return 0;
 }
 
+/// core.own_output(folder, owner, given): what this program's run writes goes there, or beside it where the folder is
+/// not given by the user and holds a run of something else; `owner`: script, case, parameters, for run.json. Returns
+/// the folder.
+int own_output(lua_State* L) {
+    const char* folder = luaL_checkstring(L, 1);  // this raises: nothing may be pending yet
+    const auto c = context(L);
+    c->owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
+    c->out_dir = lua_toboolean(L, 3) ? folder : free_folder(folder, c->owner);
+    return lua_pushstring(L, c->out_dir.c_str()), 1;
+}
+
+/// core.whole_path(path): from the root, without links.
+int whole_path(lua_State* L) {
+    const char* path = luaL_checkstring(L, 1);
+    std::error_code none;
+    const auto whole = std::filesystem::weakly_canonical(path, none);
+    return lua_pushstring(L, none ? path : whole.c_str()), 1;
+}
+
 int out_dir(lua_State* L) {
     const std::string& dir = context(L)->out_dir;
     lua_pushstring(L, dir.empty() ? "." : dir.c_str());
@@ -486,6 +507,8 @@ void open_output(lua_State* L, int module) {
                                          {"event", guarded<event>},
                                          {"write_summary", guarded<write_summary>},
                                          {"out_dir", guarded<out_dir>},
+                                         {"own_output", guarded<own_output>},
+                                         {"whole_path", guarded<whole_path>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);

@@ -20,8 +20,10 @@ namespace hinge::script {
 
 /// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
 struct Context {
-    lua_State* running = nullptr;                ///< the thread that entered the engine last; hooks are called on it
-    std::string out_dir;                         ///< empty: nothing is written unless a path is given
+    lua_State* running = nullptr;  ///< the thread that entered the engine last; hooks are called on it
+    std::string out_dir;           ///< empty: nothing is written unless a path is given
+    std::string owner;             ///< run.json of that folder; "": none is written
+    bool owner_written = false;
     std::string library;                         ///< folder of the Lua library
     std::string picture_module;                  ///< path of the output module
     bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state, warnings

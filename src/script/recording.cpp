@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "script/checkpoint.h"
 #include "script/events.h"
+#include "script/folders.h"
 
 namespace hinge::script {
 
@@ -46,7 +47,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     r.number = ++c->begun;
     r.start = r.last_progress = r.last_write = Clock::now();
     if (!c->out_dir.empty() && r.every > 0) {
-        make_folder(c->out_dir);
+        take_folder(*c);
         // the last run's history is history.csv; those before it keep theirs by number
         r.history_path = c->out_dir + "/history.csv";
         if (c->writer) {

@@ -17,7 +17,7 @@ local function script(name, text) support.write(path(name), text) return quote(p
 for arguments, wanted in pairs {
   ["--help"] = { "Usage: hinge ", "run ", "check ", "render ", "reference ", "'hinge -e CODE'", "'hinge -i'",
     "--version" },
-  ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value",
+  ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "--quiet", "--json",
     "Exit status: 0 done; 1 the run failed; 2 " },
   ["plan --help"] = { "script", "--case", "runs nothing" },
   ["check --help"] = { "script", "--case", "natural periods", "Exit status: 0 done, also with warnings; 2 " },
@@ -26,6 +26,7 @@ for arguments, wanted in pairs {
   ["-i --help"] = { "Usage: hinge prompt ", "script", "--case", "--out" },
   ["reference --help"] = { "name" },
   ["render --help"] = { "folder" },
+  ["history --help"] = { "folders", "whose", "Exit status: 0; 2 " },
   ["--version"] = { "0." },
 } do
   local status, printed = run(hinge .. " " .. arguments)
@@ -148,6 +149,61 @@ equal(summary "out/two_nodes".verdict, "completed", "verdict, in out/SCRIPT")
 local cases = script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }")
 equal(run(elsewhere .. cases .. " --case II"), 0, "a case")
 equal(summary "out/cases-II".case, "II", "case, in out/SCRIPT-CASE")
+
+-- A run with other parameters goes to a folder of its own, with them in its name; the same run to the same folder.
+local study_of = [[
+return require "hinge".scenario { parameters = { speed = 100, dt = 1e-4, name = "a", list = { 1, 2 }, on = true },
+  cases = { II = { speed = 200 } }, run = function(p, job) return { speed = p.speed, out = job.out } end }
+]]
+local parametric = script("parametric.lua", study_of)
+for arguments, wanted in pairs {
+  [""] = "parametric", ["speed=100 on=true list={1,2}"] = "parametric", ["speed=150"] = "parametric-speed=150",
+  ["dt=2e-5 speed=400/3.6"] = "parametric-dt=2e-05-speed=111.111", ["--case II"] = "parametric-II",
+  ["--case II speed=100"] = "parametric-II-speed=100", ["speed=200 --case II"] = "parametric-II",
+  ["name=x/y list={3,4} on=false"] = "parametric-list=3,4-name=x_y-on=false",
+} do
+  for _ = 1, 2 do
+    status, printed, complaint = run(elsewhere .. parametric .. " " .. arguments)
+    equal(printed, "written to out/" .. wanted .. "\n", "folder of: " .. arguments .. complaint)
+    equal(summary("out/" .. wanted).results.out, "out/" .. wanted, "job.out of: " .. arguments)
+  end
+end
+_, printed = run(elsewhere .. parametric .. " speed=111.1111")
+equal(printed, "written to out/parametric-speed=111.111\n", "close to another")
+_, printed = run(elsewhere .. parametric .. " speed=111.11111")
+equal(printed, "written to out/parametric-speed=111.111-2\n", "a name that is taken")
+_, printed = run(elsewhere .. plain .. " answer=6*7")
+equal(printed, "written to out/plain-answer=42\n", "plain statements")
+support.run("mkdir " .. quote(path "beside"))
+local namesake = script("beside/parametric.lua", study_of)
+for _ = 1, 2 do
+  _, printed = run(elsewhere .. namesake)
+  equal(printed, "written to out/parametric-2\n", "another script of that name")
+end
+for speed, said in pairs { [150] = "", [160] = "given held the run of parametric.lua, speed = 150, which is replaced\n" } do
+  if speed == 160 then run(elsewhere .. parametric .. " speed=150 --out given") end
+  _, printed, complaint = run(elsewhere .. parametric .. " --out given speed=" .. speed)
+  expect(printed == "written to given\n" and complaint == said, "--out given: %s%s", printed, complaint)
+  run("rm -r " .. quote(path "given"))
+end
+
+-- hinge history says whose they are.
+local function history(arguments) return run(("cd %s && %s history %s"):format(quote(folder), hinge, arguments)) end
+status, printed = history ""
+equal(status, 0, "history: status")
+for _, part in ipairs { "out/parametric\n  parametric.lua, default parameters\n  completed; hinge 0.",
+  "out/parametric-2\n  beside/parametric.lua, default parameters\n",
+  "out/parametric-II-speed=100\n  parametric.lua, case II, speed = 100\n",
+  "out/plain-answer=42\n  plain.lua, answer = 42\n", "out/two_nodes\n" } do
+  expect(printed:find(part, 1, true), "history: no '%s' in\n%s", part, printed)
+end
+status, printed = history "out/parametric-speed=150"
+local told = "out/parametric-speed=150\n  parametric.lua, speed = 150\n  script " .. path "parametric.lua"
+  .. "\n  parameters dt = 0.0001, list = { 1, 2 }, name = a, on = true, speed = 150\n  completed; hinge "
+expect(status == 0 and printed:sub(1, #told) == told and printed:sub(#told + 1):find "^[%d.]+; 20%d%d%-%d%d%-%d%d %d%d:%d%d\n$",
+  "history of one: %s", printed)
+status, _, complaint = history "nowhere"
+expect(status == 2 and complaint == "hinge: no run was written to nowhere\n", "history of nothing: %s", complaint)
 
 local overloaded = script("overloaded.lua", beam .. "cantilever(-1e6):static {}:finish()")
 status, _, complaint = run(hinge .. " run " .. overloaded .. " --out " .. quote(path "failed"))
