@@ -164,6 +164,7 @@ for arguments, wanted in pairs {
 } do
   for _ = 1, 2 do
     status, printed, complaint = run(elsewhere .. parametric .. " " .. arguments)
+    equal(status, 0, "status of: " .. arguments)
     equal(printed, "written to out/" .. wanted .. "\n", "folder of: " .. arguments .. complaint)
     equal(summary("out/" .. wanted).results.out, "out/" .. wanted, "job.out of: " .. arguments)
   end
@@ -180,7 +181,8 @@ for _ = 1, 2 do
   _, printed = run(elsewhere .. namesake)
   equal(printed, "written to out/parametric-2\n", "another script of that name")
 end
-for speed, said in pairs { [150] = "", [160] = "given held the run of parametric.lua, speed = 150, which is replaced\n" } do
+for speed, said in pairs { [150] = "",
+  [160] = "given held the run of parametric.lua, speed = 150, which is replaced\n" } do
   if speed == 160 then run(elsewhere .. parametric .. " speed=150 --out given") end
   _, printed, complaint = run(elsewhere .. parametric .. " --out given speed=" .. speed)
   expect(printed == "written to given\n" and complaint == said, "--out given: %s%s", printed, complaint)
@@ -200,8 +202,8 @@ end
 status, printed = history "out/parametric-speed=150"
 local told = "out/parametric-speed=150\n  parametric.lua, speed = 150\n  script " .. path "parametric.lua"
   .. "\n  parameters dt = 0.0001, list = { 1, 2 }, name = a, on = true, speed = 150\n  completed; hinge "
-expect(status == 0 and printed:sub(1, #told) == told and printed:sub(#told + 1):find "^[%d.]+; 20%d%d%-%d%d%-%d%d %d%d:%d%d\n$",
-  "history of one: %s", printed)
+expect(status == 0 and printed:sub(1, #told) == told
+  and printed:sub(#told + 1):find "^[%d.]+; 20%d%d%-%d%d%-%d%d %d%d:%d%d\n$", "history of one: %s", printed)
 status, _, complaint = history "nowhere"
 expect(status == 2 and complaint == "hinge: no run was written to nowhere\n", "history of nothing: %s", complaint)
 
