@@ -208,7 +208,7 @@ local count = select(2, complaint:gsub("warning: ", ""))
 expect(status == 0 and count == 10
   and complaint:find "\nwarning: and more than these 9; hinge check tells all\n$", "many: %d lines: %s", count,
   complaint)
-equal(#summary().warnings, 50, "many: summary.json")
+equal(#(summary().warnings or {}), 50, "many: summary.json")
 _, _, complaint = hinge_run((many:gsub("WHICH", "100")))
 equal(select(2, complaint:gsub("warning: ", "")), 1, "the same one")
 _, _, complaint = hinge_run((many:gsub("WHICH", "206e9")))
