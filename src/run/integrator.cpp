@@ -1,7 +1,6 @@
 #include "run/integrator.h"
 
 #include "core/text.h"
-
 #include "state/rotate.h"
 
 namespace hinge {
