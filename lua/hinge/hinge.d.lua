@@ -59,13 +59,13 @@ function hinge.model(options) end
 ---@field plasticity? boolean default true; false lets nothing yield whatever the materials say
 ---default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their
 ---ends. The first run decides, once for all runs of the model, from what is declared by then: one linear solution in
----statics, with loads (those with a history as statics takes them) and gravity in full. Compression counts by what it
----takes from the bending stiffness. With p_delta = "member", the default, two elements have that exactly, and members
----from Euler's load on get four. Four go to a member where moments between its ends reach the fully plastic one, and to
----one with loads of its own that yields anywhere. Impacts, motions of supports, `hold` of a static run and loads that
----are functions of the run are not in it, and bodies that model:fix does not hold keep two. The solution is a direct
----one: 0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge plan and summary.json say how many members got
----how many, and why. asi-gauss only
+---statics, with all loads and gravity in full (every load case with factor 1; those with a history as at time 0, or in
+---full where that is 0). Compression counts by what it takes from the bending stiffness. With p_delta = "member", the
+---default, two elements have that exactly, and members from Euler's load on get four. Four go to a member where moments
+---between its ends reach the fully plastic one, and to one with loads of its own that yields anywhere. Impacts, motions
+---of supports, `hold` of a static run and loads that are functions of the run are not in it, and bodies that model:fix
+---does not hold keep two. The solution is a direct one: 0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge
+---plan and summary.json say how many members got how many, and why. asi-gauss only
 ---@field elements_per_member? integer|"auto"
 ---of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
 ---compression, and near Euler's load the load at which it buckles; default 0.01
@@ -253,11 +253,26 @@ function group:nodes() end
 ---@field node hinge.node
 ---@field force vec3 N
 ---@field moment vec3 N m
+---@field case? string name of its load case; nil: it belongs to none
 local load = {}
 
----Takes it off the model. Runs made before keep it; any later use of the handle is an error
----that says where it was removed.
+---Takes it off the model. Runs that are over keep it, and one under way may not step on (run:step); any later use of
+---the handle is an error that says where it was removed.
 function load:remove() end
+
+---A load case, made by model:case.
+---@class hinge.case
+---@field name string
+local case = {}
+
+---As model:load; the load belongs to this case.
+---@param options hinge.load_options
+---@return hinge.load? load
+function case:load(options) end
+
+---As model:gravity; gravity belongs to this case.
+---@param acceleration vec3 m/s^2
+function case:gravity(acceleration) end
 
 ---@class hinge.model
 local model = {}
@@ -273,6 +288,9 @@ function model:groups() end
 
 ---@return hinge.load[] loads those that were not removed
 function model:loads() end
+
+---@return hinge.case[]
+function model:cases() end
 
 ---Frees the model and its runs at once, whatever handles there are; any later use of one is an error
 ---that says where the model was closed. Models that nobody refers to are freed without it. An error
@@ -317,8 +335,10 @@ function model:member(options) end
 ---under a uniform load their end moments are 37 % too small with two elements and 9 % with four, so give such members
 ---more elements. With large displacement, forces in space keep their direction, those in local axes rotate with each
 ---element, and the fixed-end moments are those in the member's present axes, by its elastic stiffness. An element
----that breaks loses its part of the load. In statics a history has its value at time 0, or 1 if that is 0. Such a
----load gives no handle; it can be left out, but not removed.
+---that breaks loses its part of the load. Such a load gives no handle; it can be left out, but not removed.
+---
+---A static run takes no load with a history, on nodes or on members, for it has no time; where `loads` of the run names
+---its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one.
 ---@param options hinge.load_options
 ---@return hinge.load? load of a load on a node
 function model:load(options) end
@@ -335,8 +355,27 @@ function model:load(options) end
 ---of a member: "global" (default) in space, per length of the member; "projected" in space, per length of its
 ---projection on the plane across the load at the start, as snow (`q` alone); "local" in its x, y, z axes
 ---@field axes? "global"|"projected"|"local"
----factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1
+---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1. Two points at one
+---time are a jump: the first holds up to there, the second from there on. At a jump where
+---a step ends, that step ends with the value before and the next begins with the one after. Where points jump, or rise
+---and fall within a step, a step with a jump or a kink in it acts with their mean over it: so no impulse is lost. Of a
+---function only the values at the ends of steps are known
 ---@field history? fun(time: number): number|number[][]
+---@field case? hinge.case|string the load case that it belongs to, see model:case; default: none, it acts in every run
+
+---Declares a load case: loads belong to it that are declared with case = it, or by case:load and case:gravity. A run
+---says in `loads` which cases it takes and with which factors. Loads, and gravity, that belong to no case act in every
+---run.
+---Called again with the same name it returns the same case.
+---@param name string
+---@return hinge.case
+function model:case(name) end
+
+---A sum of load cases by name, for `loads` of runs: model:combination("uls", { dead = 1.35, live = 1.5 }). Combinations
+---that were declared before may be in it.
+---@param name string that no case and no other combination has
+---@param factors table<string, number>
+function model:combination(name, factors) end
 
 ---Attaches a point mass to a node: it has inertia, has weight where the model has gravity, and rotates with the node.
 ---Several on one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum,
@@ -369,11 +408,15 @@ function model:move(options) end
 ---@field y? fun(time: number): number|number[][] likewise
 ---@field z? fun(time: number): number|number[][] likewise
 
----Gravity on every member's mass and on point masses.
+---Gravity on every member's mass and on point masses. Called again, the last call counts, for runs made after it.
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
-function model:gravity(acceleration) end
+---@param load_case? hinge.case|string the load case that it belongs to; default: none
+function model:gravity(acceleration, load_case) end
 
----Initial velocity of a node, a member or a group as a rigid body.
+---Initial velocity of a node, a member or a group as a rigid body; of a node the last call counts. Statics keeps
+---velocities as they are. A run that goes on from another (`from`) has that one's velocities, but for targets that got
+---one since that run was made: these begin with it, as a rigid body where they are then. So a velocity may be given
+---before or after statics. What supports hold stays at rest; it is an error if that is all.
 ---@param target hinge.node|hinge.member|hinge.group_like
 ---@param linear vec3 m/s, of the mean of the target's joints
 ---@param angular? vec3 rad/s about that point
@@ -629,7 +672,13 @@ function model:static(options) end
 ---Default false
 ---@field to_limit? boolean
 ---@field hold? hinge.group_like a group held in place during this run
----@field from? hinge.run goes on from another run's state
+---goes on from another run's state; one that is under way must be finished or stopped first. In a model with load
+---cases, what acted where that run ended is held, and this one's factor from 0 to 1 brings on the difference to `loads`
+---(so a push-over under dead load is two runs). In one without, all loads come on anew from 0
+---@field from? hinge.run
+---the load cases that act, as { dead = 1.35, live = 1.5 }, or the name of a combination or a case; needed where the
+---model has cases. A case that is not named has the factor that it had in `from`, else 0
+---@field loads? table<string|hinge.case, number>|string|hinge.case
 ---@field iterations? integer at most so many a step before it is halved, default 30
 ---@field tolerance? number force out of balance, of the forces at work; default 1e-9
 ---@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
@@ -662,7 +711,12 @@ function model:dynamic(options) end
 ---@field dt number|"auto"
 ---@field duration number s
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
----@field from? hinge.run starts from another run's state, such as gravity at rest
+---starts from another run's state, such as gravity at rest. A static run must be finished or stopped first, and any
+---must have done a step
+---@field from? hinge.run
+---the load cases that act, as in static_options. Without it, those of `from` go on with the factors that they had come
+---to; a case declared since must be named
+---@field loads? table<string|hinge.case, number>|string|hinge.case
 ---default 0.02; 0.1 with explicit steps, and where forces begin or end at once (contact, ground, fracture, connectors
 ---that break, loads that are functions of the state); 0 with shift = "whole", whose energy balance cannot close. The
 ---run ends by itself, with verdict
@@ -740,6 +794,7 @@ function model:dynamic(options) end
 ---@field hash string of the whole state, to the bit
 ---@field counts hinge.work_counts
 ---@field probes hinge.probe[] those asked for so far
+---@field loads table<string, number> the load cases of the model by name, with their factors in this run
 ---effects that became active or inactive while the run went on; the first thousand
 ---@field wakings { time: number, effect: string, awake: boolean, why: string }[]
 local run = {}
@@ -802,7 +857,8 @@ local run = {}
 ---@return fun(): { index: integer, time: number, factor: number }?
 function run:steps() end
 
----One step.
+---One step. The run knows what was declared when it was made: if its model has been changed since, it is an error, as
+---it is in run:steps and run:finish.
 ---@return boolean done false when there is none left
 function run:step() end
 
@@ -929,8 +985,10 @@ function hinge.ground(options) end
 -- Scenarios ----------------------------------------------------------------------------------------------------------
 
 ---A script's parameters, cases and what it runs: a script returns one to the program. A script may also be plain
----statements; it then gets what was written as key=value in a table, `...`, and its return value is its results. Under
----plain Lua nobody runs a scenario that a script returns: that is an error, which says how to run it.
+---statements; it then gets what was written as key=value in a table, `...`, and its return value is its results. A
+---setting that such a script does not read is an error: before it runs, where its text tells (local p = ..., then
+---p.speed), else at its end. Under plain Lua nobody runs a scenario that a script returns: that is an error, which says
+---how to run it.
 ---@param options hinge.scenario_options
 ---@return hinge.scenario
 function hinge.scenario(options) end

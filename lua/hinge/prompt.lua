@@ -1,5 +1,6 @@
 -- The prompt, and a line of code from the command line. Only there is `hinge` a global.
 local core = require "hinge.core"
+local parameters_of = require "hinge.parameters".of
 local readable = require "hinge.readable"
 local runner = require "hinge.runner"
 
@@ -28,7 +29,8 @@ function prompt.line(options)
     _G.hinge = require "hinge"
     local chunk, problem = compile(options.code or "", "=(command line)")
     if not chunk then core.input_error(problem) end
-    evaluate(chunk, runner.plain(options.overrides))
+    local _, plain = parameters_of(options.overrides, "the line", options.code)
+    evaluate(chunk, plain)
     return runner.status(core.write_summary {})
   end)
 end

@@ -2,8 +2,8 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local job = require "hinge.job"
+local parameters = require "hinge.parameters"
 local scenario = require "hinge.scenario"
-local values = require "hinge.values"
 
 local runner = {}
 local done, run_failed, wrong_input = 0, 1, 2
@@ -38,28 +38,26 @@ local function explain(failure)
   return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") }
 end
 
---- Settings as a table, for code that does not say which parameters it has. overrides: a list of { name, text }.
-function runner.plain(overrides)
-  local plain = {}
-  for _, override in ipairs(overrides or {}) do plain[override[1]] = values.guess(override[2]) end
-  return plain
-end
-
 --- The exit status that a verdict means; why a run failed goes to stderr.
 function runner.status(verdict, reason)
   if verdict == "failed" then io.stderr:write("hinge: the run failed: " .. tostring(reason) .. "\n") end
   return verdict == "failed" and run_failed or done
 end
 
---- Loads a script. Returns its scenario; or, when it is made of plain statements, nil and what they returned: only
--- running a script tells which of the two it is. `plain` is the table that plain statements get as `...`; `sandbox`,
--- whether the script is not trusted.
-function runner.load(path, plain, sandbox)
+--- Loads a script. Returns its scenario; or, when it is made of plain statements, nil, what they returned, the
+-- settings and a function that raises an error if one of these was not read: only running a script tells which of the
+-- two it is. `overrides`: the settings, which plain statements get in a table, `...`; `sandbox`, whether the script is
+-- not trusted.
+function runner.load(path, overrides, sandbox)
+  local file = io.open(path, "rb")
+  local code = file and file:read "a" or ""
+  if file then file:close() end
   local chunk, problem = loadfile(path, "t", sandbox and require "hinge.sandbox".environment() or _G)
   if not chunk then check.fail("%s", problem) end
-  local result = chunk(plain)
+  local watched, plain, must_be_read = parameters.of(overrides, path, code)
+  local result = chunk(watched)
   if scenario.is(result) then return result end
-  return nil, result
+  return nil, result, plain, must_be_read
 end
 
 -- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not
@@ -72,8 +70,9 @@ local function plan_script(options)
   local ok, failure = xpcall(function()
     local this = job.new("", options.case)
     job.use(this)
-    local loaded = runner.load(options.script, runner.plain(options.overrides), options.sandbox)
-    if loaded then loaded.run(loaded:values(options.case, options.overrides), this) end
+    local loaded, _, _, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
+    if not loaded then return must_be_read() end
+    loaded.run(loaded:values(options.case, options.overrides), this)
   end, explain)
   print = say
   local described = core.runs_made()
@@ -102,40 +101,42 @@ end
 
 -- The script's output folder: options.out, with the parameters that differ from their defaults in its name unless the
 -- user gave it. `changed`: those.
-local function own_output(options, parameters, changed)
+local function own_output(options, used, changed)
   if not options.out then return core.out_dir() end
   local names = check.keys(changed)
   local folder = options.out
   for _, name in ipairs(options.out_given and {} or names) do
     folder = ("%s-%s=%s"):format(folder, name_part(name), name_part(changed[name]))
   end
-  local owner = { script = core.whole_path(options.script), case = options.case, parameters = parameters,
+  local owner = { script = core.whole_path(options.script), case = options.case, parameters = used,
     changed = changed }
   return core.own_output(folder:sub(1, 160), owner, options.out_given ~= nil)
 end
 
 --- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.
 function runner.run(options)
-  local plain = runner.plain(options.overrides)
-  local this = job.new(own_output(options, plain, plain), options.case)
+  local settings = parameters.given(options.overrides)
+  local this = job.new(own_output(options, settings, settings), options.case)
   job.use(this)
 
-  local parameters
-  local loaded, results = runner.load(options.script, plain, options.sandbox)
+  local used
+  local loaded, results, plain, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
   if loaded then
-    parameters = loaded:values(options.case, options.overrides)
-    this.out = own_output(options, parameters, loaded:changed(options.case, parameters))
-    results = loaded.run(parameters, this)
+    used = loaded:values(options.case, options.overrides)
+    this.out = own_output(options, used, loaded:changed(options.case, used))
+    results = loaded.run(used, this)
   else
     if options.case then
       check.fail("--case %s: %s has no cases; it does not return a hinge.scenario", options.case, options.script)
     end
-    parameters = plain
+    used = plain
   end
-  return runner.status(core.write_summary {
-    results = results, parameters = parameters, case = options.case, script = options.script, notes = this.notes,
+  local verdict, reason = core.write_summary {
+    results = results, parameters = used, case = options.case, script = options.script, notes = this.notes,
     whole = this.whole,
-  })
+  }
+  if not loaded then must_be_read() end
+  return runner.status(verdict, reason)
 end
 
 --- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.

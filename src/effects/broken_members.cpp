@@ -45,13 +45,10 @@ public:
 
     /// Weights at rest, where the nodes have rotated them.
     void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
-        const Vec3 g = gravity();
-        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
-            const OffsetMass& h = w_.state.offset_mass[i];
-            if (h.mass == 0) continue;
-            external[i].head<3>() += h.mass * g;
-            external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
-        }
+        add_weights(at, gravity(), external);
+    }
+    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
+        add_weights(at, w_.structure.model().held_gravity(), external);
     }
     bool loads_follow() const override {
         const auto& masses = w_.state.offset_mass;
@@ -125,6 +122,14 @@ public:
     }
 
 private:
+    void add_weights(const Places& at, const Vec3& g, std::vector<Vec6>& external) const {
+        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+            const OffsetMass& h = w_.state.offset_mass[i];
+            if (h.mass == 0) continue;
+            external[i].head<3>() += h.mass * g;
+            external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
+        }
+    }
     Vec3 gravity() const { return w_.structure.model().gravity().value_or(Vec3::Zero()); }
 
     void renew(int node) {

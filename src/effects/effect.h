@@ -36,6 +36,7 @@ struct RunKind {
     bool geometric = true;    ///< initial-stress stiffness is asked for
     bool rest = true;         ///< bodies at rest may be left alone
     bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
+    double dt = 0;            ///< s, the script's own step; 0 in statics
 };
 
 /// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
@@ -149,6 +150,9 @@ public:
     virtual void steady_loads_known() {}
     /// F as statics has it at load factor 1, beside the steady loads, where the nodes are.
     virtual void add_static_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
+    /// What statics holds in full from the start on, where it goes on from another run; not in add_static_loads, but
+    /// for weights, of which it is a part.
+    virtual void add_held_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
     /// Whether add_static_loads depends on where the nodes are.
     virtual bool loads_follow() const { return false; }
     /// Whether the steady loads have a potential energy in an account of their own, so that they do no work.

@@ -14,6 +14,10 @@ public:
     void add_steady_loads(std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }
+    void add_held_loads(const Places&, std::vector<Vec6>& external) const override {
+        const Vec3& g = w_.structure.model().held_gravity();
+        for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g; });
+    }
     bool has_potential() const override { return true; }
     bool takes_mean_forces() const override { return true; }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/text.h"
+#include "effects/breaking.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -17,6 +19,10 @@ public:
                 loaded_.push_back({load.node, Vec6::Zero()});
             }
             if (load.follows_state()) asked_[load_at_.size()] = {};
+            if (w.kind.dynamic && load.history && load.history.breaks_in(w.kind.dt)) {
+                const double factor = load.history.from(w.state.time);
+                breaking_[load_at_.size()] = {factor, factor, factor};
+            }
             load_at_.push_back(place[load.node]);
         }
     }
@@ -26,18 +32,25 @@ public:
         for (Loaded& l : loaded_) l.steady = w_.external[l.node];
     }
 
-    /// Statics takes a load with a history as it is at time 0, or in full where that is nothing.
+    /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
+    /// and takes them as they are at time 0, or in full where that is nothing.
     void add_static_loads(const Places&, std::vector<Vec6>& external) const override {
         for (const NodalLoad& l : declared()) {
+            if (l.held) continue;
             const double factor = l.history ? l.history(0) : 1.0;
             external[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
             external[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
         }
     }
+    void add_held_loads(const Places&, std::vector<Vec6>& external) const override {
+        for (const NodalLoad& l : declared())
+            if (l.held) external[l.node].head<3>() += l.force, external[l.node].tail<3>() += l.moment;
+    }
 
     /// F at the end of the step. What functions of the state give where a run begins is known in its first step only:
-    /// the first acceleration is found anew with it.
+    /// the first acceleration is found anew with it. So it is where a history has jumped.
     void begin(const Step& step) override {
+        const bool jumped = break_histories(step);
         if (!begun_ && !asked_.empty()) {
             ask(step.begin);
             keep_asked();
@@ -46,16 +59,21 @@ public:
             if (found_anew_) return host_.accelerations_anew();
             begun_ = true;
         }
+        if (jumped) {
+            found_anew_ = true;
+            return host_.accelerations_anew();
+        }
         ask(step.end());
-        act(step.end(), &Asked::tried);
+        act(step.end(), &Asked::tried, &Breaking::end);
     }
-    void loads_at(double time) override { act(time, &Asked::kept); }
+    void loads_at(double time) override { act(time, &Asked::kept, &Breaking::begin); }
     void restart_ends() override {
         if (!found_anew_) return;
         begun_ = true, found_anew_ = false;
         for (Loaded& l : loaded_) l.before = l.now;
+        for (auto& [i, b] : breaking_) b.kept = b.begin;
     }
-    bool makes_forces_vanish() const override { return !asked_.empty(); }
+    bool makes_forces_vanish() const override { return !asked_.empty() || !breaking_.empty(); }
 
     void started(const std::vector<Vec6>&) override {
         for (Loaded& l : loaded_) l.before = l.now;
@@ -74,6 +92,7 @@ public:
 
     void keep(const Step&) override {
         for (Loaded& l : loaded_) l.before = l.now;
+        for (auto& [i, b] : breaking_) b.kept = b.end;
         keep_asked();
     }
 
@@ -95,6 +114,7 @@ public:
     bool changes_within(double now, std::span<const double> after) const override {
         for (const NodalLoad& load : declared()) {
             if (!load.history || w_.state.gone[load.node]) continue;
+            if (load.history.bends_within(now, now + after.back())) return true;
             const double factor = load.history(now);
             for (const double t : after)
                 if (load.history(now + t) != factor) return true;
@@ -119,6 +139,7 @@ private:
     static void fields(Self& s, A& a) {
         for (auto& l : s.loaded_) a(l.steady, l.now, l.before);
         for (auto& [load, asked] : s.asked_) a(asked.kept);
+        for (auto& [load, b] : s.breaking_) a(b.kept, b.begin, b.end);
         a(s.begun_);
     }
     const std::vector<NodalLoad>& declared() const { return w_.structure.model().loads(); }
@@ -134,13 +155,26 @@ private:
     void keep_asked() {
         for (auto& [i, asked] : asked_) asked.kept = asked.tried;
     }
+    /// Finds the factors of the coming step. True where one does not begin with what the acceleration was found with.
+    bool break_histories(const Step& step) {
+        bool jumped = false;
+        for (auto& [i, b] : breaking_) {
+            const History::Over over = declared()[i].history.over(step.begin, step.end());
+            b.begin = over.begin, b.end = over.end;
+            jumped = jumped || b.jumps();
+        }
+        return jumped;
+    }
     /// Only nodes with loads change.
-    void act(double t, Vec6 Asked::*said) {
+    void act(double t, Vec6 Asked::*said, double Breaking::*of_step) {
         for (Loaded& l : loaded_) l.now.setZero();
+        auto breaking = breaking_.begin();
         for (std::size_t i = 0; i < declared().size(); ++i) {
             const NodalLoad& load = declared()[i];
+            const bool breaks = breaking != breaking_.end() && breaking->first == i;
+            const double in_step = breaks ? (breaking++)->second.*of_step : 0;
             if (w_.state.gone[load.node]) continue;
-            const double factor = load.history ? load.history(t) : 1.0;
+            const double factor = breaks ? in_step : load.history ? load.history(t) : 1.0;
             loaded_[load_at_[i]].now.head<3>() += factor * load.force;
             loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
         }
@@ -151,15 +185,23 @@ private:
     }
 
     std::vector<Loaded> loaded_;
-    std::map<std::size_t, Asked> asked_;  ///< of the loads that are functions of the state
-    std::vector<int> load_at_;            ///< of each of the model's loads, its place in loaded_
-    bool begun_ = false;                  ///< the functions were asked where the run begins
-    bool found_anew_ = false;             ///< with what they gave there the acceleration is being found
+    std::map<std::size_t, Asked> asked_;        ///< of the loads that are functions of the state
+    std::map<std::size_t, Breaking> breaking_;  ///< of the loads whose history may jump within a step
+    std::vector<int> load_at_;                  ///< of each of the model's loads, its place in loaded_
+    bool begun_ = false;                        ///< the functions were asked where the run begins
+    bool found_anew_ = false;                   ///< with what they gave there the acceleration is being found
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().loads().size();
-    return {{"loads", n > 0, n == 0 ? "not declared" : std::to_string(n) + " on nodes", s.model().asked_at("loads")}};
+    std::string text = n > 0                      ? std::to_string(n) + " on nodes"
+                       : s.model().asked("loads") ? "none acts"
+                                                  : "not declared";
+    for (std::size_t i = 0; i < s.model().case_factors().size(); ++i)
+        text += (i == 0 ? "; cases " : ", ") + s.model().cases()[i] + " " + number_text(s.model().case_factors()[i]);
+    if (const int aside = s.model().set_aside())
+        text += "; " + std::to_string(aside) + " with a history " + (aside == 1 ? "waits" : "wait") + " for dynamics";
+    return {{"loads", n > 0, text, s.model().asked_at("loads")}};
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <map>
 
 #include "beam/tangent.h"
+#include "effects/breaking.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -108,20 +109,37 @@ public:
         before_.assign(nodes_.size(), Vec6::Zero());
     }
 
-    /// Statics takes a load with a history as it is at time 0, or in full where that is nothing.
+    /// Of those with a history as in Loads::add_static_loads.
     void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
-            act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
+            if (!l.held) act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
+    }
+    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
+        for (const Loaded& l : loads_)
+            if (l.held) act(l, at, 1, [&](int node, const Vec6& f) { external[node] += f; });
     }
     bool loads_follow() const override { return w_.structure.large(); }
     bool takes_mean_forces() const override { return true; }
 
-    /// The factors at the end of the step.
-    void begin(const Step& step) override { factors_at(step.end()); }
-    void restart_begins() override { factors_at(w_.state.time); }
+    /// The factors at the end of the step. Where a history has jumped, the acceleration is found anew.
+    void begin(const Step& step) override {
+        bool jumped = false;
+        for (Loaded& l : loads_) {
+            if (!l.breaks) continue;
+            const History::Over over = l.history.over(step.begin, step.end());
+            l.over.begin = over.begin, l.over.end = over.end;
+            jumped = jumped || l.over.jumps();
+        }
+        if (jumped) return host_.accelerations_anew();
+        factors_at(step.end(), &Breaking::end);
+    }
+    void restart_begins() override { factors_at(w_.state.time, &Breaking::begin); }
     void restart_ends() override {
         before_ = acting(w_.state);
-        for (Loaded& l : loads_) l.kept_factor = l.factor;
+        for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.begin;
+    }
+    bool makes_forces_vanish() const override {
+        return std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.breaks; });
     }
     /// In statics they are part of F.
     void add_forces(double, std::vector<Vec6>& resisting) override {
@@ -148,7 +166,7 @@ public:
     void keep(const Step&) override {
         if (!w_.kind.dynamic) return;
         before_ = acting(w_.trial);
-        for (Loaded& l : loads_) l.kept_factor = l.factor;
+        for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.end;
     }
 
     /// The fixed-end part: an element's forces balance what its nodes got of the load and of the correction.
@@ -157,7 +175,7 @@ public:
         if (on == on_member_.end()) return;
         for (const int i : on->second) {
             const Loaded& l = loads_[i];
-            const double factor = w_.kind.dynamic ? l.kept_factor : w_.state.factor * static_factor(l);
+            const double factor = w_.kind.dynamic ? l.kept_factor : (l.held ? 1 : w_.state.factor * static_factor(l));
             const int end = side < 0 ? 0 : 1;
             const Share& share = l.shares[element - l.first];
             Vec3 force = share.force[end], moment = share.moment[end];
@@ -194,6 +212,7 @@ public:
     bool changes_within(double now, std::span<const double> after) const override {
         for (const Loaded& l : loads_) {
             if (!l.history) continue;
+            if (l.history.bends_within(now, now + after.back())) return true;
             const double factor = l.history(now);
             for (const double t : after)
                 if (l.history(now + t) != factor) return true;
@@ -208,7 +227,10 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.before_);
-        for (auto& l : s.loads_) a(l.factor, l.kept_factor);
+        for (auto& l : s.loads_) {
+            a(l.factor, l.kept_factor);
+            if (l.breaks) a(l.over.kept, l.over.begin, l.over.end);
+        }
     }
 
 private:
@@ -225,6 +247,8 @@ private:
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
         double factor = 1, kept_factor = 1;
+        bool held = false, breaks = false;
+        Breaking over = {};  ///< where its history may jump within a step
     };
     /// A member's axes, and the way from its first to its second end, m.
     struct Chord {
@@ -241,6 +265,9 @@ private:
         const int n = end - first;
         const double length = n * e.length;
         Loaded l{first, load.axes == LoadAxes::local, load.history, {}, {}, {}};
+        l.held = load.held;
+        l.breaks = w_.kind.dynamic && load.history && load.history.breaks_in(w_.kind.dt);
+        if (l.breaks) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
@@ -274,8 +301,8 @@ private:
         const double factor = l.history ? l.history(0) : 1;
         return factor == 0 ? 1 : factor;
     }
-    void factors_at(double time) {
-        for (Loaded& l : loads_) l.factor = l.history ? l.history(time) : 1;
+    void factors_at(double time, double Breaking::*of_step) {
+        for (Loaded& l : loads_) l.factor = l.breaks ? l.over.*of_step : l.history ? l.history(time) : 1;
     }
 
     bool whole(const Loaded& l) const {

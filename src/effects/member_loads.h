@@ -22,7 +22,14 @@ struct MemberLoad {
     Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
     bool has_history = false;
     History history = {};  ///< factor over time
+    int number = 0;        ///< in the order in which they were declared
+    int load_case = -1;
+    bool held = false;  ///< statics: it acts in full from the start on (Model::choose)
     bool spread() const { return at < 0; }
+    void times(double factor) {
+        for (int end : {0, 1}) force[end] *= factor, moment[end] *= factor;
+    }
+    void forget_history() { has_history = false, history = {}; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.member, s.axes, s.at, s.force[0], s.force[1], s.moment[0], s.moment[1], s.has_history);

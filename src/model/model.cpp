@@ -23,6 +23,7 @@ int Model::add_node(const Vec3& position) {
     must_be_finite(position, "position", "m");
     nodes_.push_back({position, 0});
     velocities_.push_back(Vec6::Zero());
+    velocity_given_.push_back(-1);
     return int(nodes_.size()) - 1;
 }
 
@@ -95,10 +96,11 @@ void Model::remove_load(int number) {
     if (const NodalLoad* load = find_load(number)) loads_.erase(loads_.begin() + (load - loads_.data()));
 }
 
-void Model::set_gravity(const Vec3& g) {
+void Model::set_gravity(const Vec3& g, int load_case) {
     check_open();
     must_be_finite(g, "gravity", "m/s^2");
     gravity_ = g;
+    gravity_case_ = load_case;
 }
 
 void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
@@ -106,6 +108,73 @@ void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
     must_be_finite(linear, "velocity", "m/s");
     must_be_finite(angular, "angular velocity", "rad/s");
     velocities_[node] << linear, angular;
+}
+
+void Model::set_velocities(GivenVelocity given) {
+    Vec3 centre = Vec3::Zero();
+    for (int n : given.nodes) centre += nodes_[n].position / double(given.nodes.size());
+    for (int n : given.nodes) {
+        set_velocity(n, given.linear + given.angular.cross(nodes_[n].position - centre), given.angular);
+        velocity_given_[n] = int(given_velocities_.size());
+    }
+    given_velocities_.push_back(std::move(given));
+}
+
+int Model::add_case(const std::string& name) {
+    check_open();
+    cases_.push_back(name);
+    return int(cases_.size()) - 1;
+}
+
+int Model::find_case(const std::string& name) const {
+    const auto at = std::find(cases_.begin(), cases_.end(), name);
+    return at == cases_.end() ? -1 : int(at - cases_.begin());
+}
+
+void Model::add_combination(LoadCombination combination) {
+    check_open(), combinations_.push_back(std::move(combination));
+}
+
+const LoadCombination* Model::find_combination(const std::string& name) const {
+    const auto at =
+        std::find_if(combinations_.begin(), combinations_.end(), [&](const auto& c) { return c.name == name; });
+    return at == combinations_.end() ? nullptr : &*at;
+}
+
+void NodalLoad::times(double factor) {
+    force *= factor, moment *= factor;
+    for (auto* rule : {&force_rule, &moment_rule})
+        if (*rule) *rule = [factor, rule = *rule](double t) { return Vec3(factor * rule(t)); };
+}
+
+void Model::choose(const LoadChoice& choice) {
+    if (cases_.empty() && !choice.is_static) return;
+    const Model* from = cases_.empty() ? nullptr : choice.from;
+    const auto acted = [&](double held, double whole) { return held + choice.reached * (whole - held); };
+    ChosenLoads chosen{choice, std::vector<double>(cases_.size(), 0.0)};
+    const bool holds = choice.is_static && from;
+    if (holds) {
+        for (std::size_t i = 0; i < from->case_factors_.size(); ++i)
+            chosen.held[i] = acted(from->holds_loads() ? from->held_factors_[i] : 0, from->case_factors_[i]);
+        chosen.held_permanent = acted(from->held_permanent_, 1);
+    }
+    set_aside_ = choose_loads(loads_, holds ? &from->loads_ : nullptr, chosen);
+    for (auto& [effect, what] : declared_) {
+        const auto before = holds ? from->declared_.find(effect) : declared_.end();
+        set_aside_ += what->choose(holds && before != from->declared_.end() ? before->second.get() : nullptr, chosen);
+    }
+    if (cases_.empty()) return;
+    case_factors_ = choice.factor;
+    if (holds) {
+        held_factors_ = chosen.held;
+        held_permanent_ = chosen.held_permanent;
+        if (from->gravity_)
+            held_gravity_ = from->held_gravity_ + choice.reached * (*from->gravity_ - from->held_gravity_);
+    }
+    if (!gravity_ || gravity_case_ < 0) return;
+    const double factor = choice.factor[gravity_case_];
+    if (factor == 0 && held_gravity_.isZero(0)) gravity_.reset();
+    else if (factor != 1) *gravity_ *= factor;
 }
 
 void Model::add_fracture(FractureRule rule) {
@@ -123,7 +192,7 @@ void Model::add_motion(SupportMotion motion) {
 
 void Model::leave_out(const std::string& effect) {
     declared_.erase(effect);
-    if (effect == "gravity") gravity_.reset();
+    if (effect == "gravity") gravity_.reset(), held_gravity_.setZero();
     if (effect == "large displacement") options_.displacement = Displacement::small;
     if (effect == "plasticity") options_.plasticity = false;
     if (effect == "fracture") fracture_.clear();

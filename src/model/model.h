@@ -2,6 +2,7 @@
 // computed from it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "core/archive.h"
 #include "core/types.h"
 #include "model/fracture_rule.h"
+#include "model/history.h"
 
 namespace hinge {
 
@@ -76,8 +78,7 @@ struct MemberData {
     bool elements_capped = false;  ///< more would have been needed
 };
 
-/// A factor over time (s); empty: constant 1.
-using History = std::function<double(double)>;
+class Model;
 
 struct NodalLoad {
     int node;
@@ -88,6 +89,74 @@ struct NodalLoad {
     /// dynamics only.
     std::function<Vec3(double)> force_rule = {}, moment_rule = {};
     bool follows_state() const { return force_rule || moment_rule; }
+    int load_case = -1;
+    bool held = false;  ///< statics: it acts in full from the start on (Model::choose)
+    void times(double factor);
+    void forget_history() { history = {}; }
+};
+
+/// What a run takes of the loads that a script has declared, by case.
+struct LoadChoice {
+    std::vector<double> factor;  ///< of each case
+    std::vector<char> named;     ///< of each case: the script names it for this run
+    bool is_static = false;      ///< loads with a history act only where their case is named, then in full
+    /// The model of the run that it goes on from, null where there is none, and how far its loads have come, 1 in
+    /// dynamics. Statics holds what acted there and brings on the difference.
+    const Model* from = nullptr;
+    double reached = 1;
+};
+
+/// The same as each load sees it, with what a static run holds: of each case, and of what belongs to none.
+struct ChosenLoads {
+    const LoadChoice& choice;
+    std::vector<double> held;
+    double held_permanent = 0;
+};
+
+/// Leaves in the list what the run has of them; one that statics holds and changes becomes two. `before`: those of the
+/// run that it goes on from, or null. Returns how many with a history are set aside. T has a number of its own,
+/// load_case, held, history, forget_history() and times(factor).
+template <class T>
+int choose_loads(std::vector<T>& list, const std::vector<T>* before, const ChosenLoads& chosen) {
+    std::vector<T> taken;
+    int aside = 0;
+    const auto take = [&taken](T load, double factor, bool held) {
+        if (factor == 0) return;
+        if (factor != 1) load.times(factor);
+        load.held = held;
+        taken.push_back(std::move(load));
+    };
+    for (T& load : list) {
+        const bool in_case = load.load_case >= 0;
+        if (chosen.choice.is_static && load.history) {
+            if (!in_case || !chosen.choice.named[load.load_case]) {
+                ++aside;
+                continue;
+            }
+            load.forget_history();
+        }
+        double held = 0;
+        if (before && std::any_of(before->begin(), before->end(),
+                                  [&](const T& b) { return b.number == load.number && !b.history; }))
+            held = in_case ? chosen.held[load.load_case] : chosen.held_permanent;
+        const double factor = in_case ? chosen.choice.factor[load.load_case] : 1;
+        take(load, held, true);
+        take(std::move(load), factor - held, false);
+    }
+    list = std::move(taken);
+    return aside;
+}
+
+/// A sum of cases, each with its factor.
+struct LoadCombination {
+    std::string name;
+    std::vector<std::pair<int, double>> factors;
+};
+
+/// The velocity of nodes as a rigid body: `linear` of the mean of where they are, m/s, and `angular` about it, rad/s.
+struct GivenVelocity {
+    std::vector<int> nodes;
+    Vec3 linear, angular;
 };
 
 /// A degree of freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where
@@ -132,6 +201,8 @@ public:
     virtual std::size_t count() const = 0;  ///< of things declared, for the fingerprint of a checkpoint
     /// All numbers that change bits, and of functions whether there is one, for the same.
     virtual void save(Writer& to) const = 0;
+    /// Of loads: choose_loads.
+    virtual int choose(const Declaration* before, const ChosenLoads& chosen) { return (void)before, (void)chosen, 0; }
 };
 
 /// A list of T. T lists its fields (core/archive.h) and holds functions only in members that it leaves out there.
@@ -142,6 +213,11 @@ public:
     std::shared_ptr<Declaration> copy() const override { return std::make_shared<DeclaredList>(*this); }
     std::size_t count() const override { return list.size(); }
     void save(Writer& to) const override { to(list); }
+    int choose(const Declaration* before, const ChosenLoads& chosen) override {
+        if constexpr (requires(T load) { load.times(1.0); })
+            return choose_loads(list, before ? &static_cast<const DeclaredList*>(before)->list : nullptr, chosen);
+        return 0;
+    }
 };
 
 /// By the effect's name. A copy has its own.
@@ -171,8 +247,28 @@ public:
     int add_load(NodalLoad load);                  ///< returns its number
     const NodalLoad* find_load(int number) const;  ///< nullptr once it is removed
     void remove_load(int number);
-    void set_gravity(const Vec3& g);
+    void set_gravity(const Vec3& g, int load_case = -1);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
+    void set_velocities(GivenVelocity given);
+    /// Of each node the place in given_velocities of the last one that it was given; -1: none.
+    const std::vector<int>& velocity_given() const { return velocity_given_; }
+    const std::vector<GivenVelocity>& given_velocities() const { return given_velocities_; }
+    int add_case(const std::string& name);
+    int find_case(const std::string& name) const;  ///< -1 when there is none
+    void add_combination(LoadCombination combination);
+    const LoadCombination* find_combination(const std::string& name) const;
+    const std::vector<std::string>& cases() const { return cases_; }
+    const std::vector<LoadCombination>& combinations() const { return combinations_; }
+    /// For a run's own copy: takes of the loads what the run has of them, in numbers. Without cases only what is_static
+    /// asks for.
+    void choose(const LoadChoice& choice);
+    /// The factors of each case in a run, and of those before them that a static run holds. Empty without cases.
+    const std::vector<double>& case_factors() const { return case_factors_; }
+    const std::vector<double>& held_factors() const { return held_factors_; }
+    /// The part of gravity that a static run holds from the start on, m/s^2.
+    const Vec3& held_gravity() const { return held_gravity_; }
+    bool holds_loads() const { return !held_factors_.empty(); }
+    int set_aside() const { return set_aside_; }  ///< loads with a history that a static run does not take
     void add_fracture(FractureRule rule);
     void add_contact(ContactRule rule);
     void add_motion(SupportMotion motion);
@@ -232,8 +328,17 @@ private:
     bool locked_ = false;
     void check_open() const;
     std::optional<Vec3> gravity_;
+    int gravity_case_ = -1;
     std::map<std::string, std::string> asked_;
     std::vector<Vec6> velocities_;
+    std::vector<int> velocity_given_;
+    std::vector<GivenVelocity> given_velocities_;
+    std::vector<std::string> cases_;
+    std::vector<LoadCombination> combinations_;
+    std::vector<double> case_factors_, held_factors_;
+    Vec3 held_gravity_ = Vec3::Zero();
+    double held_permanent_ = 0;  ///< of the loads without a case
+    int set_aside_ = 0;
 };
 
 }  // namespace hinge

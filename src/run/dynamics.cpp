@@ -20,7 +20,7 @@ constexpr long quiet_steps = 100;      ///< without anything to do after which a
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
 RunKind kind_of(const DynamicSettings& s) {
-    return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving};
+    return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving, s.dt};
 }
 
 }  // namespace

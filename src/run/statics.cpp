@@ -99,6 +99,19 @@ void Statics::find_loads() {
         e->add_static_loads(w_.trial, sum);
     }
     for (std::size_t i = 0; i < all.size(); ++i) w_.external[i] = others[i] + potential_[i];
+    if (!structure_->model().holds_loads()) return;
+    held_loads_.assign(all.size(), Vec6::Zero());
+    for (const auto& e : effects_)
+        if (!e->has_potential()) e->add_held_loads(w_.trial, held_loads_);
+    std::vector<Vec6> weights(all.size(), Vec6::Zero());
+    for (const auto& e : effects_)
+        if (e->has_potential()) e->add_held_loads(w_.trial, weights);
+    for (std::size_t i = 0; i < all.size(); ++i) held_loads_[i] += weights[i], w_.external[i] -= weights[i];
+}
+
+Vec6 Statics::load_at(std::size_t node, double factor) const {
+    if (held_loads_.empty()) return factor * w_.external[node];
+    return factor * w_.external[node] + held_loads_[node];
 }
 
 void Statics::recover() {
@@ -248,12 +261,14 @@ int Statics::modes_within_pairs() {
 
 double Statics::out_of_balance(double& scale) const {
     double r = 0, s = 0;
-    for (std::size_t i = 0; i < w_.resisting.size(); ++i)
+    for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
+        const Vec6 load = load_at(i, trial_factor_);
         for (int c = 0; c < 6; ++c) {
-            const double unit = c < 3 ? 1 : 1 / mean_length_, f = trial_factor_ * w_.external[i][c];
+            const double unit = c < 3 ? 1 : 1 / mean_length_, f = load[c];
             if (!(held_[i] >> c & 1)) r += std::pow(unit * (f - w_.resisting[i][c]), 2);
             s += std::pow(unit * f, 2) + std::pow(unit * w_.resisting[i][c], 2);
         }
+    }
     scale = std::sqrt(s);
     return std::sqrt(r);
 }
@@ -290,7 +305,7 @@ Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
             wavered_ = wavered_ || effective_->more_negative_modes(modes_at_start_) ||
                        (modes_at_start_ == 0 && modes_within_pairs() > 0);
         for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
-            right_[i] = trial_factor_ * w_.external[i] - w_.resisting[i];
+            right_[i] = load_at(i, trial_factor_) - w_.resisting[i];
             for (int c = 0; c < 6; ++c)
                 if (held_[i] >> c & 1) right_[i][c] = 0;
             response_[i] = w_.external[i];
@@ -389,10 +404,12 @@ void Statics::commit(double before) {
         // gravity is let on slowly: the part of it that is not there yet is held back by the load
         work += mean * (w_.external[i].head<3>().dot(du) + w_.external[i].tail<3>().dot(w_.rotation_step[i])) -
                 (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.rotation_step[i]));
+        if (!held_loads_.empty())
+            work += held_loads_[i].head<3>().dot(du) + held_loads_[i].tail<3>().dot(w_.rotation_step[i]);
         if (held_[i]) {
             Vec6& r = reaction_[int(i)];
             for (int c = 0; c < 6; ++c)
-                r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - trial_factor_ * w_.external[i][c] : 0;
+                r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - load_at(i, trial_factor_)[c] : 0;
         }
     }
     for (const auto& e : effects_) e->add_up(step, state_.accumulated);

@@ -65,6 +65,7 @@ private:
     enum class Outcome { converged, diverged };
     Outcome equilibrate(double increment, bool flowing_on);
     void find_loads();
+    Vec6 load_at(std::size_t node, double factor) const;
     void recover();
     bool renew_and_factorise(double off_balance);
     double out_of_balance(double& scale) const;
@@ -106,6 +107,7 @@ private:
     bool tangent_of_trial_ = false;  ///< or where the step that was tried has arrived
     std::optional<Instability> instability_;
     std::vector<Vec6> potential_;       ///< the part of F that has a potential energy in an account of its own
+    std::vector<Vec6> held_loads_;      ///< beside w_.external, in full from the start on; empty for none
     std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for
     std::vector<Vec6> response_;        ///< the move that F at factor 1 asks for
     std::vector<Vec6> last_move_;

@@ -251,10 +251,11 @@ void keep_if_due(lua_State* L, Context& c, RunRecord& r) {
 }
 
 void open_checkpoint(lua_State* L, int module) {
-    static const luaL_Reg methods[] = {
-        {"checkpoint", guarded<checkpoint>}, {"resume", guarded<resume>}, {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"checkpoint", guarded<takes<"run:checkpoint", 2, checkpoint>>},
+                                       {"resume", guarded<takes<"run:resume", 2, resume>>},
+                                       {nullptr, nullptr}};
     add_methods(L, RunBox::lua_name, methods);
-    lua_pushcfunction(L, guarded<resume>);
+    lua_pushcfunction(L, (guarded<takes<"hinge.resume", 2, resume>>));
     lua_setfield(L, module, "resume");
 }
 

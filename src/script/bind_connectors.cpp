@@ -186,9 +186,9 @@ void make_connector_metatable(lua_State* L) {
     const bool there = luaL_getmetatable(L, ConnectorBox::lua_name) != LUA_TNIL;
     lua_pop(L, 1);
     if (there) return;
-    static const luaL_Reg methods[] = {{"deformation", guarded<deformation>},
-                                       {"force", guarded<force>},
-                                       {"broken", guarded<broken>},
+    static const luaL_Reg methods[] = {{"deformation", guarded<takes<"connector:deformation", 2, deformation>>},
+                                       {"force", guarded<takes<"connector:force", 2, force>>},
+                                       {"broken", guarded<takes<"connector:broken", 2, broken>>},
                                        {nullptr, nullptr}};
     make_metatable(L, ConnectorBox::lua_name, methods, guarded<fields_of_connector>, collect<ConnectorBox>,
                    guarded<text_of_connector>, nullptr);

@@ -6,14 +6,14 @@
 namespace hinge::script {
 /// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
 /// point has beside its time. Empty where the field is absent.
-History read_history(Options& o, const char* field, const std::string& each, const Model& model) {
+History read_history(Options& o, const char* field, const std::string& each, const Model& model, bool jumps) {
     const int type = o.push_field(field);
     lua_State* L = o.L();
     if (type == LUA_TNIL) return lua_pop(L, 1), History{};
     if (type == LUA_TFUNCTION) {
         LuaFunction f(L, -1, model);
         lua_pop(L, 1);
-        return [f, who = o.function(), field = std::string(field)](double t) {
+        return History([f, who = o.function(), field = std::string(field)](double t) {
             lua_State* L = f.running();
             f.push(L);
             lua_pushnumber(L, t);
@@ -26,7 +26,7 @@ History read_history(Options& o, const char* field, const std::string& each, con
                 throw HookError(f.place() + ": " + who + ": the function in field '" + field + "' returned " + shown +
                                 " at t = " + show(t) + " s; it must return a finite number");
             return v;
-        };
+        });
     }
     const std::string shown = show(L, -1);
     if (type != LUA_TTABLE) {
@@ -35,10 +35,10 @@ History read_history(Options& o, const char* field, const std::string& each, con
     }
     std::vector<std::pair<double, double>> points;
     const int table = lua_gettop(L);
-    for (lua_Integer i = 1, n = lua_rawlen(L, table); i <= n; ++i) {
+    for (lua_Integer i = 1, n = list_length(L, table, o.function() + ": field '" + field + "'"); i <= n; ++i) {
         double pair[2];
         lua_rawgeti(L, table, i);
-        bool good = lua_istable(L, -1);
+        bool good = lua_istable(L, -1) && lua_rawlen(L, -1) == 2;
         for (int k = 0; good && k < 2; ++k) {
             good = lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER;
             pair[k] = lua_tonumber(L, -1);
@@ -49,22 +49,18 @@ History read_history(Options& o, const char* field, const std::string& each, con
             o.complain(field, "wrong at point " + std::to_string(i), "each point must be {time in s, " + each + "}");
         if (!std::isfinite(pair[0]) || !std::isfinite(pair[1]))
             o.complain(field, "not finite at point " + std::to_string(i), "times and values must be finite");
-        if (!points.empty() && pair[0] <= points.back().first)
+        const bool again = !points.empty() && pair[0] == points.back().first;
+        if (!points.empty() && (pair[0] < points.back().first || (again && !jumps)))
             o.complain(field, "out of order at point " + std::to_string(i) + " (time " + show(pair[0]) + " s)",
-                       "times must rise");
+                       jumps ? "times must rise, or be equal where it jumps" : "times must rise");
+        if (again && points.size() > 1 && points[points.size() - 2].first == pair[0])
+            o.complain(field, "three times at " + show(pair[0]) + " s",
+                       "a jump is two points: up to its time, and from there on");
         points.push_back({pair[0], pair[1]});
     }
     lua_pop(L, 1);
     if (points.empty()) o.complain(field, "empty", "give at least one {time, " + each + "}");
-    return [points](double t) {
-        if (t <= points.front().first) return points.front().second;
-        for (std::size_t i = 1; i < points.size(); ++i)
-            if (t <= points[i].first) {
-                const double share = (t - points[i - 1].first) / (points[i].first - points[i - 1].first);
-                return (1 - share) * points[i - 1].second + share * points[i].second;
-            }
-        return points.back().second;
-    };
+    return History(std::move(points));
 }
 
 namespace {
@@ -130,7 +126,7 @@ int add_load(lua_State* L) {
     if (o.has(#target)) return function(L);
 #include "script/load_targets.inc"
 #undef HINGE_LOAD_ON
-    std::vector<std::string> fields = {"node", "force", "moment", "history"}, others;
+    std::vector<std::string> fields = {"node", "force", "moment", "history", "case"}, others;
 #define HINGE_LOAD_ON(target, function, ...) \
     for (const char* field : {#target __VA_OPT__(, ) __VA_ARGS__}) others.push_back(field);
 #include "script/load_targets.inc"
@@ -153,7 +149,8 @@ int add_load(lua_State* L) {
             "the run");
     load.force = force.value_or(Vec3::Zero());
     load.moment = moment.value_or(Vec3::Zero());
-    load.history = read_history(o, "history", "factor", *m);
+    load.history = read_history(o, "history", "factor", *m, true);
+    load.load_case = case_of(o, *m);
     if (load.history && !force && !moment)
         o.complain("history", "given", "is a factor of numbers; a force that is a function has its own");
     const int number = m->add_load(std::move(load));
@@ -168,7 +165,7 @@ int move_support(lua_State* L) {
     o.expect({"node", "x", "y", "z"});
     std::vector<int> nodes;
     if (o.push_field("node") == LUA_TTABLE)
-        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+        for (lua_Integer i = 1, n = list_length(L, -1, "model:move: field 'node'"); i <= n; ++i) {
             lua_rawgeti(L, -1, i);
             nodes.push_back(node_argument(L, -1, "model:move: field 'node', item " + std::to_string(i), m.get()).index);
             lua_pop(L, 1);
@@ -177,7 +174,7 @@ int move_support(lua_State* L) {
     lua_pop(L, 1);
     History path[3];
     const char* axes[] = {"x", "y", "z"};
-    for (int c = 0; c < 3; ++c) path[c] = read_history(o, axes[c], "displacement in m", *m);
+    for (int c = 0; c < 3; ++c) path[c] = read_history(o, axes[c], "displacement in m", *m, false);
     if (!path[0] && !path[1] && !path[2])
         throw InputError(
             "model:move: none of 'x', 'y', 'z' is given; give a displacement in m over time, a function or {{time, "

@@ -57,7 +57,7 @@ std::vector<int> read_members(Options& o, const Model& m) {
 int add_member_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
-    o.expect({"node", "member", "group", "q", "force", "moment", "axes", "at", "history"});
+    o.expect({"node", "member", "group", "q", "force", "moment", "axes", "at", "history", "case"});
     if (o.has("node")) o.complain("node", "given beside a member or group", "give one of them");
     const std::vector<int> members = read_members(o, *m);
     MemberLoad load{};
@@ -90,10 +90,12 @@ int add_member_load(lua_State* L) {
                              ? "model:load: neither 'q' (N/m) nor 'moment' (N m/m) is given; give {x, y, z}, or "
                                "{ a = {x, y, z}, b = {x, y, z} } for the member's two ends"
                              : "model:load: neither 'force' (N) nor 'moment' (N m) is given beside 'at'");
-    load.history = read_history(o, "history", "factor", *m);
+    load.history = read_history(o, "history", "factor", *m, true);
+    load.load_case = case_of(o, *m);
     load.has_history = bool(load.history);
     for (const int member : members) {
         load.member = member;
+        load.number = int(m->declared<MemberLoad>(member_loads_effect).size());
         m->declare(member_loads_effect, load);
     }
     m->ask(member_loads_effect, where(L));

@@ -111,7 +111,7 @@ int fix(lua_State* L) {
         parse_degrees_of_freedom("model:fix: what to fix", lua_isnoneornil(L, 3) ? "all" : lua_tostring(L, 3));
     if (lua_istable(L, 2)) {
         std::vector<int> nodes;
-        for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {
+        for (lua_Integer i = 1, n = list_length(L, 2, "model:fix: the list of nodes"); i <= n; ++i) {
             lua_rawgeti(L, 2, i);
             nodes.push_back(node_argument(L, -1, "model:fix: item " + std::to_string(i), m.get()).index);
             lua_pop(L, 1);
@@ -136,7 +136,7 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
         fresh.push_back(lua_tostring(L, index));
     };
     if (type == LUA_TTABLE)
-        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+        for (lua_Integer i = 1, n = list_length(L, -1, o.function() + ": field 'group'"); i <= n; ++i) {
             lua_rawgeti(L, -1, i);
             take(-1);
             lua_pop(L, 1);
@@ -201,11 +201,11 @@ int add_member(lua_State* L) {
     return 1;
 }
 
-int gravity(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:gravity").value;
-    m->set_gravity(read_triple(L, 2, "model:gravity: acceleration", "m/s^2"));
-    m->ask("gravity", where(L));
-    return 0;
+std::string show_target(lua_State* L) {
+    if (auto* n = find<NodeBox>(L, 2)) return name_of(*n);
+    if (auto* m = find<MemberBox>(L, 2)) return name_of(*m);
+    if (auto* g = find<GroupBox>(L, 2)) return name_of(*g);
+    return "group " + show(L, 2);
 }
 
 int velocity(lua_State* L) {
@@ -225,9 +225,17 @@ int velocity(lua_State* L) {
     const Vec3 v = read_triple(L, 3, "model:velocity: velocity", "m/s");
     const Vec3 w =
         lua_isnoneornil(L, 4) ? Vec3(Vec3::Zero()) : read_triple(L, 4, "model:velocity: angular velocity", "rad/s");
-    Vec3 centre = Vec3::Zero();
-    for (int n : nodes) centre += m->nodes()[n].position / double(nodes.size());
-    for (int n : nodes) m->set_velocity(n, v + w.cross(m->nodes()[n].position - centre), w);
+    Vec6 given;
+    given << v, w;
+    std::uint8_t fixed = 63;  // at all of them
+    for (int n : nodes) fixed &= m->nodes()[n].fixed;
+    bool moves = given.isZero(0) || (nodes.size() > 1 && !w.isZero(0));
+    for (int c = 0; c < 6; ++c) moves = moves || (given[c] != 0 && !(fixed >> c & 1));
+    if (!moves)
+        throw InputError(
+            "model:velocity: target is " + show_target(L) +
+            ", which supports hold in all directions of this velocity; a node that does not move has none");
+    m->set_velocities({std::move(nodes), v, w});
     return 0;
 }
 
@@ -251,20 +259,30 @@ int counts(lua_State* L) {
 
 }  // namespace
 
+int set_gravity(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:gravity").value;
+    const Vec3 g = read_triple(L, 2, "model:gravity: acceleration", "m/s^2");
+    m->set_gravity(g, lua_isnoneornil(L, 3) ? -1 : case_argument(L, 3, "model:gravity: case", *m));
+    m->ask("gravity", where(L));
+    return 0;
+}
+
 void open_model(lua_State* L, int module) {
-    static const luaL_Reg methods[] = {{"node", guarded<add_node>},
-                                       {"fix", guarded<fix>},
-                                       {"member", guarded<add_member>},
-                                       {"gravity", guarded<gravity>},
-                                       {"velocity", guarded<velocity>},
-                                       {"group", guarded<group>},
-                                       {"counts", guarded<counts>},
-#define HINGE_MODEL_METHOD(name, function) {#name, guarded<function>},
+    static const luaL_Reg methods[] = {{"node", guarded<declares<"model:node", 2, add_node>>},
+                                       {"fix", guarded<declares<"model:fix", 3, fix>>},
+                                       {"member", guarded<declares<"model:member", 2, add_member>>},
+                                       {"gravity", guarded<declares<"model:gravity", 3, set_gravity>>},
+                                       {"velocity", guarded<declares<"model:velocity", 4, velocity>>},
+                                       {"group", guarded<takes<"model:group", 2, group>>},
+                                       {"counts", guarded<takes<"model:counts", 1, counts>>},
+#define HINGE_MODEL_METHOD(name, function) {#name, guarded<declares<"model:" #name, 2, function>>},
+#define HINGE_MODEL_RUN(name, function) {#name, guarded<takes<"model:" #name, 2, function>>},
 #include "script/model_methods.inc"
 #undef HINGE_MODEL_METHOD
+#undef HINGE_MODEL_RUN
                                        {nullptr, nullptr}};
     add_methods(L, ModelBox::lua_name, methods);
-    lua_pushcfunction(L, guarded<model>);
+    lua_pushcfunction(L, (guarded<takes<"hinge.model", 1, model>>));
     lua_setfield(L, module, "model");
 }
 

@@ -32,6 +32,20 @@ void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int numb
     push_handle<LoadBox>(L, model, number, model->find_load(number)->node);
 }
 
+void note_change(lua_State* L, ScriptModel& model, const char* name) {
+    for (const auto& run : model.runs)
+        if (const auto r = run.lock(); r && !r->closed && r->changed.empty())
+            r->changed = std::string(name) + " at " + where(L);
+}
+
+int declaring(lua_State* L, const char* name, Body body) {
+    const auto* box = find<ModelBox>(L, 1);
+    const std::shared_ptr<ScriptModel> model = box ? box->value : nullptr;
+    const int results = body(L);
+    if (model) note_change(L, *model, name);
+    return results;
+}
+
 namespace {
 
 /// Refuses what is no T of this model. `made_by`: where a script gets one.
@@ -56,6 +70,12 @@ MemberBox& member_argument(lua_State* L, int index, const std::string& what, con
     return handle_argument<MemberBox>(L, index, what, model, "a member made by model:member{a, b, ...}");
 }
 
+namespace {
+bool in_group(const MemberData& d, int group) {
+    return std::find(d.groups.begin(), d.groups.end(), group) != d.groups.end();
+}
+}  // namespace
+
 std::string group_names(const Model& model, const std::string& typed) {
     std::string list;
     for (const auto& g : model.groups()) list += (list.empty() ? "" : ", ") + ("'" + g + "'");
@@ -64,13 +84,22 @@ std::string group_names(const Model& model, const std::string& typed) {
 }
 
 int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy) {
-    if (find<GroupBox>(L, index)) return handle_argument<GroupBox>(L, index, what, &model, "").index;
-    if (lua_type(L, index) != LUA_TSTRING)
-        throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
-    const std::string name = lua_tostring(L, index);
     const Model& asked = copy ? *copy : model;
-    const int found = asked.find_group(name);
-    if (found < 0) throw InputError(what + ": no group '" + name + "'" + group_names(asked, name));
+    int found;
+    if (find<GroupBox>(L, index)) {
+        found = handle_argument<GroupBox>(L, index, what, &model, "").index;
+    } else {
+        if (lua_type(L, index) != LUA_TSTRING)
+            throw InputError(what + " is " + show(L, index) + "; must be a group or the name of one");
+        const std::string name = lua_tostring(L, index);
+        found = model.find_group(name);
+        if (found < 0) throw InputError(what + ": no group '" + name + "'" + group_names(asked, name));
+    }
+    if (!copy || copy == &model) return found;
+    for (std::size_t i = copy->members().size(); i < model.members().size(); ++i)
+        if (in_group(model.members()[i], found))
+            throw InputError(what + " is group '" + model.groups()[found] + "', of which member " +
+                             std::to_string(i + 1) + " was declared after this run was made");
     return found;
 }
 
@@ -107,9 +136,6 @@ std::string degrees_of_freedom(std::uint8_t fixed) {
     return text;
 }
 
-bool in_group(const MemberData& d, int group) {
-    return std::find(d.groups.begin(), d.groups.end(), group) != d.groups.end();
-}
 double length_of(const Model& m, const MemberData& d) {
     return (m.nodes()[d.node[1]].position - m.nodes()[d.node[0]].position).norm();
 }
@@ -263,6 +289,7 @@ int load_fields(lua_State* L) {
     if (key == "node") push_handle<NodeBox>(L, l.model, data.node);
     else if (key == "force") push_triple(L, data.force);
     else if (key == "moment") push_triple(L, data.moment);
+    else if (key == "case") data.load_case < 0 ? lua_pushnil(L) : (void)push_text(L, l.model->cases()[data.load_case]);
     else refuse_field(L, "load", key);
     return 1;
 }
@@ -275,6 +302,7 @@ int load_text(lua_State* L) {
     if (!data.force.isZero()) text += " force " + show(data.force) + " N";
     if (!data.moment.isZero())
         text += std::string(data.force.isZero() ? "" : ",") + " moment " + show(data.moment) + " N m";
+    if (data.load_case >= 0) text += ", case '" + l.model->cases()[data.load_case] + "'";
     return push_text(L, text + (data.history ? ", times its history" : ""));
 }
 
@@ -282,6 +310,7 @@ int remove_load(lua_State* L) {
     auto& l = self<LoadBox>(L, "load:remove");
     l.model->remove_load(l.index);
     l.removed_at = where(L);
+    note_change(L, *l.model, "load:remove");
     return 0;
 }
 
@@ -322,17 +351,23 @@ int close_model(lua_State* L) {
 }  // namespace
 
 void open_objects(lua_State* L) {
-    static const luaL_Reg model[] = {{"nodes", guarded<model_nodes>},   {"members", guarded<model_members>},
-                                     {"groups", guarded<model_groups>}, {"loads", guarded<model_loads>},
-                                     {"close", guarded<close_model>},   {nullptr, nullptr}};
+    static const luaL_Reg model[] = {{"nodes", guarded<takes<"model:nodes", 1, model_nodes>>},
+                                     {"members", guarded<takes<"model:members", 1, model_members>>},
+                                     {"groups", guarded<takes<"model:groups", 1, model_groups>>},
+                                     {"loads", guarded<takes<"model:loads", 1, model_loads>>},
+                                     {"close", guarded<takes<"model:close", 1, close_model>>},
+                                     {nullptr, nullptr}};
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    static const luaL_Reg member[] = {
-        {"nodes", guarded<member_nodes>}, {"groups", guarded<member_groups>}, {nullptr, nullptr}};
-    static const luaL_Reg group[] = {
-        {"members", guarded<group_members>}, {"nodes", guarded<group_nodes>}, {nullptr, nullptr}};
-    static const luaL_Reg load[] = {{"remove", guarded<remove_load>}, {nullptr, nullptr}};
+    static const luaL_Reg member[] = {{"nodes", guarded<takes<"member:nodes", 1, member_nodes>>},
+                                      {"groups", guarded<takes<"member:groups", 1, member_groups>>},
+                                      {nullptr, nullptr}};
+    static const luaL_Reg group[] = {{"members", guarded<takes<"group:members", 1, group_members>>},
+                                     {"nodes", guarded<takes<"group:nodes", 1, group_nodes>>},
+                                     {nullptr, nullptr}};
+    static const luaL_Reg load[] = {{"remove", guarded<takes<"load:remove", 1, remove_load>>}, {nullptr, nullptr}};
     make_metatable(L, ModelBox::lua_name, model, guarded<model_fields>, collect<ModelBox>, guarded<model_text>,
                    nullptr);
+    open_cases(L);
     make_metatable(L, NodeBox::lua_name, none, guarded<node_fields>, collect<NodeBox>, guarded<node_text>, nullptr);
     make_metatable(L, MemberBox::lua_name, member, guarded<member_fields>, collect<MemberBox>, guarded<member_text>,
                    nullptr);
@@ -342,7 +377,7 @@ void open_objects(lua_State* L) {
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
     name_fields(L, MemberBox::lua_name,
                 {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
-    name_fields(L, LoadBox::lua_name, {"node", "force", "moment"});
+    name_fields(L, LoadBox::lua_name, {"node", "force", "moment", "case"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);
     lua_pushcfunction(L, guarded<group_size>);

@@ -59,6 +59,11 @@ int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& 
     return n;
 }
 
+void must_be_fixed_in(const RunRecord& r, int node, const std::string& what) {
+    if (r.model->nodes()[node].fixed & ~r.run->structure().model().nodes()[node].fixed)
+        throw InputError(what + " is node " + std::to_string(node + 1) + ", fixed after this run was made");
+}
+
 namespace {
 
 /// The run that a handle's method reads: the one given, or the latest of its model.
@@ -128,6 +133,8 @@ int acceleration(lua_State* L) {
 }
 template <class Self>
 int reaction(lua_State* L) {
+    const Asked a = asked_node<Self>(L, "reaction");
+    must_be_fixed_in(*a.record, a.index, std::is_same_v<Self, RunBox> ? "run:reaction: node" : "node:reaction: this");
     return six<Self>(L, "reaction", [](const Run& r, int n) { return r.reaction(n); });
 }
 
@@ -220,11 +227,13 @@ std::vector<double> read_nodes(const RunRecord& r, const std::string& what, int 
         int(std::find(node_quantities().begin(), node_quantities().end(), quantity) - node_quantities().begin());
     std::vector<double> values;
     values.reserve(nodes.size());
-    for (const int n : nodes)
+    for (const int n : nodes) {
+        if (what.starts_with("reaction_")) must_be_fixed_in(r, n, "run:read: a joint");
         values.push_back(what == "node" ? n + 1.0
                          : what.starts_with("node_")
                              ? position_of(*r.run, n)[what.back() - 'x']
                              : value_of(*r.run, {n, Probe::Quantity(q / 6), q % 6, {}, {}, {}}));
+    }
     return values;
 }
 
@@ -295,21 +304,24 @@ int read(lua_State* L) {
 }  // namespace
 
 void open_reading(lua_State* L) {
-    static const luaL_Reg run[] = {{"displacement", guarded<displacement<RunBox>>},
-                                   {"velocity", guarded<velocity<RunBox>>},
-                                   {"acceleration", guarded<acceleration<RunBox>>},
-                                   {"reaction", guarded<reaction<RunBox>>},
-                                   {"position", guarded<position<RunBox>>},
-                                   {"forces", guarded<forces<RunBox>>},
-                                   {"state", guarded<member_state<RunBox>>},
-                                   {"read", guarded<read>},
+    static const luaL_Reg run[] = {{"displacement", guarded<takes<"run:displacement", 2, displacement<RunBox>>>},
+                                   {"velocity", guarded<takes<"run:velocity", 2, velocity<RunBox>>>},
+                                   {"acceleration", guarded<takes<"run:acceleration", 2, acceleration<RunBox>>>},
+                                   {"reaction", guarded<takes<"run:reaction", 2, reaction<RunBox>>>},
+                                   {"position", guarded<takes<"run:position", 2, position<RunBox>>>},
+                                   {"forces", guarded<takes<"run:forces", 2, forces<RunBox>>>},
+                                   {"state", guarded<takes<"run:state", 2, member_state<RunBox>>>},
+                                   {"read", guarded<takes<"run:read", 3, read>>},
                                    {nullptr, nullptr}};
-    static const luaL_Reg node[] = {
-        {"displacement", guarded<displacement<NodeBox>>}, {"velocity", guarded<velocity<NodeBox>>},
-        {"acceleration", guarded<acceleration<NodeBox>>}, {"reaction", guarded<reaction<NodeBox>>},
-        {"position", guarded<position<NodeBox>>},         {nullptr, nullptr}};
-    static const luaL_Reg member[] = {
-        {"forces", guarded<forces<MemberBox>>}, {"state", guarded<member_state<MemberBox>>}, {nullptr, nullptr}};
+    static const luaL_Reg node[] = {{"displacement", guarded<takes<"node:displacement", 2, displacement<NodeBox>>>},
+                                    {"velocity", guarded<takes<"node:velocity", 2, velocity<NodeBox>>>},
+                                    {"acceleration", guarded<takes<"node:acceleration", 2, acceleration<NodeBox>>>},
+                                    {"reaction", guarded<takes<"node:reaction", 2, reaction<NodeBox>>>},
+                                    {"position", guarded<takes<"node:position", 2, position<NodeBox>>>},
+                                    {nullptr, nullptr}};
+    static const luaL_Reg member[] = {{"forces", guarded<takes<"member:forces", 2, forces<MemberBox>>>},
+                                      {"state", guarded<takes<"member:state", 2, member_state<MemberBox>>>},
+                                      {nullptr, nullptr}};
     add_methods(L, RunBox::lua_name, run);
     add_methods(L, NodeBox::lua_name, node);
     add_methods(L, MemberBox::lua_name, member);

@@ -126,6 +126,7 @@ int probe(lua_State* L) {
     const int index = int(at - names.begin());
     p->quantity = Probe::Quantity(index / 6);
     p->component = index % 6;
+    if (p->quantity == Probe::Quantity::reaction) must_be_fixed_in(*r, p->node, "run:probe: field 'node'");
     p->name = o.text("name").value_or("node" + std::to_string(p->node + 1) + "_" + what);
     o.finish(1);
     if (p->name.find_first_of(",\n\"") != std::string::npos)
@@ -192,6 +193,13 @@ void push_energy(lua_State* L, const Run& run) {
     put("remainder", e.error);
 }
 
+/// { name = factor } of the load cases.
+void push_cases(lua_State* L, const Model& m) {
+    lua_newtable(L);
+    for (std::size_t i = 0; i < m.case_factors().size(); ++i)
+        lua_pushnumber(L, m.case_factors()[i]), lua_setfield(L, -2, m.cases()[i].c_str());
+}
+
 int fields(lua_State* L) {
     if (push_method(L)) return 1;
     const std::string key = key_argument(L);
@@ -208,6 +216,7 @@ int fields(lua_State* L) {
     else if (key == "kind") lua_pushstring(L, run.kind());
     else if (key == "energy") push_energy(L, run);
     else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
+    else if (key == "loads") push_cases(L, run.structure().model());
     else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
     else if (key == "hash")
@@ -355,18 +364,23 @@ int probe_text(lua_State* L) {
 
 void open_run(lua_State* L) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
-    static const luaL_Reg methods[] = {{"steps", guarded<steps>},           {"step", guarded<step>},
-                                       {"finish", guarded<finish>},         {"stop", guarded<stop>},
-                                       {"probe", guarded<probe>},           {"on_step", guarded<on_step>},
-                                       {"count", guarded<count>},           {"momentum", guarded<run_momentum>},
-                                       {"snapshot", guarded<run_snapshot>}, {nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"steps", guarded<takes<"run:steps", 1, steps>>},
+                                       {"step", guarded<takes<"run:step", 1, step>>},
+                                       {"finish", guarded<takes<"run:finish", 1, finish>>},
+                                       {"stop", guarded<takes<"run:stop", 1, stop>>},
+                                       {"probe", guarded<takes<"run:probe", 2, probe>>},
+                                       {"on_step", guarded<takes<"run:on_step", 2, on_step>>},
+                                       {"count", guarded<takes<"run:count", 2, count>>},
+                                       {"momentum", guarded<takes<"run:momentum", 1, run_momentum>>},
+                                       {"snapshot", guarded<takes<"run:snapshot", 1, run_snapshot>>},
+                                       {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name, {"kind",    "time",        "factor",       "index",           "planned_steps",
-                                      "verdict", "reason",      "energy",       "worst_remainder", "contacts",
-                                      "stages",  "effects",     "wall_seconds", "fastest",         "dt",
-                                      "hash",    "counts",      "wakings",      "probes",          "instability",
-                                      "limit",   "energy_error"});
+    name_fields(L, RunBox::lua_name, {"kind",    "time",         "factor",       "index",           "planned_steps",
+                                      "verdict", "reason",       "energy",       "worst_remainder", "contacts",
+                                      "stages",  "effects",      "wall_seconds", "fastest",         "dt",
+                                      "hash",    "counts",       "wakings",      "probes",          "instability",
+                                      "limit",   "energy_error", "loads"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

@@ -5,6 +5,7 @@
 #include "script/check.h"
 #include "script/checkpoint.h"
 #include "effects/all_effects.h"
+#include "effects/member_loads.h"
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
 #include "script/element_count.h"
@@ -13,36 +14,112 @@
 namespace hinge::script {
 namespace {
 
-/// The run's own copy of a model, without the effect that is left out just now (core.leave_out). Numbers of elements
-/// are decided with it; the model takes them from the run, once there is one.
-std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m) {
+/// The run in field 'from', null where there is none.
+const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& model) {
+    lua_State* L = o.L();
+    const RunRecord* record = nullptr;
+    if (o.push_field("from") != LUA_TNIL) {
+        if (!find<RunBox>(L, -1)) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
+        record = run_argument(L, -1, o.function() + ": field 'from'").get();
+        if (record->model != model) o.complain("from", "a run of another model", "must be a run of this one");
+        if (record->stepping && record->mid_step)
+            o.complain("from", "a run in the middle of a step", "make this run when the step is done");
+        const Run& run = *record->run;
+        const bool is_static = std::string_view(run.kind()) == "static";
+        if (run.verdict() == Verdict::running && !context(L)->planning && (is_static || run.steps_done() == 0))
+            o.complain("from",
+                       "a " + std::string(run.kind()) + " run that has done " + std::to_string(run.steps_done()) +
+                           " of " + std::to_string(run.planned_steps()) + " steps (made at " + record->asked_at + ")",
+                       "finish it first with run:finish(), or end it with run:stop() to go on from there");
+    }
+    lua_pop(L, 1);
+    return record;
+}
+
+/// The run's own copy of a model, with the loads that it takes, without the effect that is left out just now
+/// (core.leave_out). Numbers of elements are decided with all loads; the model takes them from the run, once there is
+/// one.
+std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadChoice& choice) {
     auto copy = std::make_shared<Model>(m);
     context(L)->running = L;
     decide_elements(*copy);
+    copy->choose(choice);
     if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
     look_over(*context(L), *copy);
     return copy;
 }
 
-State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const std::shared_ptr<Model>& model) {
-    lua_State* L = o.L();
-    State state = initial_state(*structure);
-    if (o.push_field("from") != LUA_TNIL) {
-        if (!find<RunBox>(L, -1)) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
-        const RunRecord& record = *run_argument(L, -1, o.function() + ": field 'from'");
-        if (record.model != model) o.complain("from", "a run of another model", "must be a run of this one");
-        const State& from = record.run->state();
-        if (from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
-            o.complain("from",
-                       "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " +
-                           std::to_string(from.broken.size()) + " elements",
-                       "this model has " + std::to_string(state.displacement.size()) + " and " +
-                           std::to_string(state.broken.size()) + "; add nothing between the runs");
-        state = from;
-        state.step = 0;
+/// Velocities that were given since the run before was made: of the target where it is now, and of the nodes inside the
+/// members there as Structure::initial_velocity has them.
+void take_velocities(State& state, const Structure& structure, const Model& before, const std::string& function) {
+    const Model& m = structure.model();
+    std::vector<Vec6> velocity = state.velocity;
+    std::vector<char> anew(velocity.size(), 0);
+    for (std::size_t n = 0; n < m.nodes().size(); ++n) {
+        const int given = m.velocity_given()[n];
+        if (given == before.velocity_given()[n]) continue;
+        const GivenVelocity& v = m.given_velocities()[given];
+        const auto place = [&](int node) { return Vec3(structure.position()[node] + state.displacement[node]); };
+        Vec3 centre = Vec3::Zero();
+        for (int node : v.nodes) {
+            if (state.gone[node] && !structure.elements_at(node).empty())
+                throw InputError(function + ": a velocity was given to " + structure.node_name(node) +
+                                 ", which has no element left in the run that this one goes on from");
+            centre += place(node) / double(v.nodes.size());
+        }
+        velocity[n] << v.linear + v.angular.cross(place(int(n)) - centre), v.angular;
+        anew[n] = 1;
     }
-    lua_pop(L, 1);
+    std::size_t inner = m.nodes().size();
+    for (const MemberData& member : m.members())
+        for (int i = 1; i < member.elements; ++i, ++inner) {
+            const double t = double(i) / member.elements;
+            anew[inner] = anew[member.node[0]] || anew[member.node[1]];
+            if (anew[inner]) velocity[inner] = (1 - t) * velocity[member.node[0]] + t * velocity[member.node[1]];
+        }
+    for (std::size_t n = 0; n < velocity.size(); ++n)
+        for (int c = 0; c < 6 && anew[n]; ++c) state.velocity[n][c] = state.held[n] >> c & 1 ? 0 : velocity[n][c];
+}
+
+State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const RunRecord* before) {
+    State state = initial_state(*structure);
+    if (!before) return state;
+    const State& from = before->run->state();
+    const Model &there = before->run->structure().model(), &here = structure->model();
+    const bool same = there.nodes().size() == here.nodes().size() && there.members().size() == here.members().size();
+    if (!same || from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
+        o.complain("from",
+                   "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " +
+                       std::to_string(from.broken.size()) + " elements",
+                   "this model has " + std::to_string(state.displacement.size()) + " and " +
+                       std::to_string(state.broken.size()) + "; add nothing between the runs");
+    state = from;
+    state.step = 0;
+    for (std::size_t n = 0; n < here.nodes().size(); ++n)
+        if (here.nodes()[n].fixed & ~there.nodes()[n].fixed)
+            o.complain("from", "the run made at " + before->asked_at,
+                       structure->node_name(int(n)) +
+                           " has been fixed since, and what goes on has it free; fix it before that run is made");
+    take_velocities(state, *structure, there, o.function());
     return state;
+}
+
+/// A velocity that no node can have.
+void refuse_idle_velocities(const Structure& structure, const State& start) {
+    const Model& m = structure.model();
+    for (std::size_t n = 0; n < m.nodes().size(); ++n) {
+        const int given = m.velocity_given()[n];
+        if (given < 0 || m.given_velocities()[given].nodes.size() > 1) continue;
+        const GivenVelocity& v = m.given_velocities()[given];
+        Vec6 wanted;
+        wanted << v.linear, v.angular;
+        bool moves = wanted.isZero(0) || (start.gone[n] && !structure.elements_at(int(n)).empty());
+        for (int c = 0; c < 6; ++c) moves = moves || (wanted[c] != 0 && !(start.held[n] >> c & 1));
+        if (!moves)
+            throw InputError("model:dynamic: a velocity was given to " + structure.node_name(int(n)) +
+                             (structure.elements_at(int(n)).empty() ? ", which belongs to no member"
+                                                                    : ", which supports hold in its directions"));
+    }
 }
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
@@ -50,6 +127,15 @@ void refuse_lost_loads(const Model& m, const Structure& structure, const State& 
         if (start.gone[l.node])
             throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
                              ", which has no element left");
+}
+
+/// All loads wait for dynamics.
+void refuse_no_loads(const Model& m, int aside) {
+    const std::size_t all = m.loads().size() + m.declared<MemberLoad>(member_loads_effect).size();
+    if (aside == 0 || std::size_t(aside) < all || m.gravity()) return;
+    throw InputError(
+        "model:static: nothing acts: all loads have a history, which is for dynamics; leave the history out, or put "
+        "them into a load case and name it, loads = { name = 1 }, which takes them in full");
 }
 
 /// Steps between rows of history.csv; 0 for record = false.
@@ -64,7 +150,10 @@ int record_every(Options& o, int usual) {
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
-    const auto structure = std::make_shared<const Structure>(copy_of(L, *m));
+    o.expect(
+        {"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "hold", "record", "from", "loads"});
+    const RunRecord* before = run_before(o, m);
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, read_choice(o, *m, before, true)));
     StaticSettings s;
     s.steps = o.integer("steps", 1, 10);
     s.iterations = o.integer("iterations", 2, s.iterations);
@@ -121,16 +210,16 @@ int static_run(lua_State* L) {
     }
     lua_pop(L, 1);
     const int every = record_every(o, 1);
-    State start = start_state(o, structure, m);
-    o.finish();
+    State start = start_state(o, structure, before);
     if (structure->elements().empty())
         throw InputError("model:static: the model has no members; add at least one with model:member");
-    refuse_lost_loads(*m, *structure, start, "model:static");
-    for (const NodalLoad& l : m->loads())
+    refuse_lost_loads(structure->model(), *structure, start, "model:static");
+    for (const NodalLoad& l : structure->model().loads())
         if (l.follows_state())
             throw InputError("model:static: a load on " + structure->node_name(l.node) +
                              " is a function of time and the run, which acts in dynamics only; make the static run "
-                             "before it is declared");
+                             "before it is declared, or put it into a load case that this run does not take");
+    if (!before) refuse_no_loads(*m, structure->model().set_aside());
     context(L)->running = L;
     try {
         return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
@@ -219,12 +308,15 @@ int dynamic_run(lua_State* L) {
               "energy_tolerance",
               "step_control",
               "rho_infinity",
-              "checkpoint"});
+              "checkpoint",
+              "loads"});
     const std::string integrator = o.word("integrator", {"newmark", "energy-momentum", "explicit"}, "newmark");
     const bool in_explicit_steps = integrator == "explicit", conserving = integrator == "energy-momentum";
-    const auto structure = std::make_shared<const Structure>(copy_of(L, *m), in_explicit_steps ? MassKind::lumped
-                                                                             : conserving      ? MassKind::at_nodes
-                                                                                               : MassKind::consistent);
+    const RunRecord* before = run_before(o, m);
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, read_choice(o, *m, before, false)),
+                                                             in_explicit_steps ? MassKind::lumped
+                                                             : conserving      ? MassKind::at_nodes
+                                                                               : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
         throw InputError(
             "model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes "
@@ -295,8 +387,9 @@ int dynamic_run(lua_State* L) {
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
-    State start = start_state(o, structure, m);
-    refuse_lost_loads(*m, *structure, start, "model:dynamic");
+    State start = start_state(o, structure, before);
+    refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
+    refuse_idle_velocities(*structure, start);
     context(L)->running = L;
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);

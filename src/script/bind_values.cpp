@@ -136,9 +136,9 @@ void open_values(lua_State* L, int module) {
     name_fields(L, SectionBox::lua_name,
                 {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
                  "N0", "Mx0", "My0", "Mz0", "width", "depth"});
-    lua_pushcfunction(L, guarded<material>);
+    lua_pushcfunction(L, (guarded<takes<"hinge.material", 1, material>>));
     lua_setfield(L, module, "material");
-    lua_pushcfunction(L, guarded<section>);
+    lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));
     lua_setfield(L, module, "section");
 }
 

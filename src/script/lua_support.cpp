@@ -144,6 +144,36 @@ std::string show(lua_State* L, int index) {
     }
 }
 
+int taking(lua_State* L, const char* name, int most, Body body) {
+    const int own = std::strchr(name, ':') ? most - 1 : most;
+    for (int i = most + 1; i <= lua_gettop(L); ++i)
+        if (!lua_isnil(L, i))
+            throw InputError(std::string(name) + ": takes " +
+                             (own == 0   ? "no argument"
+                              : own == 1 ? "one argument"
+                                         : std::to_string(own) + " arguments") +
+                             ", got also " + show(L, i));
+    return body(L);
+}
+
+lua_Integer list_length(lua_State* L, int index, const std::string& what) {
+    index = lua_absindex(L, index);
+    const lua_Integer n = lua_Integer(lua_rawlen(L, index));
+    lua_Integer found = 0;
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        lua_pop(L, 1);
+        if (!lua_isinteger(L, -1) || lua_tointeger(L, -1) < 1 || lua_tointeger(L, -1) > n)
+            throw InputError(what + " holds " + (lua_type(L, -1) == LUA_TSTRING ? "a field " : "an item ") +
+                             show(L, -1) + ", which is not one of its items 1 to " + std::to_string(n));
+        ++found;
+    }
+    if (found != n)
+        throw InputError(what + " has " + std::to_string(n - found) + " of its " + std::to_string(n) +
+                         " items missing (nil)");
+    return n;
+}
+
 void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields, lua_CFunction gc,
                     lua_CFunction to_string, lua_CFunction equal) {
     luaL_newmetatable(L, name);
@@ -358,6 +388,13 @@ Vec3 read_triple(lua_State* L, int index, const std::string& what, const char* u
     }
     if (lua_rawlen(L, index) > 3)
         throw InputError(what + " has " + std::to_string(lua_rawlen(L, index)) + " items; must be {x, y, z}" + u);
+    lua_pushnil(L);
+    while (lua_next(L, index)) {
+        lua_pop(L, 1);
+        if (lua_isinteger(L, -1) && lua_tointeger(L, -1) >= 1 && lua_tointeger(L, -1) <= 3) continue;
+        throw InputError(what + " has " + (lua_type(L, -1) == LUA_TSTRING ? "a field " : "an item ") + show(L, -1) +
+                         "; must be {x, y, z}" + u + " and nothing else");
+    }
     return v;
 }
 

@@ -105,6 +105,23 @@ std::string key_argument(lua_State* L);
 bool push_method(lua_State* L);
 [[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key);
 
+/// body; arguments beyond the first `most` (an object with its `:` counts) are refused.
+int taking(lua_State* L, const char* name, int most, Body body);
+template <std::size_t n>
+struct Name {
+    char text[n];
+    constexpr Name(const char (&from)[n]) {
+        for (std::size_t i = 0; i < n; ++i) text[i] = from[i];
+    }
+};
+template <Name name, int most, Body body>
+int takes(lua_State* L) {
+    return taking(L, name.text, most, body);
+}
+
+/// The number of items of the list at `index`: a table with items 1 to n and nothing else, or it throws naming `what`.
+lua_Integer list_length(lua_State* L, int index, const std::string& what);
+
 // ---- tables of options --------------------------------------------------------------------------------------------
 
 enum class Range { any, positive, not_negative };

@@ -104,6 +104,12 @@ struct LoadBox {
     std::string removed_at = {};  ///< the script's line that removed it, "" while it is there
 };
 
+struct CaseBox {
+    static constexpr const char* lua_name = "hinge.case";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+
 /// A quantity of a node recorded at every step.
 struct Probe {
     int node;
@@ -155,6 +161,7 @@ struct RunRecord : Recorded {
     std::string rows;  ///< not yet written
     std::string history_path;
     std::string asked_at;   ///< the script's line that made the run
+    std::string changed;    ///< what was declared first since, and where; "" for nothing
     bool begun = false;     ///< its files are open
     bool stepping = false;  ///< a step is going on: the script's functions may not ask for another
     bool mid_step = false;  ///< the state is between two
@@ -184,6 +191,7 @@ std::string name_of(const NodeBox& n);
 std::string name_of(const MemberBox& m);
 std::string name_of(const GroupBox& g);
 std::string name_of(const LoadBox& l);
+std::string name_of(const CaseBox& c);
 std::string name_of(const ModelBox& m);
 std::string name_of(const RunBox& r);
 
@@ -238,15 +246,34 @@ void open_output(lua_State* L, int module);   ///< pictures, frames, summary
 void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
 
 #define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);
+#define HINGE_MODEL_RUN(name, function) int function(lua_State* L);
 #include "script/model_methods.inc"
 #undef HINGE_MODEL_METHOD
+#undef HINGE_MODEL_RUN
+int set_gravity(lua_State* L);
 #define HINGE_LOAD_ON(target, function, ...) int function(lua_State* L);
 #include "script/load_targets.inc"
 #undef HINGE_LOAD_ON
 
 /// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
 /// point has beside its time. Empty where the field is absent.
-History read_history(Options& o, const char* field, const std::string& each, const Model& model);
+/// `jumps`: two points may have the same time.
+History read_history(Options& o, const char* field, const std::string& each, const Model& model, bool jumps);
+
+/// body, which changes the model that it is called on: runs made before take note (advance).
+int declaring(lua_State* L, const char* name, Body body);
+void note_change(lua_State* L, ScriptModel& model, const char* name);
+template <Name name, int most, Body body>
+int declares(lua_State* L) {
+    return taking(L, name.text, most, [](lua_State* L) { return declaring(L, name.text, body); });
+}
+
+/// The case in field 'case' of a load, by name or handle; -1 where there is none.
+int case_of(Options& o, const Model& model);
+int case_argument(lua_State* L, int index, const std::string& what, const Model& model);
+/// What a run takes of the loads: its field 'loads', or what the run before had.
+LoadChoice read_choice(Options& o, const Model& model, const RunRecord* from, bool is_static);
+void open_cases(lua_State* L);
 
 /// Makes the run that model:static{} and model:dynamic{} return.
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every);
@@ -267,6 +294,8 @@ int group_argument(lua_State* L, int index, const std::string& what, const Model
 void tell_of_run(lua_State* L);
 /// The index of a node that the run has.
 int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
+/// Refuses a node that was fixed after the run was made: the run knows no reaction of it.
+void must_be_fixed_in(const RunRecord& r, int node, const std::string& what);
 /// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order
 /// of Probe::Quantity.
 const std::vector<std::string>& node_quantities();

@@ -288,6 +288,10 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
             "run:step: called from a function of this very run, in the middle of a step; it steps on when that is "
             "done");
     if (c->planning) return false;
+    if (!r.changed.empty() && !r.closed && r.run->verdict() == Verdict::running)
+        throw InputError("run:step: " + r.changed + " came after this run was made at " + r.asked_at +
+                         ", which does not know of it; declare it before, or make another run that goes on from this "
+                         "one (from = run)");
     if (!r.begun) {
         begin_checkpoints(L, *c, r);
         note_what_went(r);

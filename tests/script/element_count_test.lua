@@ -151,6 +151,7 @@ do -- What a run has decided stays; one that could not be made decides nothing; 
   equal(s.member.elements, "auto", "after a run that could not be made")
   local first = s.model:static { steps = 1, record = false }
   equal(s.member.elements, 16, "the column")
+  first:finish()
   equal(s.model:static { from = first, record = false }:finish().verdict, "completed", "goes on from the first")
   local far = s.model:node { 2 * L, 0, 0 }
   local later = s.model:member { s.b, far, section = section, material = steel, elements = "auto" }

@@ -112,7 +112,8 @@ wrong("model:node: position: component x is inf; must be finite", function(s) s.
 wrong("model:node: position: component x is '0'; must be a number in m", function(s) s.model:node { "0", 0, 0 } end)
 wrong("model:node: position: component z is nil; must be a number in m", function(s) s.model:node { 0, 0 } end)
 wrong("model:node: position has 4 items; must be {x, y, z} in m", function(s) s.model:node { 0, 0, 0, 0 } end)
-wrong("model:node: position is 0; must be a table {x, y, z} in m", function(s) s.model:node(0, 0, 0) end)
+wrong("model:node: takes one argument, got also 0", function(s) s.model:node(0, 0, 0) end)
+wrong("model:node: position is 0; must be a table {x, y, z} in m", function(s) s.model:node(0) end)
 wrong("node has no field or method 'posx'...; it has x, y, z, index, fixed, ...", function(s) return s.tip.posx end)
 wrong("model:fix: node is 'wall'; must be a node made by model:node{x, y, z}", function(s) s.model:fix "wall" end)
 wrong("model:fix: node is node 2 of another model; use one of this model",
@@ -207,7 +208,8 @@ wrong("model:load: unknown field 'forces' (did you mean 'force'?); it takes ..."
   function(s) s.model:load { node = s.tip, forces = { 1, 0, 0 } } end)
 wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of {time, factor} pairs",
   function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = 5 } end)
-wrong("model:load: field 'history' is out of order at point 2 (time 0.5 s); times must rise",
+wrong("model:load: field 'history' is out of order at point 2 (time 0.5 s); times must rise, "
+  .. "or be equal where it jumps",
   function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 1, 0 }, { 0.5, 1 } } } end)
 wrong("model:load: field 'history' is wrong at point 1; each point must be {time in s, factor}",
   function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 2 } } } end)
@@ -373,7 +375,7 @@ wrong("model:dynamic: element 1 of member 2, nodes 2-4 has density 0 kg/m^3; dyn
 wrong("model:dynamic: field 'from' is a run of a structure with 5 nodes and 2 elements; this model has 6 and 4; "
   .. "add nothing between the runs",
   function(s) s.model:dynamic { dt = 1e-3, duration = 1, from = s.run } end,
-  function(s) s.run = s.model:static {} s.model:member { s.tip, s.far, section = bar, material = steel } end)
+  function(s) s.run = s.model:static {}:finish() s.model:member { s.tip, s.far, section = bar, material = steel } end)
 wrong("model:dynamic: field 'from' is a run of another model; must be a run of this one",
   function(s) s.model:dynamic { dt = 1e-3, duration = 1, from = cantilever().model:static {} } end)
 -- the tip breaks off under its load
@@ -470,7 +472,7 @@ wrong("node has no field or method 'displacment' (did you mean 'displacement'?);
 wrong(
   "group has no field or method 'member' (did you mean 'members'?); it has name, size, mass, length, members, nodes",
   function(s) s.model:group "arms":member() end)
-wrong("load has no field or method 'forces' (did you mean 'force'?); it has node, force, moment, remove",
+wrong("load has no field or method 'forces' (did you mean 'force'?); it has node, force, moment, case, remove",
   function(s) return s.model:loads()[1].forces end)
 wrong("run:read: quantity is 'Nx_a'; must be one of ... (did you mean 'N_a'?)",
   function(s) s.run:read "Nx_a" end, with_run)

@@ -157,6 +157,7 @@ end
 for what, one in pairs {
   ["limits"] = function()
     local m = chain(20, 1)
+    m:load { node = m:nodes()[21], force = { 0, 0, 1 } }
     m:static { steps = 1 }:finish()
     m:dynamic { dt = 1e-5, duration = 1e-4 }:step()
   end,

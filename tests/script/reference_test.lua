@@ -83,9 +83,10 @@ local function scene()
   s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm" }
   s.group = s.model:group "arm"
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
+  s.case = s.model:case "live"
   s.connector = s.model:connector { s.tip, ground = true, stiffness = { x = 1 } }
   s.model:damping { alpha = 1 }
-  s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
+  s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3, loads = {} }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.snapshot = s.run:snapshot()
   return s
@@ -94,7 +95,7 @@ local s = scene()
 s.run:finish()
 local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
-  ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.snapshot"] = s.snapshot,
+  ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
   ["hinge.connector"] = s.connector }
 
 -- A value has the fields that its declared type names; { ... }[] and lists of a class are
@@ -189,6 +190,7 @@ local calls = {
   ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["model:member"] = function(x) s.model:member(x) end,
   ["model:load"] = function(x) s.model:load(x) end,
+  ["case:load"] = function(x) s.case:load(x) end,
   ["model:mass"] = function(x) s.model:mass(with({ node = s.tip, mass = 1 }, x)) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
@@ -203,7 +205,7 @@ local calls = {
   ["model:connector.capacity"] = function(x) s.model:connector { s.tip, ground = true, capacity = x } end,
   ["model:ground"] = function(x) s.model:ground(x) end,
   ["model:static"] = function(x) s.model:static(x) end,
-  ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x) } end,
+  ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x), loads = {} } end,
   ["model:dynamic"] = function(x) s.model:dynamic(x) end,
   ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
   ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,

@@ -89,7 +89,7 @@ for what, o in pairs {
   ["two bodies, explicit"] = { at = { 0, 2 }, run = { integrator = "explicit" } },
 } do
   local model, corners = thrown(with(o, { gap = 0.41, gravity = true }))
-  local loaded = completed(model:static { hold = "missile", record = false }, what)
+  local loaded = completed(model:static { hold = "missile", loads = o.loads, record = false }, what)
   local base = with(o.run, { from = loaded, dt = 5e-6, duration = 0.015, record = false })
   local lazy, full = model:dynamic(base), model:dynamic(with(base, { rest = false }))
   local a, b = observe(lazy, corners), observe(full, corners)
@@ -157,8 +157,8 @@ end
 -- What is not at rest: under a load with a history, out of balance, or under way.
 for what, o in pairs {
   ["a load with a history"] = { static = true, declare = function(m, corners)
-    m:load { node = corners[1], force = { 0, 0, 1 }, history = function() return 1 end }
-  end },
+    m:case "push":load { node = corners[1], force = { 0, 0, 1 }, history = function() return 1 end }
+  end, loads = "push" },
   ["gravity, not brought to equilibrium"] = { gravity = true },
   ["a load, not brought to equilibrium"] = { declare = function(m, corners)
     m:load { node = corners[1], force = { 0, 10, 0 } }
@@ -170,7 +170,8 @@ for what, o in pairs {
 } do
   for _, integrator in ipairs { "newmark", "explicit" } do
     local model, corners = thrown(with(o, { gap = 1 }))
-    local loaded = o.static and completed(model:static { hold = "missile", record = false }, what) or nil
+    local loaded = o.static
+      and completed(model:static { hold = "missile", loads = o.loads, record = false }, what) or nil
     local run = model:dynamic { from = loaded, dt = 5e-6, duration = 5e-4, integrator = integrator, record = false }
     local start = { run:displacement(corners[1]) }
     completed(run, what)

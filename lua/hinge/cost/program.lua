@@ -22,7 +22,7 @@ function program.main(options)
       "a part above 0, such as 1% or 0.01")
     local budget = positive("--budget", options.budget, { [""] = 1, s = 1, min = 60, h = 3600 },
       "a time above 0, such as 60s, 5min or 1h")
-    local scenario = runner.load(options.script, runner.plain(options.overrides))
+    local scenario = runner.load(options.script, options.overrides)
     if not scenario then
       check.fail("cost: %s has no settings to compare; it does not return a hinge.scenario", options.script)
     end
