@@ -8,6 +8,14 @@ function check.fail(format, ...)
   core.input_error(select("#", ...) > 0 and format:format(...) or format)
 end
 
+--- Raises an error if there are more arguments than a function takes.
+function check.no_more(where, ...)
+  for i = 1, select("#", ...) do
+    local more = select(i, ...)
+    if more ~= nil then check.fail("%s: takes no further argument, got also %s", where, check.show(more)) end
+  end
+end
+
 --- A value as it should appear in a message.
 function check.show(value)
   if type(value) == "string" then return "'" .. value .. "'" end

@@ -3,7 +3,8 @@ local check = require "hinge.check"
 
 -- Acceleration linear between the record's values, so velocity and displacement are exact
 -- polynomials from value to value.
-return function(options)
+return function(options, ...)
+  check.no_more("hinge.ground", ...)
   local o = check.options("hinge.ground", options, {
     dt = { "number", unit = "s", above = 0 },
     acceleration = { "numbers", unit = "m/s^2" },

@@ -73,8 +73,8 @@ function hinge.model(options) end
 
 ---A linear elastic, perfectly plastic material.
 ---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
----  E Pa; nu default 0.3; G Pa, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in dynamics; yield_stress
----  Pa, left out: never yields
+---  E Pa; nu default 0.3; G Pa, in the place of nu, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in
+---  dynamics; yield_stress Pa, left out: never yields
 ---@return hinge.material
 function hinge.material(options) end
 
@@ -302,7 +302,7 @@ function model:close() end
 ---@return hinge.node
 function model:node(position) end
 
----Fixes degrees of freedom of one node or of a list of nodes.
+---Fixes degrees of freedom of one node or of a list of nodes, beside those that are fixed.
 ---@param node hinge.node|hinge.node[]
 ---@param what? string "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
 function model:fix(node, what) end
@@ -417,7 +417,7 @@ function model:gravity(acceleration, load_case) end
 ---velocities as they are. A run that goes on from another (`from`) has that one's velocities, but for targets that got
 ---one since that run was made: these begin with it, as a rigid body where they are then. So a velocity may be given
 ---before or after statics. What supports hold stays at rest; it is an error if that is all.
----@param target hinge.node|hinge.member|hinge.group_like
+---@param target hinge.node|hinge.member|hinge.group_like of a group, the joints that it has by now
 ---@param linear vec3 m/s, of the mean of the target's joints
 ---@param angular? vec3 rad/s about that point
 function model:velocity(target, linear, angular) end
@@ -709,10 +709,10 @@ function model:dynamic(options) end
 ---explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it
 ---allows is an error that names the element). Stiff connectors, and a ground's own stiffness, shorten both
 ---@field dt number|"auto"
----@field duration number s
+---@field duration number s; to the nearest whole step where dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
 ---starts from another run's state, such as gravity at rest. A static run must be finished or stopped first, and any
----must have done a step
+---must have done a step; of one that failed it is the last good state
 ---@field from? hinge.run
 ---the load cases that act, as in static_options. Without it, those of `from` go on with the factors that they had come
 ---to; a case declared since must be named
@@ -882,7 +882,7 @@ function run:checkpoint(file) end
 ---@return hinge.run
 function run:resume(file) end
 
----Ends the run here; its verdict is then "stopped".
+---Ends the run here; its verdict is then "stopped". One that is over stays as it is.
 function run:stop() end
 
 ---Has a function called with the run after each step, whoever asks for the steps. It may read and

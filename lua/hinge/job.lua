@@ -63,21 +63,24 @@ local function try(job, what, f, ...)
 end
 
 --- Adds the structure as it is now to frames.pvd, for ParaView.
-function Job:frame(run)
+function Job:frame(run, ...)
+  check.no_more(named(self, "frame"), ...)
   must_be_run(named(self, "frame"), run)
   if self.frames_failed then return end
   self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
 
 --- Draws the structure as it is now into a PNG picture in the output folder.
-function Job:picture(run, view, filename)
+function Job:picture(run, view, filename, ...)
+  check.no_more(named(self, "picture"), ...)
   must_be_run(named(self, "picture"), run)
   view = check.options(named(self, "picture"), view, view_rules)
   try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename))
 end
 
 --- Draws snapshots side by side into one PNG picture: { { run or snapshot, view }, ... }, `columns` in a row.
-function Job:strip(snapshots, columns, filename)
+function Job:strip(snapshots, columns, filename, ...)
+  check.no_more(named(self, "strip"), ...)
   check.value(named(self, "strip"), "snapshots", snapshots, { "table" })
   check.value(named(self, "strip"), "columns", columns, { "number", whole = true, above = 0 })
   local pictures, views = {}, {}
@@ -92,20 +95,23 @@ function Job:strip(snapshots, columns, filename)
 end
 
 --- Draws curves into a PNG picture in the output folder.
-function Job:plot(plot, filename)
+function Job:plot(plot, filename, ...)
+  check.no_more(named(self, "plot"), ...)
   plot = check.options(named(self, "plot"), plot, plot_rules)
   try(self, filename, core.write_plot, plot, picture_path(named(self, "plot"), self, filename))
 end
 
 --- Says something worth keeping: printed now, and kept in summary.json.
-function Job:note(text)
+function Job:note(text, ...)
+  check.no_more(named(self, "note"), ...)
   text = tostring(text)
   self.notes[#self.notes + 1] = text
   if not core.event("note", { text = text }) then print("note: " .. text) end
 end
 
 --- Says how a job of several runs went as a whole; without it, the last run's verdict stands.
-function Job:verdict(verdict, reason)
+function Job:verdict(verdict, reason, ...)
+  check.no_more(named(self, "verdict"), ...)
   check.value(named(self, "verdict"), "verdict", verdict, { "string" })
   if verdict ~= "completed" and verdict ~= "failed" then
     check.fail("%s: verdict is '%s'; must be 'completed' or 'failed'", named(self, "verdict"), verdict)

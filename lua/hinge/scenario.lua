@@ -37,11 +37,12 @@ local function ends_a_script()
 end
 
 --- hinge.scenario: see hinge.d.lua.
-function scenario.new(options)
+function scenario.new(options, ...)
   if ends_a_script() then
     check.fail("%s: this script returns a scenario, which plain Lua does not run; the program does: "
       .. "hinge run %s [key=value ...] [--case NAME]", where, arg[0])
   end
+  check.no_more(where, ...)
   local o = check.options(where, options, {
     parameters = { "table", default = {} }, cases = { "table", default = {} },
     accuracy = { "table", default = {} }, run = { "function" },

@@ -5,7 +5,10 @@ local shapes = require "hinge.shapes"
 
 local section = { general = core.section }
 for name, properties in pairs(shapes) do
-  section[name] = function(options) return core.section(properties(options)) end
+  section[name] = function(options, ...)
+    check.no_more("hinge.section." .. name, ...)
+    return core.section(properties(options))
+  end
 end
 
 return check.strict(section, "hinge.section")

@@ -242,6 +242,10 @@ int add_connector(lua_State* L) {
         throw InputError(
             "model:connector: it would do nothing; give 'stiffness' (N/m, N m/rad), 'damping' (N s/m, N m s/rad), "
             "'curve' or 'law', such as stiffness = { x = 1e6 }");
+    for (int k = 0; k < 6; ++k)
+        if (std::isfinite(c.capacity[k]) && c.stiffness[k] == 0 && c.damping[k] == 0 && c.curve[k].empty() && !c.law[k])
+            o.complain("capacity", std::string("given for ") + directions[k],
+                       "nothing acts in that direction, so it never breaks there");
     m->declare(connectors_effect, std::move(c));
     m->ask(connectors_effect, where(L));
     make_connector_metatable(L);

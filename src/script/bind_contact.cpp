@@ -104,7 +104,10 @@ int contact_rule(lua_State* L) {
         const int type = o.push_field(field);
         if (type != LUA_TNIL && type != LUA_TTABLE)
             o.complain(field, show(L, -1), "must be a table of groups or their names");
-        for (lua_Integer i = 1, n = type == LUA_TTABLE ? lua_rawlen(L, -1) : 0; i <= n; ++i) {
+        const std::string list = "model:contact: field '" + std::string(field) + "'";
+        const lua_Integer n = type == LUA_TTABLE ? list_length(L, -1, list) : 0;
+        if (type == LUA_TTABLE && n == 0) o.complain(field, "an empty list", "no members would meet; leave it out");
+        for (lua_Integer i = 1; i <= n; ++i) {
             lua_rawgeti(L, -1, i);
             rule.groups.push_back(group_argument(
                 L, -1, "model:contact: field '" + std::string(field) + "', item " + std::to_string(i), *m));

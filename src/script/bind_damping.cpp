@@ -15,6 +15,7 @@ void read_two(Options& o, const char* field, const char* unit, bool may_be_one, 
     if (may_be_one && type == LUA_TNUMBER) {
         to[0] = to[1] = lua_tonumber(L, -1);
     } else {
+        if (type == LUA_TTABLE) list_length(L, -1, o.function() + ": field '" + field + "'");
         if (type != LUA_TTABLE || lua_rawlen(L, -1) != 2) lua_pop(L, 1), o.complain(field, shown, list);
         for (int i : {0, 1}) {
             const bool number = lua_rawgeti(L, -1, i + 1) == LUA_TNUMBER;

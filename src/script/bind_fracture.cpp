@@ -328,7 +328,8 @@ std::vector<std::string> read_keep(Options& o) {
     const int type = o.push_field("keep");
     if (type != LUA_TNIL && type != LUA_TTABLE)
         o.complain("keep", show(L, -1), "must be a list of names, such as { 'damage' }");
-    for (lua_Integer i = 1, n = type == LUA_TTABLE ? lua_rawlen(L, -1) : 0; i <= n; ++i) {
+    const lua_Integer n = type == LUA_TTABLE ? script::list_length(L, -1, "model:fracture: field 'keep'") : 0;
+    for (lua_Integer i = 1; i <= n; ++i) {
         lua_rawgeti(L, -1, i);
         const std::string name = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
         if (name.empty())
@@ -337,6 +338,8 @@ std::vector<std::string> read_keep(Options& o) {
         if (name == "group" ||
             std::find(section_field_names.begin(), section_field_names.end(), name) != section_field_names.end())
             o.complain("keep", "'" + name + "'", "is a field that every section has; choose another name");
+        if (std::find(keep.begin(), keep.end(), name) != keep.end())
+            o.complain("keep", "'" + name + "' twice", "give each name once");
         keep.push_back(name);
         lua_pop(L, 1);
     }

@@ -25,6 +25,11 @@ int declare_ground(lua_State* L) {
                    "must be between 0 and 1: the part of the normal velocity that a point comes back with");
     if (o.push_field("group") != LUA_TNIL) plane.group = group_argument(L, -1, "model:ground: field 'group'", *m);
     lua_pop(L, 1);
+    for (const GroundPlane& p : m->declared<GroundPlane>(ground_effect))
+        if (p.normal == plane.normal && p.point == plane.point && p.group == plane.group)
+            throw InputError(
+                "model:ground: this plane is declared already, for the same members; a second one would "
+                "press on them once more");
     m->declare(ground_effect, plane);
     m->ask("rigid ground", where(L));
     return 0;

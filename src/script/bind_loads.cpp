@@ -172,6 +172,7 @@ int move_support(lua_State* L) {
         }
     else nodes.push_back(node_argument(L, -1, "model:move: field 'node'", m.get()).index);
     lua_pop(L, 1);
+    if (nodes.empty()) o.complain("node", "an empty list", "must be a node, or a list of them");
     History path[3];
     const char* axes[] = {"x", "y", "z"};
     for (int c = 0; c < 3; ++c) path[c] = read_history(o, axes[c], "displacement in m", *m, false);

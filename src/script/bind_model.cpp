@@ -71,6 +71,9 @@ int model(lua_State* L) {
         o.complain(
             "p_delta", "'member'",
             "needs formulation 'asi-gauss', displacement 'large' and shift 'plastic'; without them it is 'chord'");
+    if (m.shift == Shift::whole && m.formulation == Formulation::conventional)
+        o.complain("shift", "'whole'",
+                   "has no meaning with formulation 'conventional', whose points stay in the middle; leave it out");
     m.plasticity = o.flag("plasticity", true);
     const Elements elements = read_elements(o, "elements_per_member", m.formulation, {2, false});
     m.elements_per_member = elements.number, m.automatic_elements = elements.automatic;
@@ -116,6 +119,7 @@ int fix(lua_State* L) {
             nodes.push_back(node_argument(L, -1, "model:fix: item " + std::to_string(i), m.get()).index);
             lua_pop(L, 1);
         }
+        if (nodes.empty()) throw InputError("model:fix: the list of nodes is empty; give a node, or a list of them");
         for (int n : nodes) m->fix(n, mask), note_line(L, *m, "support", n);
     } else {
         const int node = node_argument(L, 2, "model:fix: node", m.get()).index;
@@ -186,6 +190,11 @@ int add_member(lua_State* L) {
     std::vector<std::string> fresh;
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);
+    std::vector<std::string> named = fresh;
+    for (const int g : data.groups) named.push_back(m->groups()[g]);
+    std::sort(named.begin(), named.end());
+    if (const auto twice = std::adjacent_find(named.begin(), named.end()); twice != named.end())
+        o.complain("group", "'" + *twice + "' twice", "give each group once");
     if (fresh.empty()) {
         const int index = accept(L, *m, std::move(data));
         push_handle<MemberBox>(L, m, index);

@@ -97,6 +97,9 @@ int on_step(lua_State* L) {
     const auto r = self<RunBox>(L, "run:on_step").value;
     if (!lua_isfunction(L, 2))
         throw InputError("run:on_step: takes a function of the run, called after each step; got " + show(L, 2));
+    if (r->closed || r->run->verdict() != Verdict::running)
+        throw InputError("run:on_step: the run is over (" + std::string(name(r->run->verdict())) +
+                         "), so no step follows that would call it");
     r->on_step.emplace_back(L, 2, *r->model);
     lua_settop(L, 1);
     return 1;
@@ -135,6 +138,12 @@ int probe(lua_State* L) {
     if (r->started)
         throw InputError("run:probe: the run has begun (step " + std::to_string(r->run->steps_done()) +
                          "); ask for probes before its first step");
+    std::vector<std::string> columns = {"time", "factor", "remainder"};
+    for (const AccountInfo& account : r->run->accounts()) columns.emplace_back(account.name);
+    for (const auto& other : r->probes) columns.push_back(other->name);
+    if (std::find(columns.begin(), columns.end(), p->name) != columns.end())
+        o.complain("name", "'" + p->name + "'",
+                   "there is a column of history.csv with that name already; give the probe another one");
     p->time.push_back(abscissa(*r->run));
     p->value.push_back(value_of(*r->run, *p));
     r->probes.push_back(p);

@@ -6,6 +6,7 @@
 #include "script/checkpoint.h"
 #include "effects/all_effects.h"
 #include "effects/member_loads.h"
+#include "effects/point_mass.h"
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
 #include "script/element_count.h"
@@ -129,6 +130,12 @@ void refuse_lost_loads(const Model& m, const Structure& structure, const State& 
                              ", which has no element left");
 }
 
+bool is_weightless(const Structure& structure) {
+    return structure.model().declared<PointMass>(point_mass_effect).empty() &&
+           std::none_of(structure.elements().begin(), structure.elements().end(),
+                        [](const Element& e) { return e.rigidity.rhoA > 0; });
+}
+
 /// All loads wait for dynamics.
 void refuse_no_loads(const Model& m, int aside) {
     const std::size_t all = m.loads().size() + m.declared<MemberLoad>(member_loads_effect).size();
@@ -220,6 +227,10 @@ int static_run(lua_State* L) {
                              " is a function of time and the run, which acts in dynamics only; make the static run "
                              "before it is declared, or put it into a load case that this run does not take");
     if (!before) refuse_no_loads(*m, structure->model().set_aside());
+    if (const auto& g = structure->model().gravity(); g && !g->isZero(0) && is_weightless(*structure))
+        throw InputError(
+            "model:static: the model has gravity, and nothing in it has mass: all densities are 0 kg/m^3; give "
+            "hinge.material a density, or leave gravity out");
     context(L)->running = L;
     try {
         return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
@@ -384,9 +395,18 @@ int dynamic_run(lua_State* L) {
             if (o.has(field))
                 throw InputError(std::string("model:dynamic: field '") + field +
                                  "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
+    if (conserving && o.has("rest") && s.rest)
+        o.complain("rest", "true", "integrator = 'energy-momentum' leaves no body at rest; leave it out");
+    if (!in_explicit_steps && !conserving && s.iterations == 1 && o.has("tolerance"))
+        o.complain("tolerance", show(s.tolerance),
+                   "is that of Newton's method, and iterations = 1 is one solution; leave one of them out");
     s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
     s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
     s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
+    for (const char* field : {"solver_tolerance", "solver_iterations"})
+        if (s.solver.direct && o.has(field))
+            throw InputError(std::string("model:dynamic: field '") + field +
+                             "' has no meaning with solver = 'direct'; leave it out");
     State start = start_state(o, structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     refuse_idle_velocities(*structure, start);

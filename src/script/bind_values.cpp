@@ -12,6 +12,7 @@ int material(lua_State* L) {
     if (nu && !(*nu > -1 && *nu <= 0.5))
         o.complain("nu", show(*nu), "Poisson's ratio must be above -1 and at most 0.5");
     const auto G = o.maybe_number("G", "Pa", Range::positive);
+    if (nu && G) o.complain("G", show(*G) + " Pa", "is given beside nu, from which it follows; give one of the two");
     m.G = G ? *G : m.E / (2 * (1 + nu.value_or(0.3)));
     m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
     if (const auto y = o.maybe_number("yield_stress", "Pa", Range::positive)) m.yield_stress = *y;

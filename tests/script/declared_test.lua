@@ -492,6 +492,89 @@ do
   end
 end
 
+-- Calls that did nothing, or not what they said ----------------------------------------------------------------------
+do
+  local model, foot, tip = cantilever()
+  local member = model:members()[1]
+  local gap = "...; "
+  local large = cantilever {}
+  local function short(options)
+    options.dt, options.duration = 1e-6, 1e-5
+    return options
+  end
+  for message, call in pairs {
+    ["hinge.section.box: takes no further argument, got also 3"] = function()
+      hinge.section.box({ width = 1, depth = 1, thickness = 0.1 }, 3)
+    end,
+    ["hinge.ground: takes no further argument, got also 3"] = function()
+      hinge.ground({ dt = 1, acceleration = { 0, 0 } }, 3)
+    end,
+    ["hinge.scenario: takes no further argument, got also 3"] = function() hinge.scenario({ run = print }, 3) end,
+    ["hinge.material: field 'G' is 1 Pa; is given beside nu, ..."] = function()
+      hinge.material { E = 1, nu = 0, G = 1 }
+    end,
+    ["hinge.model: field 'shift' is 'whole'; has no meaning with formulation 'conventional', ..."] = function()
+      hinge.model { formulation = "conventional", shift = "whole" }
+    end,
+    ["model:fix: the list of nodes is empty" .. gap .. "..."] = function() model:fix {} end,
+    ["model:move: field 'node' is an empty list; ..."] = function() model:move { node = {}, x = math.sin } end,
+    ["model:contact: field 'groups' is an empty list; no members would meet; leave it out"] = function()
+      model:contact { groups = {} }
+    end,
+    ["model:member: field 'group' is 'q' twice; give each group once"] = function()
+      model:member { foot, tip, section = bar, material = steel, group = { "q", "p", "q" } }
+    end,
+    ["model:connector: field 'capacity' is given for y; nothing acts in that direction, so it never breaks there"] =
+      function() model:connector { tip, ground = true, stiffness = { x = 1 }, capacity = { x = 1, y = 2 } } end,
+    ["model:damping: field 'ratio' holds a field 'x', which is not one of its items 1 to 2"] = function()
+      model:damping { ratio = { 0.02, 0.03, x = 1 }, periods = { 1, 0.1 } }
+    end,
+    ["model:fracture: field 'keep' holds a field 'x', which is not one of its items 1 to 1"] = function()
+      model:fracture { rule = print, keep = { "a", x = "b" } }
+    end,
+    ["model:fracture: field 'keep' is 'a' twice; give each name once"] = function()
+      model:fracture { rule = print, keep = { "a", "a" } }
+    end,
+    ["model:dynamic: field 'solver_tolerance' has no meaning with solver = 'direct'; leave it out"] = function()
+      large:dynamic(short { solver = "direct", solver_tolerance = 1e-3 })
+    end,
+    ["model:dynamic: field 'solver_iterations' has no meaning with solver = 'direct'; leave it out"] = function()
+      large:dynamic(short { solver = "direct", solver_iterations = 3 })
+    end,
+    ["model:dynamic: field 'tolerance' is 0.001; is that of Newton's method, and iterations = 1 is one solution; ..."] =
+      function() large:dynamic(short { iterations = 1, tolerance = 1e-3 }) end,
+    ["model:dynamic: field 'rest' is true; integrator = 'energy-momentum' leaves no body at rest; leave it out"] =
+      function() large:dynamic(short { integrator = "energy-momentum", rest = true }) end,
+    ["model:static: the model has gravity, and nothing in it has mass: ..."] = function()
+      local light = hinge.model {}
+      local a, b = light:node { 0, 0, 0 }, light:node { 1, 0, 0 }
+      light:fix(a)
+      light:member { a, b, section = bar, material = hinge.material { E = 1e9 } }
+      light:gravity { 0, 0, -9.8 }
+      light:static {}
+    end,
+  } do
+    refused(message, call)
+  end
+  model:ground { point = { 0, 0, -1 } }
+  model:ground { point = { 0, 0, -2 } }
+  refused("model:ground: this plane is declared already, for the same members; ...",
+    function() model:ground { point = { 0, 0, -1 }, normal = { 0, 0, 2 } } end)
+  model:load { node = tip, force = { 0, 0, -1 } }
+  local run = model:static { steps = 1 }
+  run:probe { node = tip, "uz", name = "tip" }
+  for _, name in ipairs { "tip", "time", "factor", "remainder", "kinetic" } do
+    refused("run:probe: field 'name' is '" .. name .. "'; there is a column of history.csv with that name already; ...",
+      function() run:probe { node = tip, "ux", name = name } end)
+  end
+  run:finish()
+  refused("run:on_step: the run is over (completed), so no step follows that would call it",
+    function() run:on_step(print) end)
+  run:stop()
+  equal(run.verdict, "completed", "stopped when it was over")
+  equal(#member:groups(), 1, "groups of the member")
+end
+
 -- Parameters of a script that is made of plain statements ------------------------------------------------------------
 local folder = support.temporary_folder()
 local function run_script(text, settings)

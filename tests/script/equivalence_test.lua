@@ -53,6 +53,7 @@ local function simulate(way)
   way.declare(model, joints)
   local options = { dt = 2e-5, duration = 0.03, precision = "double", solver_tolerance = 1e-12, record = false }
   for k, v in pairs(way.options) do options[k] = v end
+  if options.solver == "direct" then options.solver_tolerance = nil end
   local run = model:dynamic(options)
   if way.interrupted then
     local file = os.tmpname()

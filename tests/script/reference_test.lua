@@ -205,7 +205,9 @@ local calls = {
   ["model:connector.capacity"] = function(x) s.model:connector { s.tip, ground = true, capacity = x } end,
   ["model:ground"] = function(x) s.model:ground(x) end,
   ["model:static"] = function(x) s.model:static(x) end,
-  ["model:static.control"] = function(x) s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x), loads = {} } end,
+  ["model:static.control"] = function(x)
+    s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x), loads = {} }
+  end,
   ["model:dynamic"] = function(x) s.model:dynamic(x) end,
   ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
   ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
