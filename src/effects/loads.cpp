@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/text.h"
-#include "effects/breaking.h"
+#include "effects/history_jump.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -19,9 +19,9 @@ public:
                 loaded_.push_back({load.node, Vec6::Zero()});
             }
             if (load.follows_state()) asked_[load_at_.size()] = {};
-            if (w.kind.dynamic && load.history && load.history.breaks_in(w.kind.dt)) {
+            if (w.kind.dynamic && load.history && load.history.may_jump_in(w.kind.dt)) {
                 const double factor = load.history.from(w.state.time);
-                breaking_[load_at_.size()] = {factor, factor, factor};
+                jumping_[load_at_.size()] = {factor, factor, factor};
             }
             load_at_.push_back(place[load.node]);
         }
@@ -50,7 +50,7 @@ public:
     /// F at the end of the step. What functions of the state give where a run begins is known in its first step only:
     /// the first acceleration is found anew with it. So it is where a history has jumped.
     void begin(const Step& step) override {
-        const bool jumped = break_histories(step);
+        const bool jumped = find_jumps(step);
         if (!begun_ && !asked_.empty()) {
             ask(step.begin);
             keep_asked();
@@ -64,16 +64,16 @@ public:
             return host_.accelerations_anew();
         }
         ask(step.end());
-        act(step.end(), &Asked::tried, &Breaking::end);
+        act(step.end(), &Asked::tried, &StepFactor::end);
     }
-    void loads_at(double time) override { act(time, &Asked::kept, &Breaking::begin); }
+    void loads_at(double time) override { act(time, &Asked::kept, &StepFactor::begin); }
     void restart_ends() override {
         if (!found_anew_) return;
         begun_ = true, found_anew_ = false;
         for (Loaded& l : loaded_) l.before = l.now;
-        for (auto& [i, b] : breaking_) b.kept = b.begin;
+        for (auto& [i, b] : jumping_) b.kept = b.begin;
     }
-    bool makes_forces_vanish() const override { return !asked_.empty() || !breaking_.empty(); }
+    bool makes_forces_vanish() const override { return !asked_.empty() || !jumping_.empty(); }
 
     void started(const std::vector<Vec6>&) override {
         for (Loaded& l : loaded_) l.before = l.now;
@@ -92,7 +92,7 @@ public:
 
     void keep(const Step&) override {
         for (Loaded& l : loaded_) l.before = l.now;
-        for (auto& [i, b] : breaking_) b.kept = b.end;
+        for (auto& [i, b] : jumping_) b.kept = b.end;
         keep_asked();
     }
 
@@ -139,7 +139,7 @@ private:
     static void fields(Self& s, A& a) {
         for (auto& l : s.loaded_) a(l.steady, l.now, l.before);
         for (auto& [load, asked] : s.asked_) a(asked.kept);
-        for (auto& [load, b] : s.breaking_) a(b.kept, b.begin, b.end);
+        for (auto& [load, b] : s.jumping_) a(b.kept, b.begin, b.end);
         a(s.begun_);
     }
     const std::vector<NodalLoad>& declared() const { return w_.structure.model().loads(); }
@@ -156,9 +156,9 @@ private:
         for (auto& [i, asked] : asked_) asked.kept = asked.tried;
     }
     /// Finds the factors of the coming step. True where one does not begin with what the acceleration was found with.
-    bool break_histories(const Step& step) {
+    bool find_jumps(const Step& step) {
         bool jumped = false;
-        for (auto& [i, b] : breaking_) {
+        for (auto& [i, b] : jumping_) {
             const History::Over over = declared()[i].history.over(step.begin, step.end());
             b.begin = over.begin, b.end = over.end;
             jumped = jumped || b.jumps();
@@ -166,15 +166,15 @@ private:
         return jumped;
     }
     /// Only nodes with loads change.
-    void act(double t, Vec6 Asked::*said, double Breaking::*of_step) {
+    void act(double t, Vec6 Asked::*said, double StepFactor::*of_step) {
         for (Loaded& l : loaded_) l.now.setZero();
-        auto breaking = breaking_.begin();
+        auto jumping = jumping_.begin();
         for (std::size_t i = 0; i < declared().size(); ++i) {
             const NodalLoad& load = declared()[i];
-            const bool breaks = breaking != breaking_.end() && breaking->first == i;
-            const double in_step = breaks ? (breaking++)->second.*of_step : 0;
+            const bool may_jump = jumping != jumping_.end() && jumping->first == i;
+            const double in_step = may_jump ? (jumping++)->second.*of_step : 0;
             if (w_.state.gone[load.node]) continue;
-            const double factor = breaks ? in_step : load.history ? load.history(t) : 1.0;
+            const double factor = may_jump ? in_step : load.history ? load.history(t) : 1.0;
             loaded_[load_at_[i]].now.head<3>() += factor * load.force;
             loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
         }
@@ -185,11 +185,11 @@ private:
     }
 
     std::vector<Loaded> loaded_;
-    std::map<std::size_t, Asked> asked_;        ///< of the loads that are functions of the state
-    std::map<std::size_t, Breaking> breaking_;  ///< of the loads whose history may jump within a step
-    std::vector<int> load_at_;                  ///< of each of the model's loads, its place in loaded_
-    bool begun_ = false;                        ///< the functions were asked where the run begins
-    bool found_anew_ = false;                   ///< with what they gave there the acceleration is being found
+    std::map<std::size_t, Asked> asked_;         ///< of the loads that are functions of the state
+    std::map<std::size_t, StepFactor> jumping_;  ///< of the loads whose history may jump within a step
+    std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
+    bool begun_ = false;                         ///< the functions were asked where the run begins
+    bool found_anew_ = false;                    ///< with what they gave there the acceleration is being found
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

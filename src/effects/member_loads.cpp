@@ -14,7 +14,7 @@
 #include <map>
 
 #include "beam/tangent.h"
-#include "effects/breaking.h"
+#include "effects/history_jump.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -125,21 +125,21 @@ public:
     void begin(const Step& step) override {
         bool jumped = false;
         for (Loaded& l : loads_) {
-            if (!l.breaks) continue;
+            if (!l.may_jump) continue;
             const History::Over over = l.history.over(step.begin, step.end());
             l.over.begin = over.begin, l.over.end = over.end;
             jumped = jumped || l.over.jumps();
         }
         if (jumped) return host_.accelerations_anew();
-        factors_at(step.end(), &Breaking::end);
+        factors_at(step.end(), &StepFactor::end);
     }
-    void restart_begins() override { factors_at(w_.state.time, &Breaking::begin); }
+    void restart_begins() override { factors_at(w_.state.time, &StepFactor::begin); }
     void restart_ends() override {
         before_ = acting(w_.state);
         for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.begin;
     }
     bool makes_forces_vanish() const override {
-        return std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.breaks; });
+        return std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.may_jump; });
     }
     /// In statics they are part of F.
     void add_forces(double, std::vector<Vec6>& resisting) override {
@@ -229,7 +229,7 @@ public:
         a(s.before_);
         for (auto& l : s.loads_) {
             a(l.factor, l.kept_factor);
-            if (l.breaks) a(l.over.kept, l.over.begin, l.over.end);
+            if (l.may_jump) a(l.over.kept, l.over.begin, l.over.end);
         }
     }
 
@@ -247,8 +247,8 @@ private:
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
         double factor = 1, kept_factor = 1;
-        bool held = false, breaks = false;
-        Breaking over = {};  ///< where its history may jump within a step
+        bool held = false, may_jump = false;
+        StepFactor over = {};  ///< where its history may jump within a step
     };
     /// A member's axes, and the way from its first to its second end, m.
     struct Chord {
@@ -266,8 +266,8 @@ private:
         const double length = n * e.length;
         Loaded l{first, load.axes == LoadAxes::local, load.history, {}, {}, {}};
         l.held = load.held;
-        l.breaks = w_.kind.dynamic && load.history && load.history.breaks_in(w_.kind.dt);
-        if (l.breaks) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
+        l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(w_.kind.dt);
+        if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
@@ -301,8 +301,8 @@ private:
         const double factor = l.history ? l.history(0) : 1;
         return factor == 0 ? 1 : factor;
     }
-    void factors_at(double time, double Breaking::*of_step) {
-        for (Loaded& l : loads_) l.factor = l.breaks ? l.over.*of_step : l.history ? l.history(time) : 1;
+    void factors_at(double time, double StepFactor::*of_step) {
+        for (Loaded& l : loads_) l.factor = l.may_jump ? l.over.*of_step : l.history ? l.history(time) : 1;
     }
 
     bool whole(const Loaded& l) const {

@@ -61,7 +61,7 @@ double History::mean(double begin, double end) const {
     return sum / (end - begin);
 }
 
-bool History::breaks_in(double dt) const {
+bool History::may_jump_in(double dt) const {
     if (!points_) return false;
     for (std::size_t i = 1; i < points_->size(); ++i) {
         const auto &a = (*points_)[i - 1], &b = (*points_)[i];

@@ -34,7 +34,7 @@ public:
     Over over(double begin, double end) const;
     /// Whether it jumps, or a slope may lie within a step of this length. If not, what the ends of steps make of it by
     /// the trapezium rule misses no more than a part of second order.
-    bool breaks_in(double dt) const;
+    bool may_jump_in(double dt) const;
     /// Whether a jump or a kink lies after `begin` and not after `end`.
     bool bends_within(double begin, double end) const;
 

@@ -7,7 +7,7 @@
 namespace hinge {
 
 /// Where a history jumps, a step acts with its mean over it (History::over), and the acceleration is found anew.
-struct Breaking {
+struct StepFactor {
     double kept = 1;            ///< with which the acceleration where the state is was found
     double begin = 1, end = 1;  ///< over the coming step
     /// Beyond what rounding of the times makes.
