@@ -31,6 +31,9 @@ constexpr double smallest_step = 1e-5;
 /// balance falls by less than a thousandth in each.
 constexpr int most_idle = 5, halvings_of_idle = 8;
 
+/// A step that takes no more iterations has not leapt over a snap.
+constexpr int quick = 4;
+
 /// A structure that answers the load so many times as softly as it did at first is at a limit point.
 constexpr double soft = 10;
 constexpr std::size_t most_named = 3;
@@ -288,6 +291,11 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
 Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
     w_.trial = pose_of(state_);
     trial_factor_ = state_.factor;
+    return go_on_from_trial(increment, flowing_on);
+}
+
+/// The same from what is tried.
+Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
     for (Vec3& m : w_.rotation_step) m.setZero();
     std::vector<Vec6> total(w_.resisting.size(), Vec6::Zero()), step(w_.resisting.size());
     double arc = 0;
@@ -454,8 +462,36 @@ Statics::Found Statics::try_step(double increment) {
     modes_ = negative_modes();
     free_modes_ = modes_under_control();
     if (modes_ > modes_at_start_) return Found::unstable;
-    const bool in_doubt = wavered_ && settings_.control == Control::load && !settings_.past_unstable;
+    const bool in_doubt =
+        settings_.control == Control::load && !settings_.past_unstable && (wavered_ || !leads_back(increment));
     return in_doubt ? Found::nothing : Found::stable;
+}
+
+/// Whether an elastic structure comes back to where it was when the load of the step that was tried is taken off again.
+/// If not, the step has leapt over a snap. Asked where Newton's iteration took long, as it does over a leap.
+bool Statics::leads_back(double increment) {
+    if (!structure_->large() || converged_in_ <= quick || !w_.yielding.empty() || !hinges_.empty()) return true;
+    const Pose arrived = w_.trial;
+    const std::vector<Vec3> rotation_step = w_.rotation_step;
+    const std::vector<Vec6> force = w_.force, resisting = w_.resisting, external = w_.external, move = last_move_,
+                            response = response_;
+    const double factor = trial_factor_;
+    const int iterations = converged_in_;
+    const bool lost = go_on_from_trial(-increment, false) != Outcome::converged;
+    const bool back = !wavered_ && (lost || [&] {
+        double off = 0, way = 0;
+        for (std::size_t i = 0; i < arrived.displacement.size(); ++i) {
+            off = std::max(off, (w_.trial.displacement[i] - state_.displacement[i]).norm());
+            way = std::max(way, (arrived.displacement[i] - state_.displacement[i]).norm());
+        }
+        return off <= 1e-2 * way;
+    }());
+    w_.trial = arrived, w_.rotation_step = rotation_step;
+    w_.force = force, w_.resisting = resisting, w_.external = external, last_move_ = move, response_ = response;
+    w_.yielding.clear();
+    trial_factor_ = factor, converged_in_ = iterations;
+    tangent_of_trial_ = false;
+    return back;
 }
 
 /// Where one mechanism takes over from another, a new hinge lets many others unload at once. Newton's method then

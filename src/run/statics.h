@@ -64,6 +64,8 @@ public:
 private:
     enum class Outcome { converged, diverged };
     Outcome equilibrate(double increment, bool flowing_on);
+    Outcome go_on_from_trial(double increment, bool flowing_on);
+    bool leads_back(double increment);
     void find_loads();
     Vec6 load_at(std::size_t node, double factor) const;
     void recover();
