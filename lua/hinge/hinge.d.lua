@@ -648,7 +648,9 @@ function model:counts() end
 ---past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
 ---asi-gauss elements see a pinned member buckle at 1.000 times Euler's load; with p_delta = "chord" at 2.27 times, four
 ---at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is pressed beyond Euler's load between
----clamped ends cannot bend out; it counts as unstable. Beams turn over sideways, too. They resist it by bending and
+---clamped ends cannot bend out; it counts as unstable. Under load control an elastic step that took many iterations is
+---taken back as a trial. One that does not lead back has leapt over a snap, and the run ends before it; take several
+---steps all the same, for no trial finds every leap. Beams turn over sideways, too. They resist it by bending and
 ---torsion (G J) alone: not by warping, and nothing but what the model has, such as a floor, holds them.
 ---@param options? hinge.static_options
 ---@return hinge.run
