@@ -357,8 +357,9 @@ function model:load(options) end
 ---@field axes? "global"|"projected"|"local"
 ---factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1. Two points at one
 ---time are a jump: the first holds up to there, the second from there on. At a jump where
----a step ends, that step ends with the value before and the next begins with the one after. Where points jump, or rise
----and fall within a step, a step with a jump or a kink in it acts with their mean over it: so no impulse is lost. Of a
+---a step ends, that step ends with the value before and the next begins with the one after. Where points jump, or have
+---a slope shorter than 20 steps, a step with a jump or a kink in it acts with their mean over it: no impulse is lost.
+---Times are those of the run, which go on where `from` is a dynamic run. Of a
 ---function only the values at the ends of steps are known
 ---@field history? fun(time: number): number|number[][]
 ---@field case? hinge.case|string the load case that it belongs to, see model:case; default: none, it acts in every run
@@ -408,7 +409,10 @@ function model:move(options) end
 ---@field y? fun(time: number): number|number[][] likewise
 ---@field z? fun(time: number): number|number[][] likewise
 
----Gravity on every member's mass and on point masses. Called again, the last call counts, for runs made after it.
+---Gravity on every member's mass and on point masses: an element's weight acts on its two nodes. So the end moments of
+---a clamped member of two elements under its own weight are 0.63 of w L^2 / 12, with four 0.91; a load `q` of the same
+---size has them exactly. Called again, the last call counts, for runs made after it; it is an error to call it for
+---another load case.
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
 ---@param load_case? hinge.case|string the load case that it belongs to; default: none
 function model:gravity(acceleration, load_case) end

@@ -6,6 +6,10 @@
 
 namespace hinge {
 
+/// A slope shorter than so many steps counts as one: what kinks miss by the trapezium rule is below 1e-3 of the impulse
+/// of a pulse that is longer.
+inline constexpr int steep = 20;
+
 /// Where a history jumps, a step acts with its mean over it (History::over), and the acceleration is found anew.
 struct StepFactor {
     double kept = 1;            ///< with which the acceleration where the state is was found

@@ -19,7 +19,7 @@ public:
                 loaded_.push_back({load.node, Vec6::Zero()});
             }
             if (load.follows_state()) asked_[load_at_.size()] = {};
-            if (w.kind.dynamic && load.history && load.history.may_jump_in(w.kind.dt)) {
+            if (w.kind.dynamic && load.history && load.history.may_jump_in(steep * w.kind.dt)) {
                 const double factor = load.history.from(w.state.time);
                 jumping_[load_at_.size()] = {factor, factor, factor};
             }

@@ -266,7 +266,7 @@ private:
         const double length = n * e.length;
         Loaded l{first, load.axes == LoadAxes::local, load.history, {}, {}, {}};
         l.held = load.held;
-        l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(w_.kind.dt);
+        l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         l.shares.resize(n);
         for (int end_of : {0, 1})

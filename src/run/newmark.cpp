@@ -159,6 +159,12 @@ void Newmark::recovered(const Step& step) {
     if (displacement_predictor_ && step.iteration == 0) w_.yielding = hinges_;
 }
 
+/// One solution from du = 0: the reactions that it started from are those of the step before.
+void Newmark::recovered_last() {
+    if (yield_stage_ >= 0) mark_yielding();
+    if (iterations_ == 1) take_reactions([&](int n, int c) { return w_.resisting[n][c] - w_.external[n][c]; });
+}
+
 void Newmark::solve(Step& step) {
     if (yield_stage_ >= 0) stages_.timed(yield_stage_, [&] { mark_yielding(); });
     stages_.timed(stiffness_stage_, [&] { renew_effective_stiffness(); });

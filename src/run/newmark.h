@@ -27,9 +27,7 @@ public:
     bool may_go_on(const Step& step) const override { return iterations_ == 1 && step.iteration < most_unsettled; }
     void solved(const Step& step) override;
     bool recovers_last() const override { return displacement_predictor_; }
-    void recovered_last() override {
-        if (yield_stage_ >= 0) mark_yielding();
-    }
+    void recovered_last() override;
     int correct_stage() override { return correct_stage_; }
     double dissipated(const Step& step) const override;
     void keep() override;

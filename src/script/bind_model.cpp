@@ -271,7 +271,13 @@ int counts(lua_State* L) {
 int set_gravity(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:gravity").value;
     const Vec3 g = read_triple(L, 2, "model:gravity: acceleration", "m/s^2");
-    m->set_gravity(g, lua_isnoneornil(L, 3) ? -1 : case_argument(L, 3, "model:gravity: case", *m));
+    const int load_case = lua_isnoneornil(L, 3) ? -1 : case_argument(L, 3, "model:gravity: case", *m);
+    const auto belongs = [&](int i) { return i < 0 ? std::string("no load case") : "case '" + m->cases()[i] + "'"; };
+    if (m->gravity_case && *m->gravity_case != load_case)
+        throw InputError("model:gravity: gravity belongs to " + belongs(*m->gravity_case) + " already, not to " +
+                         belongs(load_case) + "; a model has one gravity, so give what acts beside it as loads");
+    m->set_gravity(g, load_case);
+    m->gravity_case = load_case;
     m->ask("gravity", where(L));
     return 0;
 }

@@ -340,6 +340,9 @@ Json energy_json(const Run& run) {
 }
 
 /// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
+
+constexpr int most_failed = 10;  ///< lines about runs that failed before the last one
+
 /// with the verdict and reason of `whole` where the script says how all its runs went. Returns verdict, reason.
 int write_summary(lua_State* L) {
     const auto c = context(L);
@@ -422,6 +425,14 @@ int write_summary(lua_State* L) {
     j["results"] = results.is_null() ? Json::object() : results;
     if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
     if (!c->warned.empty()) j["warnings"] = c->warned;
+    int told = 0;  // the last run's failure is the verdict, which is told by itself
+    for (const auto& [number, text] : c->failed) {
+        if (c->record && number == c->record->number) continue;
+        j["failed_runs"].push_back(text);
+        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    }
+    if (told > most_failed)
+        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
     if (!c->out_dir.empty()) {
         take_folder(*c);
         write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -10,6 +10,7 @@
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
 #include "script/element_count.h"
+#include "core/text.h"
 #include "run/statics.h"
 
 namespace hinge::script {
@@ -32,6 +33,15 @@ const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
                        "a " + std::string(run.kind()) + " run that has done " + std::to_string(run.steps_done()) +
                            " of " + std::to_string(run.planned_steps()) + " steps (made at " + record->asked_at + ")",
                        "finish it first with run:finish(), or end it with run:stop() to go on from there");
+        if (run.verdict() == Verdict::failed) {
+            Warning w;
+            w.what = "a run goes on from run " + std::to_string(record->number) +
+                     ", which failed: it has the last good " + "state" +
+                     (is_static ? ", at load factor " + number_text(run.state().factor, 3) : "");
+            w.advice = "look at run.verdict before";
+            w.asked_at = where(L);
+            tell(*context(L), w);
+        }
     }
     lua_pop(L, 1);
     return record;

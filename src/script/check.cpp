@@ -159,8 +159,8 @@ std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& s
     };
     return {{"the loads would strain member " + std::to_string(member + 1) + " by " + percent(most) +
                  " in a linear solution of them; " + largest_load(model),
-             "in mN? forces are in N, moments in N m. A thousandth of them would strain it by " + percent(most / 1000) +
-                 "; steel yields at about 0.1 %",
+             "are the loads in N and N m, E in Pa, lengths in m? A thousandth of the loads would strain it by " +
+                 percent(most / 1000) + "; steel yields at about 0.1 %",
              model.asked_at("loads")}};
 }
 
@@ -203,9 +203,11 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
                  " carries " + digits(m.force) + " N in compression in a linear solution of the loads, " +
                  digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
                  " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
-             declared.p_delta() ? "it may buckle: that shows with a small imperfection"
-                                : "it may buckle: that shows in large displacement with p_delta = \"member\", its "
-                                  "default, or eight elements a member, and a small imperfection",
+             declared.p_delta()
+                 ? "it may buckle: that shows with a small imperfection, and with four elements where both its "
+                   "ends are clamped"
+                 : "it may buckle: that shows in large displacement with p_delta = \"member\", its "
+                   "default, or eight elements a member, and a small imperfection",
              model.asked_at("member " + std::to_string(m.member + 1))});
     }
     return list;

@@ -23,6 +23,9 @@ std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, b
 /// "what (line, and 3 more like it); advice"
 std::string warning_text(const Warning& d);
 
+/// Tells of a likely mistake, once.
+void tell(Context& c, const Warning& w);
+
 /// hinge run: tells of likely mistakes, each once, in ten lines at most; of a model before it is run, and of the run.
 void look_over(Context& c, const Model& model);
 void look_over(Context& c, const RunRecord& record);

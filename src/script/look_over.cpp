@@ -13,6 +13,8 @@ constexpr int most_models = 50;              ///< that are looked at: a loop's f
 constexpr std::size_t most_members = 20000;  ///< of one: half a second
 constexpr int most_solved = 2000;            ///< nodes, where a linear solution is asked for: a tenth of a second
 
+}  // namespace
+
 void tell(Context& c, const Warning& w) {
     const std::string text = warning_text(w);
     if (c.warned.size() >= most_kept || std::find(c.warned.begin(), c.warned.end(), text) != c.warned.end()) return;
@@ -22,8 +24,6 @@ void tell(Context& c, const Warning& w) {
     if (++c.warnings_told < most_lines) std::fprintf(stderr, "warning: %s\n", text.c_str());
     else std::fprintf(stderr, "warning: and more than these %d; hinge check tells all\n", most_lines - 1);
 }
-
-}  // namespace
 
 void look_over(Context& c, const Model& model) {
     if (!c.looks_over || c.looked_over >= most_models || model.members().size() > most_members) return;

@@ -51,6 +51,7 @@ struct Context {
     std::map<std::string, std::string> described_at;  ///< lines of the runs whose models were, by what was said of them
     int histories = 0;                                ///< kept by number so far
     int begun = 0;                                    ///< runs that have taken a step
+    std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
     std::size_t unseen = 0;                           ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
@@ -75,6 +76,7 @@ struct ScriptModel : Model {
     using Model::Model;
     std::string closed_at;  ///< the script's line that closed it, "" while it is open
     std::vector<std::weak_ptr<struct RunRecord>> runs;
+    std::optional<int> gravity_case;  ///< that gravity belongs to, -1 for none
 };
 struct ModelBox {
     static constexpr const char* lua_name = "hinge.model";

@@ -322,6 +322,10 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     if (more && !r.on_step.empty()) call_on_step(L, record);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
+    if (over && r.run->verdict() == Verdict::failed)
+        c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
+                                             (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
+                                             ", failed: " + r.run->reason());
     if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);

@@ -218,7 +218,7 @@ equal(complaint, "", "none")
 local post = many:gsub("100 do", "1 do"):gsub("WHICH", "206e9, yield_stress = 245e6")
 _, _, complaint = hinge_run((post:gsub("model:static", "model:load { node = b, force = { 1e8, 0, 0 } } model:static")))
 expect(complaint:find("^warning: the loads would strain member 1 by 109 %% in a linear solution of them; the largest "
-  .. "of them is 1e%+08 N, on node 2 %(scene.lua:8%); in mN%? "), "a load in mN: %s", complaint)
+  .. "of them is 1e%+08 N, on node 2 %(scene.lua:8%); are the loads in N and N m, "), "loads too large: %s", complaint)
 status, _, complaint = hinge_run((post:gsub('"all"%)', '"xyz") model:fix(b, "xy")')))
 expect(status == 2 and complaint:find("model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 "
   .. "more node can rotate about z through that node without resistance; fix what", 1, true), "a foot that spins: %s",
@@ -272,6 +272,20 @@ for options, wanted in pairs {
   expect(status == 1 and support.says(failed, "...hinge: the run failed: step ..., t = ... s: " .. wanted .. "..."),
     "%s:\n    says   %s\n    wanted %s", options, failed, wanted)
   expect(select(2, failed:gsub("a shorter dt", "")) == 1, "%s: one advice twice: %s", options, failed)
+end
+
+-- A run that fails before the last one is told of, and so is one that goes on from it.
+do
+  local two = beam:gsub("%-1000", "-1e9") .. [[
+local first = model:static { steps = 2 }:finish()
+model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
+]]
+  local _, _, told = hinge_run(two)
+  expect(told:find("hinge: static run 1, made at scene.lua:%d+, failed: "), "a failed run before the last: %s", told)
+  expect(told:find("warning: a run goes on from run 1, which failed: it has the last good state, at load factor", 1,
+    true), "from a failed run: %s", told)
+  local failed = summary().failed_runs
+  expect(failed and #failed == 1 and failed[1]:find("^static run 1"), "summary.json: failed_runs")
 end
 
 -- A picture's title has no digits that nobody reads.
