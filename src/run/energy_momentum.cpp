@@ -361,14 +361,13 @@ void EnergyMomentum::mark_changed(int iteration) {
 }
 
 void EnergyMomentum::renew_effective_stiffness() {
-    const std::vector<Mat6> tangents = yield_tangents(w_.structure, w_.state, w_.sweep, w_.yielding);
     flowing_.clear();
     for (const Yielding& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
         const std::vector<GivenTangent> given =
-            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding, tangents);
+            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         effective_->build(rebuild_, w_.state, middle_, given);

@@ -175,7 +175,8 @@ void Newmark::solve(Step& step) {
 /// steps, where inertia rules, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Newmark::mark_yielding() {
     const std::vector<Yielding>& yielding = w_.yielding;
-    tangents_ = yield_tangents(w_.structure, w_.state, w_.sweep, yielding);
+    tangents_.clear();
+    for (const Yielding& y : yielding) tangents_.push_back(yield_tangent(w_.structure, w_.state, w_.sweep, y));
     std::size_t next = 0;
     for (int e : was_yielding_) {
         while (next < yielding.size() && yielding[next].element < e) ++next;
@@ -199,7 +200,7 @@ void Newmark::renew_effective_stiffness() {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
         const std::vector<GivenTangent> given =
-            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding, tangents_);
+            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding);
         for (std::size_t i = 0; i < tangents_.size(); ++i)
             if (const int e = w_.yielding[i].element; in_rebuild_[e]) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now

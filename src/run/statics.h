@@ -84,6 +84,7 @@ private:
     int modes_under_control();
     double locate(double increment, const std::vector<Vec6>& arrived_by);
     void describe_mode();
+    double softness() const;
     void end_at_limit(const std::string& why, const std::string& advice);
     std::string advice_at_end();
     std::string limit_point() const;

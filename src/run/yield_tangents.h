@@ -6,35 +6,27 @@
 
 namespace hinge {
 
-/// dp/dd of each element of `yielding`, [D_p] of eq 10a, consistent with the return to the yield surface.
-inline std::vector<Mat6> yield_tangents(const Structure& structure, const State& state, const Sweep& sweep,
-                                        const std::vector<Yielding>& yielding) {
-    std::vector<Mat6> tangents;
-    tangents.reserve(yielding.size());
+/// dp/dd of an element that flows by itself, [D_p] of eq 10a, consistent with the return to the yield surface.
+inline Mat6 yield_tangent(const Structure& structure, const State& state, const Sweep& sweep, const Yielding& y) {
     double section[2];
     const int n = sweep.sections(section);
-    for (const Yielding& y : yielding) {
-        const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-        tangents.push_back(beam::plastic_tangent(y.flow.p, stiffness_now(structure, state, y.element),
-                                                 structure.elements()[y.element].yield, section, y.flow.lambda, active,
-                                                 n));
-    }
-    return tangents;
+    const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
+    return beam::plastic_tangent(y.flow.p, stiffness_now(structure, state, y.element),
+                                 structure.elements()[y.element].yield, section, y.flow.lambda, active, n);
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from
 /// their [D_p], or whose partner does.
 inline std::vector<GivenTangent> given_tangents(const Structure& structure, const State& state, const Pose& pose,
                                                 const Sweep& sweep, const std::vector<int>& list,
-                                                const std::vector<Yielding>& yielding,
-                                                const std::vector<Mat6>& tangents) {
+                                                const std::vector<Yielding>& yielding) {
     std::vector<GivenTangent> given;
     int done = -1;  // elements up to here have theirs
     for (std::size_t i = 0; i < yielding.size(); ++i) {
         const int element = yielding[i].element;
         if (element <= done || !std::binary_search(list.begin(), list.end(), element)) continue;
         if (!in_pair(structure, state, element)) {
-            given.push_back({element, tangents[i], Mat6::Zero()});
+            given.push_back({element, yield_tangent(structure, state, sweep, yielding[i]), Mat6::Zero()});
             continue;
         }
         const int first = element & ~1;
