@@ -1,0 +1,109 @@
+-- What make.lua and tests/script/guide_test.lua share: the pages of the guide as blocks, and their scripts run.
+--
+-- A page NAME.md belongs to a script NAME.lua beside it. Of its fenced blocks
+-- * the first one marked lua is the script, whole;
+-- * those marked console are commands (after "$ ") and what they print, run in order in one folder that holds the
+--   page's scripts; "…" stands for anything within a line, and a line "…" for any number of lines;
+-- * every other block marked lua runs too: by itself where it requires hinge, else after the script, whose local
+--   variables it sees;
+-- * all other blocks (sh, text) are only shown.
+-- A picture pictures/FILE.png is one that the page's commands leave in a folder under out/.
+local pages = { folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" }
+
+local function quote(text) return "'" .. tostring(text):gsub("'", "'\\''") .. "'" end
+
+function pages.read(path)
+  local file = io.open(path, "rb")
+  if not file then return nil end
+  local text = file:read "a"
+  file:close()
+  return text
+end
+
+function pages.write(path, text)
+  local file = assert(io.open(path, "wb"))
+  assert(file:write(text))
+  assert(file:close())
+end
+
+--- The names of all pages, in the order of README.md.
+function pages.names()
+  local names = {}
+  for name in pages.read(pages.folder .. "README.md"):gmatch "%]%(([%w_]+)%.md%)" do names[#names + 1] = name end
+  return names
+end
+
+--- The fenced blocks of a text: { language =, text =, from =, to = }, with the places of the text between the fences.
+function pages.blocks(text)
+  local blocks, at = {}, 1
+  while true do
+    local _, fence, language = text:find("%f[^\n%z]```(%w+)\n", at)
+    if not fence then return blocks end
+    local stop = assert(text:find("%f[^\n%z]```\n", fence + 1), "a block without an end: " .. language)
+    blocks[#blocks + 1] = { language = language, text = text:sub(fence + 1, stop - 1), from = fence + 1, to = stop - 1 }
+    at = stop + 4
+  end
+end
+
+--- A console block as { { command =, output = }, ... }.
+function pages.commands(block)
+  local list = {}
+  for line in block:gmatch "([^\n]*)\n" do
+    local command = line:match "^%$ (.*)$"
+    if command then list[#list + 1] = { command = command, output = "" }
+    elseif #list > 0 then list[#list].output = list[#list].output .. line .. "\n" end
+  end
+  return list
+end
+
+--- Whether what was printed is what the page shows.
+function pages.matches(shown, printed)
+  local pattern = ("\n" .. shown):gsub("%p", "%%%0"):gsub("\n…\n", "\n\0"):gsub("\n…\n", "\n\0")
+  pattern = pattern:gsub("…", "[^\n]-"):gsub("%z", ".-")
+  return ("\n" .. printed):find("^" .. pattern .. "$") ~= nil
+end
+
+--- A folder in which a page's commands run: the guide's scripts, and `hinge` of a build folder. Returns run(command),
+--- which gives the exit status, what was printed, and what stderr had.
+function pages.workplace(build)
+  local pipe = assert(io.popen "mktemp -d")
+  local folder = pipe:read "l"
+  pipe:close()
+  os.execute(("cp %s*.lua %s; rm -f %s/make.lua %s/pages.lua"):format(quote(pages.folder), folder, folder, folder))
+  local start = ("cd %s; export LUA_CPATH=%s NO_COLOR=1; hinge() { %s \"$@\"; }; "):format(folder,
+    quote(build .. "/?.so"), quote(build .. "/hinge"))
+  local function run(command)
+    local _, kind, status = os.execute(("( %s%s\n) >%s/.stdout 2>%s/.stderr </dev/null"):format(start, command, folder,
+      folder))
+    return kind == "exit" and status or kind .. " " .. status, pages.read(folder .. "/.stdout"),
+      pages.read(folder .. "/.stderr")
+  end
+  return folder, run, function() os.execute("rm -rf " .. quote(folder)) end
+end
+
+--- The Lua blocks after the first as one program or several: { { text =, what = }, ... }.
+function pages.snippets(text)
+  local script, alone, after = nil, {}, {}
+  for _, block in ipairs(pages.blocks(text)) do
+    if block.language == "lua" then
+      if not script then
+        script = ("\n" .. block.text):gsub("\nreturn .*$", "\n"):sub(2)
+      elseif block.text:find 'require "hinge"' then
+        alone[#alone + 1] = block.text
+      else
+        after[#after + 1] = "do\n" .. block.text .. "end\n"
+      end
+    end
+  end
+  if #after > 0 then table.insert(alone, 1, script .. table.concat(after)) end
+  return alone
+end
+
+--- The PNG pictures that a page shows, by file name.
+function pages.pictures(text)
+  local list = {}
+  for name in text:gmatch "!%[[^%]]*%]%(pictures/([%w_.-]+%.png)%)" do list[#list + 1] = name end
+  return list
+end
+
+return pages
