@@ -1,4 +1,4 @@
--- The five scenes whose accuracy and time stand in the README: each runs as its head says,
+-- The five scenes whose accuracy and time stand in tests/README.md: each runs as its head says,
 -- and has the errors that it says.
 --
 -- Run: lua5.4 tests/script/cost_scenes_test.lua
@@ -37,16 +37,16 @@ local scenes = {
   },
 }
 
-local readme, seen = support.read(support.root .. "README.md"), 0
+local page, seen = support.read(support.root .. "tests/README.md"), 0
 for path in support.output(("cd %s && ls scripts/cost/*.lua"):format(support.quote(support.root))):gmatch "[^\n]+" do
   local name, head = path:match "([^/]+)%.lua$", support.read(support.root .. path):match "^(.-)\nlocal "
   local scene = scenes[name]
   seen = seen + 1
   if expect(scene, "%s is not known here", path) then
     expect(head:find("hinge cost " .. path, 1, true), "%s: the head does not say how to run it", path)
-    expect(readme:find("](" .. path .. ")", 1, true), "the README does not show %s", path)
-    expect(readme:find("](scripts/pictures/cost_" .. name .. ".png)", 1, true),
-      "the README does not show the plot of %s", path)
+    expect(page:find("](../" .. path .. ")", 1, true), "tests/README.md does not show %s", path)
+    expect(page:find("](../scripts/pictures/cost_" .. name .. ".png)", 1, true),
+      "tests/README.md does not show the plot of %s", path)
     local r = hinge.cost(dofile(support.root .. path), { accuracy = scene.accuracy, parameters = scene.parameters,
       repeats = 1, within = 0.05 })
     expect(#r.failed == 0 and r.references, "%s: settings without an answer", path)
