@@ -1,5 +1,6 @@
 -- The table of the paper's equations in src/README.md: every equation has a row, and where a row points to, the file
--- has that function, with the equation's number in a comment.
+-- has that function, with the equation's number in a comment. In src/theory.md a heading names every equation, and the
+-- functions that it names are there.
 --
 -- Run: lua5.4 tests/script/equations_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -54,6 +55,21 @@ local function comments_of(lines, name)
   return found and table.concat(found, "\n")
 end
 
+local function lines_of(text)
+  local lines = {}
+  for line in text:gmatch "([^\n]*)\n" do lines[#lines + 1] = line end
+  return lines
+end
+
+-- Comments at `function` (`file`), which a text names; nil and a complaint where it is not there. `who` names it.
+local function comments_at(name, path, who)
+  local text = support.read(support.root .. "src/" .. path)
+  if not expect(text, "src/%s is not there; %s points to it", path, who) then return end
+  local comments = comments_of(lines_of(text), name:match "[%w_]+$")
+  return expect(comments, "src/%s has no %s; %s points to it", path, name, who) and comments
+end
+
+local place = "`([%w_:]+)` %(`([%w_/]+%.%l+)`%)"
 local readme = assert(support.read(support.root .. "src/README.md"))
 local rows = assert(readme:match "\n| eq | what | where |\n[|%-]+\n(.-)\n\n", "src/README.md has no table of equations")
 local listed = {}
@@ -61,22 +77,35 @@ for row in rows:gmatch "[^\n]+" do
   local equations, where = row:match "^| ([^|]+) | [^|]+ | (.+) |$"
   assert(equations, "this row of the table has not three columns: " .. row)
   local places = 0
-  for name, path in where:gmatch "`([%w_:]+)` %(`([%w_/]+%.%l+)`%)" do
+  for name, path in where:gmatch(place) do
     places = places + 1
-    local text = support.read(support.root .. "src/" .. path)
-    if expect(text, "src/%s is not there; eq %s points to it", path, equations) then
-      local lines = {}
-      for line in text:gmatch "([^\n]*)\n" do lines[#lines + 1] = line end
-      local comments = comments_of(lines, name:match "[%w_]+$")
-      if expect(comments, "src/%s has no %s; eq %s points to it", path, name, equations) then
-        for _, number in ipairs(numbers(equations)) do
-          expect(cites(comments, number), "src/%s: no comment at %s has eq %s", path, name, number)
-        end
-      end
+    local comments = comments_at(name, path, "eq " .. equations)
+    for _, number in ipairs(comments and numbers(equations) or {}) do
+      expect(cites(comments, number), "src/%s: no comment at %s has eq %s", path, name, number)
     end
   end
   expect(places > 0, "eq %s points to no `function` (`file`)", equations)
   for _, number in ipairs(numbers(equations)) do listed[number] = true end
 end
 for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
+
+local theory = assert(support.read(support.root .. "src/theory.md"))
+local headed, section = {}, nil
+for heading in theory:gmatch "\n### (Eqs? [^\n]*)" do headed[#headed + 1] = heading end
+headed = table.concat(headed, "; ")
+for _, number in ipairs(numbers(paper)) do expect(cites(headed, number), "theory.md: no heading has eq %s", number) end
+-- `a`, `b` (`file`): both are there; a line may end between any two
+theory = theory:gsub("(`[%w_:]+`),%s+(`[%w_:]+`)%s+(%(`[%w_/]+%.%l+`%))", "%1 %3, %2 %3"):gsub("`\n%(`", "` (`")
+local places = 0
+for _, line in ipairs(lines_of(theory)) do
+  section = line:match "^##+ (.*)" or section
+  for name, path in line:gmatch(place) do
+    places = places + 1
+    comments_at(name, path, "theory.md, " .. section)
+  end
+end
+expect(places > 50, "theory.md points to %d functions", places)
+for path in theory:gmatch "`(tests/[%w_/]+%.%l+)`" do
+  expect(support.is_there(support.root .. path), "theory.md points to %s, which is not there", path)
+end
 checks.done()
