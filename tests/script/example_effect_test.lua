@@ -20,8 +20,9 @@ end
 checks.equal(#files, 3, "files of the example")
 for _, path in ipairs(files) do
   if path:find "%.cpp$" then
-    local status, _, complaint = support.run(("%s -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I%s/src -I%ssrc %s %s/%s")
-      :format(quote(arg[1]), folder, quote(support.root), table.concat(arg, " ", 2), folder, path))
+    local flags = "-std=c++20 -fsyntax-only -Wall -Wextra -Werror"
+    local status, _, complaint = support.run(("%s %s -I%s/src -I%ssrc %s %s/%s")
+      :format(quote(arg[1]), flags, folder, quote(support.root), table.concat(arg, " ", 2), folder, path))
     checks.equal(status, 0, path .. ": " .. complaint)
   end
 end
