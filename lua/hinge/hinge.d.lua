@@ -8,7 +8,8 @@
 --
 -- reference.lua makes reference.md from this. What is said of a class, an alias, a function or a field stands in the
 -- lines above it, or behind a field where it is short; what is said of a parameter or a result, behind it and in lines
--- below that begin with `---` and two blanks.
+-- below that begin with `---` and two blanks. The fenced Lua above a function is its example: it runs as it stands after
+-- the lines at the top of reference.md (a test runs them all).
 
 ---@class hinge
 ---@field version string
@@ -19,12 +20,23 @@ local hinge = {}
 ---@alias hinge.component "ux"|"uy"|"uz"|"rx"|"ry"|"rz" displacement (m) or rotation vector (rad), in space
 
 ---Goes on from a checkpoint: run:resume(file).
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---swing:step()
+---swing:checkpoint "swing.checkpoint"
+---local again = model:dynamic { dt = 1e-4, duration = 0.01 }
+---hinge.resume(again, "swing.checkpoint"):finish()
+---```
 ---@param run hinge.run
 ---@param file string
 ---@return hinge.run
 function hinge.resume(run, file) end
 
 ---An empty model.
+---```lua
+---local frame = hinge.model { elements_per_member = 4 }
+---local linear = hinge.model { displacement = "small", plasticity = false }
+---```
 ---@param options? hinge.model_options
 ---@return hinge.model
 function hinge.model(options) end
@@ -72,6 +84,9 @@ function hinge.model(options) end
 ---@field elements_accuracy? number
 
 ---A linear elastic, perfectly plastic material.
+---```lua
+---local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 }
+---```
 ---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
 ---  E Pa; nu default 0.3; G Pa, in the place of nu, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in
 ---  dynamics; yield_stress Pa, left out: never yields
@@ -93,6 +108,9 @@ function hinge.material(options) end
 local section = {}
 
 ---Closed box. J and Mz0 by Bredt: 4 Am^2 / sum(length / t) and 2 Am t with the thinnest wall.
+---```lua
+---local column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 }
+---```
 ---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number }
 ---  outer sizes and walls, m; thickness for all walls, or web (the walls along y) and flange
 ---@return hinge.section
@@ -100,27 +118,43 @@ function section.box(options) end
 
 ---H (I, wide flange) with its web along y: Ix is the strong axis. J = sum b t^3 / 3; Mz0
 ---from the plates' heaps of sand.
+---```lua
+---local girder = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }
+---```
 ---@param options { depth: number, width: number, web: number, flange: number }
 ---  outer sizes and thicknesses, m; no fillets
 ---@return hinge.section
 function section.h(options) end
 
 ---Round tube; all values exact.
+---```lua
+---local brace = hinge.section.pipe { diameter = 0.1143, thickness = 0.0045 }
+---```
 ---@param options { diameter: number, thickness: number } outer diameter and wall, m
 ---@return hinge.section
 function section.pipe(options) end
 
 ---Solid rectangle. J: series of the stress function (0.140577 b^4 for a square); Mz0: b^2 (3 d - b) / 6 with b <= d.
+---```lua
+---local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+---```
 ---@param options { width: number, depth: number } m
 ---@return hinge.section
 function section.solid(options) end
 
 ---Solid circle.
+---```lua
+---local rod = hinge.section.round { diameter = 0.03 }
+---```
 ---@param options { diameter: number } m
 ---@return hinge.section
 function section.round(options) end
 
 ---Any section by its properties.
+---```lua
+---local hea200 = hinge.section.general { area = 53.8e-4, Ix = 36.9e-6, Iy = 13.4e-6, J = 0.21e-6,
+---  plastic = { A = 53.8e-4, Zx = 429e-6, Zy = 204e-6 }, size = { width = 0.2, depth = 0.19 } }
+---```
 ---@param options hinge.section_options
 ---@return hinge.section
 function section.general(options) end
@@ -180,23 +214,42 @@ function section.general(options) end
 ---@field fixed string? what is fixed, as model:fix takes it: "all" or such as "x,y,rx"; nil: nothing
 local node = {}
 
+---```lua
+---local _, _, uz = tip:displacement()
+---print(("the tip goes down by %.3f mm"):format(-1000 * uz))
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return number ux, number uy, number uz, number rx, number ry, number rz m and rotation vector, rad
 function node:displacement(run) end
 
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---local _, _, vz = tip:velocity(swing)
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return number vx, number vy, number vz, number wx, number wy, number wz m/s and rad/s
 function node:velocity(run) end
 
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---local _, _, az = tip:acceleration(swing)
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return number ax, number ay, number az, number bx, number by, number bz m/s^2 and rad/s^2
 function node:acceleration(run) end
 
+---```lua
+---local _, _, fz, _, my = wall:reaction()
+---print(("the wall carries %.0f N and %.0f N m"):format(fz, my))
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return number fx, number fy, number fz, number mx, number my, number mz
 ---  what the support exerts on the node, N and N m
 function node:reaction(run) end
 
+---```lua
+---local x, y, z = tip:position()
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return number x, number y, number z where it is now, m
 function node:position(run) end
@@ -215,18 +268,32 @@ function node:position(run) end
 ---@field index integer from 1, in the order of declaration
 local member = {}
 
+---```lua
+---for _, joint in ipairs(beam:nodes()) do print(joint.index, joint.x) end
+---```
 ---@return hinge.node[] a_and_b
 function member:nodes() end
 
+---```lua
+---for _, group in ipairs(beam:groups()) do print(group.name) end
+---```
 ---@return hinge.group[]
 function member:groups() end
 
 ---Section resultants at its two ends; all zero once the element there is broken.
+---```lua
+---local at_a, at_b = beam:forces()
+---print(at_a.Mx, at_b.Qy, at_a.f_y) -- N m, N, 1 where fully plastic
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return hinge.resultants at_a, hinge.resultants at_b
 function member:forces(run) end
 
 ---What has become of it. A member is broken once one of its elements is.
+---```lua
+---local state, f_y = beam:state()
+---print(state, f_y) -- elastic, and how near the most stressed section is to fully plastic
+---```
 ---@param run? hinge.run default: the latest of the model
 ---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest now; of a
 ---  broken member, when its first element broke (s; nil: before this run began) and which of its elements it was
@@ -240,9 +307,16 @@ function member:state(run) end
 ---@field mass number kg
 local group = {}
 
+---```lua
+---for _, member in ipairs(model:group("arm"):members()) do print(member.length, member:state()) end
+---```
 ---@return hinge.member[]
 function group:members() end
 
+---```lua
+---model:velocity("arm", { 0, 0, -2 })
+---for _, joint in ipairs(model:group("arm"):nodes()) do print(joint.x, joint.fixed) end
+---```
 ---@return hinge.node[] nodes the joints of its members, each once
 function group:nodes() end
 
@@ -258,6 +332,12 @@ local load = {}
 
 ---Takes it off the model. Runs that are over keep it, and one under way may not step on (run:step); any later use of
 ---the handle is an error that says where it was removed.
+---```lua
+---local prop = model:load { node = tip, force = { 0, 0, 500 } }
+---local held = model:static():finish()
+---prop:remove()
+---local fall = model:dynamic { from = held, dt = 1e-4, duration = 0.01 }:finish()
+---```
 function load:remove() end
 
 ---A load case, made by model:case.
@@ -266,48 +346,93 @@ function load:remove() end
 local case = {}
 
 ---As model:load; the load belongs to this case.
+---```lua
+---local snow = model:case "snow"
+---snow:load { member = beam, q = { 0, 0, -2e3 } }
+---local under_snow = model:static { loads = { snow = 1 } }:finish()
+---```
 ---@param options hinge.load_options
 ---@return hinge.load? load
 function case:load(options) end
 
 ---As model:gravity; gravity belongs to this case.
+---```lua
+---local dead = model:case "dead"
+---dead:gravity { 0, 0, -9.80665 }
+---local design = model:static { loads = { dead = 1.35 } }:finish()
+---```
 ---@param acceleration vec3 m/s^2
 function case:gravity(acceleration) end
 
 ---@class hinge.model
 local model = {}
 
+---```lua
+---for _, node in ipairs(model:nodes()) do print(node.index, node.x, node.y, node.z, node.fixed) end
+---```
 ---@return hinge.node[]
 function model:nodes() end
 
+---```lua
+---local longest = 0
+---for _, member in ipairs(model:members()) do longest = math.max(longest, member.length) end
+---```
 ---@return hinge.member[]
 function model:members() end
 
+---```lua
+---for _, group in ipairs(model:groups()) do print(group.name, #group, group.mass) end
+---```
 ---@return hinge.group[]
 function model:groups() end
 
+---```lua
+---for _, load in ipairs(model:loads()) do print(load.node, load.force[3], load.case) end
+---```
 ---@return hinge.load[] loads those that were not removed
 function model:loads() end
 
+---```lua
+---model:case "dead"
+---for _, case in ipairs(model:cases()) do print(case.name) end
+---```
 ---@return hinge.case[]
 function model:cases() end
 
 ---Frees the model and its runs at once, whatever handles there are; any later use of one is an error
 ---that says where the model was closed. Models that nobody refers to are freed without it. An error
 ---inside a step of one of its own runs.
+---```lua
+---for storeys = 1, 3 do
+---  local tower = hinge.model()
+---  tower:node { 0, 0, 3 * storeys }
+---  tower:close()
+---end
+---```
 function model:close() end
 
 ---Adds a joint.
+---```lua
+---local top = model:node { 0, 0, 3 } -- x, y, z; z is up by custom
+---```
 ---@param position vec3 m
 ---@return hinge.node
 function model:node(position) end
 
 ---Fixes degrees of freedom of one node or of a list of nodes, beside those that are fixed.
+---```lua
+---model:fix(wall) -- all six
+---model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
+---```
 ---@param node hinge.node|hinge.node[]
 ---@param what? string "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
 function model:fix(node, what) end
 
 ---Adds a member between two joints, to which it is rigidly connected.
+---```lua
+---local column = model:member { wall, model:node { 0, 0, 3 }, section = square, material = steel,
+---  up = { 1, 0, 0 }, group = "columns", elements = 4 }
+---```
 ---@param options hinge.member_options
 ---@return hinge.member
 function model:member(options) end
@@ -339,6 +464,11 @@ function model:member(options) end
 ---
 ---A static run takes no load with a history, on nodes or on members, for it has no time; where `loads` of the run names
 ---its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one.
+---```lua
+---model:load { node = tip, force = { 0, 0, -1000 } } -- N
+---model:load { member = beam, q = { 0, 0, -200 } } -- N/m
+---model:load { node = tip, force = { 5e3, 0, 0 }, history = { { 0, 1 }, { 0.01, 0 } } } -- a blast of 10 ms
+---```
 ---@param options hinge.load_options
 ---@return hinge.load? load of a load on a node
 function model:load(options) end
@@ -368,12 +498,23 @@ function model:load(options) end
 ---says in `loads` which cases it takes and with which factors. Loads, and gravity, that belong to no case act in every
 ---run.
 ---Called again with the same name it returns the same case.
+---```lua
+---local live = model:case "live"
+---model:load { node = tip, force = { 0, 0, -500 }, case = live }
+---local half = model:static { loads = { live = 0.5 } }:finish()
+---```
 ---@param name string
 ---@return hinge.case
 function model:case(name) end
 
 ---A sum of load cases by name, for `loads` of runs: model:combination("uls", { dead = 1.35, live = 1.5 }). Combinations
 ---that were declared before may be in it.
+---```lua
+---model:case("dead"):gravity { 0, 0, -9.80665 }
+---model:case("live"):load { node = tip, force = { 0, 0, -500 } }
+---model:combination("uls", { dead = 1.35, live = 1.5 })
+---local design = model:static { loads = "uls" }:finish()
+---```
 ---@param name string that no case and no other combination has
 ---@param factors table<string, number>
 function model:combination(name, factors) end
@@ -384,6 +525,9 @@ function model:combination(name, factors) end
 ---on with its mass; if it then has no rotary inertia, it stops rotating. A mass that is declared after a run takes
 ---part in runs that go on from that one. It is an error if the node has no member when a run begins. `hinge check`
 ---includes it in masses and natural periods.
+---```lua
+---model:mass { node = tip, mass = 20, inertia = 0.1 } -- kg, kg m^2
+---```
 ---@param options hinge.mass_options
 function model:mass(options) end
 
@@ -399,6 +543,10 @@ function model:mass(options) end
 ---run begins. Velocity and acceleration follow by differences over the last steps. Before the run a support moved as in
 ---the state that the run begins from, or stood still. A path may start and stop at once, which is an impact. The work
 ---of the supports is in the energy balance. In statics they stand still.
+---```lua
+---model:move { node = wall, z = { { 0, 0 }, { 0.1, 0.01 }, { 0.2, 0 } } } -- up by 10 mm and down again
+---local shaken = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
+---```
 ---@param options hinge.move_options
 function model:move(options) end
 
@@ -413,6 +561,10 @@ function model:move(options) end
 ---a clamped member of two elements under its own weight are 0.63 of w L^2 / 12, with four 0.91; a load `q` of the same
 ---size has them exactly. Called again, the last call counts, for runs made after it; it is an error to call it for
 ---another load case.
+---```lua
+---model:gravity { 0, 0, -9.80665 }
+---local rest = model:static():finish()
+---```
 ---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
 ---@param load_case? hinge.case|string the load case that it belongs to; default: none
 function model:gravity(acceleration, load_case) end
@@ -421,6 +573,10 @@ function model:gravity(acceleration, load_case) end
 ---velocities as they are. A run that goes on from another (`from`) has that one's velocities, but for targets that got
 ---one since that run was made: these begin with it, as a rigid body where they are then. So a velocity may be given
 ---before or after statics. What supports hold stays at rest; it is an error if that is all.
+---```lua
+---model:velocity(tip, { 0, 0, -3 }) -- m/s
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---```
 ---@param target hinge.node|hinge.member|hinge.group_like of a group, the joints that it has by now
 ---@param linear vec3 m/s, of the mean of the target's joints
 ---@param angular? vec3 rad/s about that point
@@ -429,6 +585,10 @@ function model:velocity(target, linear, angular) end
 ---Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
 ---per millimetre, so 0.4 here. Or where a function returns true. Of several rules the last one that applies to a
 ---member's groups counts. An error in a function undoes the step and is raised where the script asked for the step.
+---```lua
+---model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
+---model:fracture(function(section) return section.plastic_work > 500 end) -- J
+---```
 ---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
 function model:fracture(rule) end
 
@@ -499,6 +659,14 @@ function model:fracture(rule) end
 ---(section 2.4, eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part
 ---springs back. Members that share a joint, or overlap when first seen, do not meet until they have parted. Called
 ---again it adds a rule: of several, the last one that fits both members' groups counts.
+---```lua
+---local bar = model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = square,
+---  material = steel, group = "bar" }
+---model:velocity("bar", { 0, 0, -5 })
+---model:contact { between = { "bar", "arm" }, friction = 0.3 }
+---local hit = model:dynamic { dt = "auto", duration = 4e-3 }:finish()
+---print(hit.contacts.bound, bar:state())
+---```
 ---@param rule? hinge.contact_rule
 function model:contact(rule) end
 
@@ -547,6 +715,12 @@ function model:contact(rule) end
 ---Laws of a script are not in these limits. Energy: run.energy.connector_stored and connector_dissipated. It is an
 ---error if nothing is given that acts, or if a run is made with a node that belongs to no member or with too long an
 ---explicit step.
+---```lua
+---model:connector { tip, ground = true, stiffness = { z = 1e5 }, damping = { z = 200 } } -- N/m, N s/m
+---local other = model:node { 1, 0, -1 }
+---model:fix(other)
+---local rope = model:connector { tip, other, stiffness = { z = 1e6 }, capacity = { z = 5e3 } } -- parts at 5 kN
+---```
 ---@param options hinge.connector_options
 ---@return hinge.connector
 function model:connector(options) end
@@ -578,16 +752,31 @@ function model:connector(options) end
 local connector = {}
 
 ---The deformation of the connector, m and rad; of a broken one, that at which it broke.
+---```lua
+---local spring = model:connector { tip, ground = true, stiffness = { z = 1e5 } }
+---model:static():finish()
+---local _, _, z = spring:deformation()
+---```
 ---@param run? hinge.run
 ---@return number x, number y, number z, number rx, number ry, number rz
 function connector:deformation(run) end
 
 ---The force that pulls b back, N and N m, along the axes; 0 once it is broken.
+---```lua
+---local spring = model:connector { tip, ground = true, stiffness = { z = 1e5 } }
+---model:static():finish()
+---local _, _, fz = spring:force()
+---```
 ---@param run? hinge.run
 ---@return number x, number y, number z, number rx, number ry, number rz
 function connector:force(run) end
 
 ---The time at which it broke, s, or false.
+---```lua
+---local hook = model:connector { tip, ground = true, stiffness = { z = 1e5 }, capacity = { z = 100 } }
+---model:dynamic { dt = 1e-4, duration = 0.02 }:finish()
+---print(hook:broken()) -- s, or false
+---```
 ---@param run? hinge.run
 ---@return number|false
 function connector:broken(run) end
@@ -600,6 +789,9 @@ function connector:broken(run) end
 ---group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
 ---the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
 ---is as strong as that. It does not act in statics.
+---```lua
+---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
+---```
 ---@param options hinge.damping_options
 ---@return number alpha 1/s
 ---@return number beta s
@@ -620,6 +812,9 @@ function model:damping(options) end
 ---run begins is at rest there; nodes that begin with their axis below the plane are left out until they have left the
 ---ground. It acts in statics too, which needs supports. run.energy then has ground, the sum of ground_stored (above
 ---that at the start) and ground_dissipated (by friction and restitution), J.
+---```lua
+---model:ground { point = { 0, 0, -0.05 }, friction = 0.5, restitution = 0.2 }
+---```
 ---@param plane? hinge.ground_plane
 function model:ground(plane) end
 
@@ -640,11 +835,19 @@ function model:ground(plane) end
 ---@field group? hinge.group_like whose members meet it; default all
 
 ---A group that members were put into by name.
+---```lua
+---local arm = model:group "arm"
+---print(#arm, arm.length, arm.mass)
+---```
 ---@param name string
 ---@return hinge.group
 function model:group(name) end
 
 ---A member with elements = "auto" counts as two elements until the first run decides.
+---```lua
+---local counts = model:counts()
+---print(counts.members, counts.elements, counts.free_dofs)
+---```
 ---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
 function model:counts() end
 
@@ -656,6 +859,11 @@ function model:counts() end
 ---taken back as a trial. One that does not lead back has leapt over a snap, and the run ends before it; take several
 ---steps all the same, for no trial finds every leap. Beams turn over sideways, too. They resist it by bending and
 ---torsion (G J) alone: not by warping, and nothing but what the model has, such as a floor, holds them.
+---```lua
+---local rest = model:static():finish()
+---local pushed = model:static { control = { node = tip, "uz", to = -0.1 }, steps = 20 }:finish() -- down by 0.1 m
+---print(pushed.verdict, pushed.factor) -- the load that takes, as a factor of those of the model
+---```
 ---@param options? hinge.static_options
 ---@return hinge.run
 function model:static(options) end
@@ -705,6 +913,11 @@ function model:static(options) end
 ---and halved (step_control, here 0.01 by itself). It does not go with contact, fracture, ground, supports that move,
 ---displacement = "small" and shift = "whole"; these options are errors with it: beta, rho_infinity, predictor,
 ---precision.
+---```lua
+---model:velocity(tip, { 0, 0, -3 })
+---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.02 }:finish()
+---print(swing.verdict, swing.energy_error)
+---```
 ---@param options hinge.dynamic_options
 ---@return hinge.run
 function model:dynamic(options) end
@@ -860,15 +1073,32 @@ local run = {}
 ---@field remainder number the energy error: initial + work - all other accounts (without their parts)
 
 ---Steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, filled anew.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---for step in swing:steps() do
+---  local _, _, uz = tip:displacement(swing)
+---  if step.index % 20 == 0 then print(step.time, uz) end
+---end
+---```
 ---@return fun(): { index: integer, time: number, factor: number }?
 function run:steps() end
 
 ---One step. The run knows what was declared when it was made: if its model has been changed since, it is an error, as
 ---it is in run:steps and run:finish.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---while swing:step() do
+---  if select(3, swing:displacement(tip)) < -1e-3 then swing:stop() end
+---end
+---```
 ---@return boolean done false when there is none left
 function run:step() end
 
 ---Steps to the end.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---print(swing.verdict, swing.time)
+---```
 ---@return hinge.run
 function run:finish() end
 
@@ -877,6 +1107,12 @@ function run:finish() end
 ---nothing in the run. Call it between steps or in run:on_step; dynamic runs only. The script's own variables are not
 ---in it, nor are those that its functions refer to. The table named by `keep` is in it, and so is what a fracture
 ---rule keeps of each section.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---for step in swing:steps() do
+---  if step.index % 50 == 0 then swing:checkpoint "swing.checkpoint" end
+---end
+---```
 ---@param file string a name without a folder is in the output folder
 ---@return hinge.run
 function run:checkpoint(file) end
@@ -884,20 +1120,45 @@ function run:checkpoint(file) end
 ---Before the first step: goes on from a checkpoint of the same run, made by the same model, settings and probes; any
 ---number of threads. One that is damaged, of another run (the message says in what) or of another hinge is refused, and
 ---nothing has changed.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---swing:step()
+---swing:checkpoint "swing.checkpoint"
+---local again = model:dynamic { dt = 1e-4, duration = 0.01 }:resume "swing.checkpoint"
+---print(again.index) -- 1
+---```
 ---@param file string
 ---@return hinge.run
 function run:resume(file) end
 
 ---Ends the run here; its verdict is then "stopped". One that is over stays as it is.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---for step in swing:steps() do
+---  if step.time > 5e-3 then swing:stop() end
+---end
+---```
 function run:stop() end
 
 ---Has a function called with the run after each step, whoever asks for the steps. It may read and
 ---stop the run, but not step it.
+---```lua
+---local lowest = 0
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---swing:on_step(function(now) lowest = math.min(lowest, select(3, now:displacement(tip))) end)
+---swing:finish()
+---```
 ---@param callback fun(run: hinge.run)
 ---@return hinge.run
 function run:on_step(callback) end
 
 ---Records one quantity of a node at every step, and in history.csv. Ask before the first step.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---local sag = swing:probe { node = tip, "uz", name = "sag" }
+---swing:finish()
+---print(sag.min, sag.last, #sag.value)
+---```
 ---@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz
 ---  (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
 ---@return hinge.probe
@@ -911,23 +1172,40 @@ function run:probe(options) end
 ---@field min number
 ---@field name string its column in history.csv
 
+---```lua
+---local _, _, uz = run:displacement(tip)
+---```
 ---@param node hinge.node
 ---@return number ux, number uy, number uz, number rx, number ry, number rz m and rotation vector, rad
 function run:displacement(node) end
 
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---local _, _, vz = swing:velocity(tip)
+---```
 ---@param node hinge.node
 ---@return number vx, number vy, number vz, number wx, number wy, number wz m/s and rad/s
 function run:velocity(node) end
 
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---local _, _, az = swing:acceleration(tip)
+---```
 ---@param node hinge.node
 ---@return number ax, number ay, number az, number bx, number by, number bz m/s^2 and rad/s^2
 function run:acceleration(node) end
 
+---```lua
+---local _, _, fz = run:reaction(wall)
+---```
 ---@param node hinge.node
 ---@return number fx, number fy, number fz, number mx, number my, number mz
 ---  what the support exerts on the node, N and N m
 function run:reaction(node) end
 
+---```lua
+---local x, y, z = run:position(tip)
+---```
 ---@param node hinge.node
 ---@return number x, number y, number z where it is now, m
 function run:position(node) end
@@ -936,11 +1214,18 @@ function run:position(node) end
 ---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number }
 
 ---As member:forces.
+---```lua
+---local at_a, at_b = run:forces(beam)
+---print(at_a.Mx, at_b.Mx)
+---```
 ---@param member hinge.member
 ---@return hinge.resultants at_a, hinge.resultants at_b at its two ends
 function run:forces(member) end
 
 ---As member:state.
+---```lua
+---local state, f_y = run:state(beam)
+---```
 ---@param member hinge.member
 ---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element
 function run:state(member) end
@@ -959,21 +1244,39 @@ function run:state(member) end
 ---touched: 1 or 0; plastic_work J; member: its index; x, y, z: its middle now, m; with _a and _b: the resultants at its
 ---ends, as member:forces. Of nodes: what run:probe takes, reactions as reaction_fx to reaction_mz; node: its index;
 ---node_x, node_y, node_z: where it is now, m.
+---```lua
+---local f_y, place = run:read("f_y", "arm"), run:read("x", "arm")
+---for i, value in ipairs(f_y) do print(place[i], value) end
+---local reactions = run:read "reaction_fz" -- of every joint
+---```
 ---@param quantity hinge.member_quantity|hinge.node_quantity
 ---@param group? hinge.group_like default: all; of nodes, the joints of the group's members
 ---@return number[]
 function run:read(quantity, group) end
 
+---```lua
+---local momentum = run:momentum()
+---print(momentum.mass, momentum.linear[1], momentum.angular[3])
+---```
 ---@return { mass: number, linear: vec3, angular: vec3 } kg, kg m/s, kg m^2/s about the origin
 function run:momentum() end
 
 ---Members of a group in a state. A member is broken if one of its elements is, else yielded if one has ever been fully
 ---plastic (eq 14), else elastic; touched, whatever else it is, if it has ever been in contact.
+---```lua
+---print(run:count { group = "arm", state = "yielded" }, run:count { state = "broken" })
+---```
 ---@param options { group?: hinge.group_like, state: "elastic"|"yielded"|"broken"|"touched" } group default: all members
 ---@return integer
 function run:count(options) end
 
 ---The structure as it is now, for pictures.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---local first = swing:snapshot()
+---swing:finish()
+---hinge.strip({ { first }, { swing } }, 2, "before_and_after.png")
+---```
 ---@return hinge.snapshot
 function run:snapshot() end
 
@@ -983,6 +1286,10 @@ function run:snapshot() end
 
 ---The displacement of the ground, m, as a function of time, s, from a record of its acceleration: linear between the
 ---record's values, integrated twice exactly; zero before its start, straight on after its end. For model:move.
+---```lua
+---local quake = hinge.ground { dt = 0.02, acceleration = { 0, 1.2, -0.8, 0.3, 0 }, scale = 0.5 } -- m/s^2
+---model:move { node = wall, y = quake }
+---```
 ---@param options { dt: number, acceleration: number[], scale?: number }
 ---  dt s; acceleration m/s^2, the first at t = 0; scale default 1
 ---@return fun(time: number): number
@@ -995,6 +1302,18 @@ function hinge.ground(options) end
 ---setting that such a script does not read is an error: before it runs, where its text tells (local p = ..., then
 ---p.speed), else at its end. Under plain Lua nobody runs a scenario that a script returns: that is an error, which says
 ---how to run it.
+---```lua
+---return hinge.scenario {
+---  parameters = { force = 1000 }, -- N; hinge run SCRIPT force=2000
+---  cases = { heavy = { force = 3000 } }, -- hinge run SCRIPT --case heavy
+---  run = function(p, job)
+---    model:load { node = tip, force = { 0, 0, -p.force } }
+---    local pushed = model:static():finish()
+---    job:picture(pushed, { title = "pushed" }, "pushed.png")
+---    return { tip_mm = 1000 * select(3, tip:displacement(pushed)) }
+---  end,
+---}
+---```
 ---@param options hinge.scenario_options
 ---@return hinge.scenario
 function hinge.scenario(options) end
@@ -1014,23 +1333,44 @@ function hinge.scenario(options) end
 
 ---What job:frame, job:picture, job:strip, job:plot and job:note do, for scripts of plain statements and for any Lua
 ---5.4: into the output folder of the program's run, else into the folder where Lua was started.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---for step in swing:steps() do
+---  if step.index % 50 == 0 then hinge.frame(swing) end
+---end
+---```
 ---@param run hinge.run
 function hinge.frame(run) end
 
+---```lua
+---hinge.picture(run, { title = "under 1 kN", width = 800, height = 600 }, "cantilever.png")
+---```
 ---@param run hinge.run see job:picture
 ---@param view? hinge.view
 ---@param filename string plain name ending in .png
 function hinge.picture(run, view, filename) end
 
+---```lua
+---hinge.strip({ { run, { title = "all" } }, { run, { groups = { "arm" } } } }, 2, "side_by_side.png")
+---```
 ---@param snapshots { [1]: hinge.run|hinge.snapshot, [2]?: hinge.view }[] see job:strip
 ---@param columns integer snapshots in a row
 ---@param filename string plain name ending in .png
 function hinge.strip(snapshots, columns, filename) end
 
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---local sag = swing:probe { node = tip, "uz" }
+---swing:finish()
+---hinge.plot({ series = { { x = sag.time, y = sag.value } }, x_label = "s", y_label = "m" }, "sag.png")
+---```
 ---@param plot hinge.plot see job:plot
 ---@param filename string plain name ending in .png
 function hinge.plot(plot, filename) end
 
+---```lua
+---hinge.note(("the tip is at z = %.4f m"):format(select(3, tip:position())))
+---```
 ---@param text string printed, and kept in summary.json
 function hinge.note(text) end
 
@@ -1043,6 +1383,17 @@ function hinge.note(text) end
 ---scenario meanwhile. `hinge cost SCRIPT` prints it. With effects = true the settings are not varied: the scenario runs
 ---as its parameters have it, and once more without each effect that its models declare (gravity, large displacement,
 ---plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints that.
+---```lua
+---local scenario = hinge.scenario {
+---  accuracy = { dt = { 2e-4, 4e-4 } },
+---  run = function(p)
+---    local swing = model:dynamic { dt = p.dt, duration = 0.01 }:finish()
+---    return { sag = select(3, swing:displacement(tip)) }
+---  end,
+---}
+---local cost = hinge.cost(scenario, { within = 0.01, repeats = 1 })
+---for _, setting in ipairs(cost.settings) do print(setting.label, setting.seconds, setting.error) end
+---```
 ---@param scenario hinge.scenario
 ---@param options? hinge.cost_options
 ---@return hinge.cost_result|hinge.effects_result

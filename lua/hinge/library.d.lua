@@ -11,11 +11,20 @@
 local job = {}
 
 ---Adds the structure as it is now to frames.pvd, for ParaView.
+---```lua
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
+---for step in swing:steps() do
+---  if step.index % 50 == 0 then job:frame(swing) end
+---end
+---```
 ---@param run hinge.run
 function job:frame(run) end
 
 ---Draws the structure as it is now into a PNG in the output folder: members in six colours of f_y (eq 14), black where
 ---fractured, as in figure 17. Where no picture can be drawn, that is noted and the run goes on.
+---```lua
+---job:picture(run, { title = "under 1 kN", from = { 0, -1, 0.2 }, width = 800, height = 600 }, "cantilever.png")
+---```
 ---@param run hinge.run
 ---@param view? hinge.view
 ---@param filename string plain name ending in .png
@@ -34,6 +43,9 @@ function job:picture(run, view, filename) end
 
 ---Draws snapshots side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for
 ---all; the whole may have at most 8192 pixels a side.
+---```lua
+---job:strip({ { run, { title = "all" } }, { run, { groups = { "arm" } } } }, 2, "side_by_side.png")
+---```
 ---@param snapshots { [1]: hinge.run|hinge.snapshot, [2]?: hinge.view }[]
 ---@param columns integer snapshots in a row
 ---@param filename string plain name ending in .png
@@ -41,6 +53,10 @@ function job:strip(snapshots, columns, filename) end
 
 ---Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture
 ---can be drawn, that is noted and the run goes on.
+---```lua
+---job:plot({ series = { { x = { 0, 1, 2 }, y = { 0, 3, 4 }, name = "measured", style = "points" } }, x_label = "mm",
+---  y_label = "kN" }, "load.png")
+---```
 ---@param plot hinge.plot
 ---@param filename string plain name ending in .png
 function job:plot(plot, filename) end
@@ -63,11 +79,18 @@ function job:plot(plot, filename) end
 ---@field dashed? boolean
 
 ---Prints a line and keeps it in summary.json.
+---```lua
+---job:note "the tip stays above the floor"
+---```
 ---@param text string
 function job:note(text) end
 
 ---Says how a job of several runs went as a whole, in the place of its last run: in summary.json, and as exit status
 ---0 or 1.
+---```lua
+---local lost = run:count { state = "broken" }
+---if lost > 0 then job:verdict("failed", lost .. " members broke") else job:verdict "completed" end
+---```
 ---@param verdict "completed"|"failed"
 ---@param reason? string why it failed
 function job:verdict(verdict, reason) end
@@ -107,6 +130,12 @@ function job:verdict(verdict, reason) end
 local ten_storey = {}
 
 ---Adds a steel frame with rigid joints, its feet fixed. With the defaults: 650 members, 250 free joints, 9805 t.
+---```lua
+---local ten_storey = require "hinge.models.ten_storey"
+---local frame = ten_storey.add(model, { bays = { 2, 1 }, storeys = 3, origin = { 10, 0, 0 } })
+---model:load { node = frame.node(0, 0, 3), force = { 1e5, 0, 0 } } -- the corner of the roof
+---print(frame.mass, model:group("storey 1").size)
+---```
 ---@param model hinge.model
 ---@param options? ten_storey.options
 ---@return ten_storey.frame
@@ -157,6 +186,11 @@ function ten_storey.add(model, options) end
 local aircraft = {}
 
 ---Adds an aircraft: a space frame of 199 members.
+---```lua
+---local aircraft = require "hinge.models.aircraft"
+---local plane, facts = aircraft.add(model, { size = 12, mass = 12000, speed = 100, position = { -20, 0, 30 } })
+---print(plane.size, facts.mass)
+---```
 ---@param model hinge.model
 ---@param options? aircraft.options
 ---@return hinge.group aircraft "aircraft", all of it
@@ -183,6 +217,12 @@ function aircraft.add(model, options) end
 local space_frame = {}
 
 ---Adds the paper's cube (figure 8): four fixed columns and four beams, in the groups "columns" and "beams".
+---```lua
+---local space_frame = require "hinge.models.space_frame"
+---local cube = hinge.model()
+---local frame = space_frame.add(cube, { side = 0.25, thickness = 0.02 })
+---cube:load { node = frame.loaded, force = { 1000, 0, 0 } }
+---```
 ---@param model hinge.model
 ---@param options? space_frame.options
 ---@return space_frame.frame
@@ -228,29 +268,57 @@ function space_frame.add(model, options) end
 local impact = {}
 
 ---The load case's numbers and texts as scenario parameters, with a script's own added.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local parameters = impact.parameters { dt = 2e-5, duration = 0.5 }
+---print(parameters.speed, parameters.mass, parameters.dt)
+---```
 ---@param own? table
 ---@return table
 function impact.parameters(own) end
 
 ---A copy of a table with changes.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local slow = impact.with(impact.parameters(), impact.cases.II)
+---```
 ---@param base table
 ---@param changes table
 ---@return table
 function impact.with(base, changes) end
 
 ---Adds building, aircraft, gravity, fracture and contact.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local site = hinge.model()
+---local frame, plane = impact.add(site, { speed = 90, height = 10, building = { bays = { 2, 2 }, storeys = 4 } })
+---print(frame.mass, plane.mass)
+---```
 ---@param model hinge.model
 ---@param options impact.options
 ---@return ten_storey.frame frame, hinge.group plane, aircraft.facts parts
 function impact.add(model, options) end
 
 ---What became of the building, and how much the aircraft's hinges took.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local site = hinge.model()
+---local frame, plane = impact.add(site, { height = 2, building = { bays = { 2, 2 }, storeys = 1 } })
+---local rest = site:static { steps = 1, hold = plane }:finish()
+---print(impact.damage(rest, frame).broken_columns)
+---```
 ---@param run hinge.run
 ---@param frame ten_storey.frame
 ---@return impact.result
 function impact.damage(run, frame) end
 
 ---One run: gravity at rest, then the impact.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local p = impact.parameters { dt = 1e-4, duration = 2e-3, watch = 1e-3, height = 2 }
+---local result = impact.simulate(impact.with(p, { building = { bays = { 2, 2 }, storeys = 1 } }))
+---print(result.verdict, result.broken_columns, result.plastic)
+---```
 ---@param p impact.options with dt, duration and watch (s between looks at the columns)
 ---@param see? fun(run: hinge.run, frame: ten_storey.frame, watch: table): fun(step: table)
 ---  called when the run has been made; what it returns, after each step
@@ -259,6 +327,12 @@ function impact.simulate(p, see) end
 
 ---Calls one(task, job) for each task, half of them in a second process; nil in that process. half = 1
 ---in `p`: in this process alone.
+---```lua
+---local impact = require "hinge.models.ten_storey_impact"
+---local results = impact.side_by_side(job, { half = 1 }, "script.lua", { { force = 1 }, { force = 2 } }, function(task)
+---  return { twice = 2 * task.force }
+---end)
+---```
 ---@param job hinge.job
 ---@param p table the script's parameters, half among them
 ---@param script string its path
@@ -276,12 +350,20 @@ function impact.side_by_side(job, p, script, tasks, one) end
 local paper = {}
 
 ---Root of the mean square difference of two histories over the largest value of the second.
+---```lua
+---local paper = require "hinge.paper"
+---print(paper.error({ 0, 1.1, 2 }, { 0, 1, 2 }))
+---```
 ---@param history number[]
 ---@param reference number[] as long
 ---@return number
 function paper.error(history, reference) end
 
 ---The curve y over x at equal parts of the way from 0 to `last`, straight between its points.
+---```lua
+---local paper = require "hinge.paper"
+---local halves = paper.sampled({ 0, 1, 3 }, { 0, 2, 2 }, 3, 6) -- at 0, 0.5, 1 ... 3
+---```
 ---@param x number[] rising
 ---@param y number[]
 ---@param last number
@@ -289,24 +371,41 @@ function paper.error(history, reference) end
 ---@return number[]
 function paper.sampled(x, y, last, count) end
 
+---```lua
+---local paper = require "hinge.paper"
+---local millimetres = paper.scaled({ 0.001, 0.002 }, 1000)
+---```
 ---@param values number[]
 ---@param factor number
 ---@return number[]
 function paper.scaled(values, factor) end
 
 ---The fewest elements from which on the error stays within a limit, or "> most".
+---```lua
+---local paper = require "hinge.paper"
+---print(paper.needed({ [2] = 0.08, [4] = 0.004, [8] = 0.001 }, 0.01)) -- 4
+---```
 ---@param errors table<integer, number> by number of elements
 ---@param limit number
 ---@return integer|string
 function paper.needed(errors, limit) end
 
 ---An error as a table shows it, in per cent; what is rounding is 0.
+---```lua
+---local paper = require "hinge.paper"
+---print(paper.percent(0.0123)) -- 1.23
+---```
 ---@param error number
 ---@return string
 function paper.percent(error) end
 
 ---One picture of a figure, fig<number>_<method>.png: a method's curves by number of
 ---elements, and the converged one dashed.
+---```lua
+---local paper = require "hinge.paper"
+---local line = { x = { 0, 1 }, y = { 0, 1 } }
+---paper.figure(job, 9, "asi", { title = "load and sway", x = "m", y = "N" }, { [1] = line, [2] = line }, line)
+---```
 ---@param job hinge.job
 ---@param number integer of the figure
 ---@param method string
@@ -318,18 +417,30 @@ function paper.figure(job, number, method, labels, curves, converged) end
 ---@alias paper.ended { run: string, time: number, reason: string } s (the load factor in statics)
 
 ---What is said of a run that ended by itself; nil of any other.
+---```lua
+---local paper = require "hinge.paper"
+---local ended = { paper.ended(run, "cantilever") } -- {}: it did not fail
+---```
 ---@param run hinge.run|impact.result
 ---@param name string of this run in the tables
 ---@return paper.ended?
 function paper.ended(run, name) end
 
 ---Prints how many runs ended by themselves, and of each its name and why. Where there are any, the job notes it.
+---```lua
+---local paper = require "hinge.paper"
+---paper.show_ended(job, { paper.ended(run, "cantilever") }, 1)
+---```
 ---@param job hinge.job
 ---@param ended paper.ended[]
 ---@param of integer all runs
 function paper.show_ended(job, ended, of) end
 
 ---Prints a table: rows of numbers and texts under a head; numbers are already text where they need a format.
+---```lua
+---local paper = require "hinge.paper"
+---paper.table("Sway", { "elements", "mm" }, { { 2, "3.11" }, { 4, "3.12" } })
+---```
 ---@param title string
 ---@param head string[]
 ---@param rows any[][]
@@ -343,6 +454,10 @@ function paper.table(title, head, rows) end
 ---The structure as pictures show it (figures 4 and 5): fractured elements as rigid bars from the node that
 ---carries them to a virtual node, and the mass on every node, half of an element's on each of its two, all of a
 ---fractured one's on its carrier.
+---```lua
+---local paper = require "hinge.paper"
+---for _, node in ipairs(paper.pieces(run).nodes) do print(node.x, node.mass) end
+---```
 ---@param run hinge.run
 ---@return { nodes: paper.node[], bars: paper.bar[] }
 function paper.pieces(run) end
@@ -362,12 +477,20 @@ function paper.pieces(run) end
 local report = {}
 
 ---What became of the members of each group; see run:count.
+---```lua
+---local report = require "hinge.report"
+---print(report.damage(run, { "arm" }).arm.yielded)
+---```
 ---@param run hinge.run
 ---@param groups string[]
 ---@return report.damage
 function report.damage(run, groups) end
 
 ---Prints the damage by group, the energy balance and the seconds by stage; returns the first.
+---```lua
+---local report = require "hinge.report"
+---report.show(run, { "arm" })
+---```
 ---@param run hinge.run
 ---@param groups string[]
 ---@return report.damage

@@ -1,4 +1,4 @@
--- hinge reference: what hinge.d.lua and library.d.lua declare, as a page.
+-- What hinge.d.lua and library.d.lua declare, as a list and as a page. hinge reference and help (help.lua) look it up.
 -- `lua5.4 lua/hinge/reference.lua` writes reference.md anew.
 local folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 
@@ -38,12 +38,14 @@ function reference.fields(type_text)
   return fields
 end
 
--- The lines of a file with their numbers; one that begins with `---` and two blanks is the end of the one before it.
+-- The lines of a file with their numbers; one that begins with `---` and two blanks is the end of the one before it,
+-- but not in an example.
 local function lines_of(path)
-  local lines, numbers, number = {}, {}, 0
+  local lines, numbers, number, in_example = {}, {}, 0, false
   for line in io.lines(path) do
     number = number + 1
-    local more = line:match "^%-%-%-  +(.*)$"
+    if line:find "^%-%-%-```" then in_example = not in_example end
+    local more = not in_example and line:match "^%-%-%-  +(.*)$"
     if more and #lines > 0 then
       lines[#lines] = lines[#lines] .. " " .. more
     else
@@ -55,11 +57,12 @@ end
 
 --- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"): heading (text,
 -- module), alias and class (name, type, doc; fields), and function (name, object, separator, arguments, params,
--- returns, doc). A field or a param has name, optional, type, doc.
+-- returns, doc, example). A field or a param has name, optional, type, doc. An example is Lua, or nil.
 function reference.read()
   local entries = {}
   for _, name in ipairs(reference.files) do
     local number, doc, params, returns, class, class_of = 0, {}, {}, {}, nil, {}
+    local example, in_example
     -- What is said of a declaration: in the lines above it, then behind it.
     local function about(behind)
       if behind and behind ~= "" then doc[#doc + 1] = behind end
@@ -84,7 +87,12 @@ function reference.read()
       number = numbers[i]
       local tag, text = line:match "^%-%-%-@(%a+) ?(.*)$"
       local called, arguments = line:match "^function ([%w_.:]+)%((.-)%) end"
-      if tag == "class" then
+      if line:find "^%-%-%-```" then
+        in_example = line:find "lua$" ~= nil
+        example = example or {}
+      elseif in_example then
+        example[#example + 1] = line:match "^%-%-%-(.*)$"
+      elseif tag == "class" then
         local word, behind = text:match "^(%S+) ?(.*)$"
         class = add { kind = "class", name = word, doc = behind, fields = {} }
       elseif tag == "alias" then
@@ -104,8 +112,8 @@ function reference.read()
       elseif called then
         local variable, separator, own = called:match "^([%w_]+)([.:])([%w_]+)$"
         add { kind = "function", name = own, object = class_of[variable], variable = variable, separator = separator,
-          arguments = arguments, params = params, returns = returns }
-        params, returns = {}, {}
+          arguments = arguments, params = params, returns = returns, example = example and table.concat(example, "\n") }
+        params, returns, example = {}, {}, nil
       elseif line:find "^local [%w_]+ = {}" then
         class_of[line:match "^local ([%w_]+)"] = class.name
       elseif line:find "^%-%- .- %-%-%-%-+$" then
@@ -174,6 +182,18 @@ local writers = {
   end,
 }
 
+--- What the examples start from. In examples `job` is what a scenario's run gets.
+reference.preamble = [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }
+local square = hinge.section.solid { width = 0.05, depth = 0.05 }
+local model = hinge.model()
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall)
+local beam = model:member { wall, tip, section = square, material = steel, group = "arm" }
+model:load { node = tip, force = { 0, 0, -1000 } }
+local run = model:static():finish()]]
+
 local opening = [[
 # Reference
 
@@ -182,32 +202,26 @@ Every call, made from [hinge.d.lua](hinge.d.lua) and [library.d.lua](library.d.l
 options are given by name, as in `hinge.material { E = 206e9 }`. Wrong input is an error at the script's own line; what
 goes wrong in the physics or the numbers is a result: see `verdict` of a run. "eq" and "section" refer to Lynn and
 Isobe's paper on the ASI-Gauss technique.
-]]
 
---- The page, or what of it speaks of `name`: a function's or class's own name, such as
--- "material", "model:node", "hinge.run".
-function reference.page(name)
-  local parts = { not name and opening or nil }
-  for _, e in ipairs(reference.read()) do
-    local call = e.kind == "function" and reference.signature(e):match "^[^(]*"
-    if not name or e.name == name or call == name or (e.object or "") == name then
-      local lines = writers[e.kind](e)
-      for i, line in ipairs(lines) do lines[i] = wrapped(line) end
-      parts[#parts + 1] = table.concat(lines, "\n") .. "\n"
-    end
-  end
-  return table.concat(parts, "\n")
+Every example runs as it stands after these lines, a cantilever 1 m long with 1 kN at its tip. `job` is the second
+argument of a scenario's run.
+
+```lua
+]] .. reference.preamble .. "\n```\n"
+
+--- An entry as Markdown.
+function reference.text(e)
+  local lines = writers[e.kind](e)
+  for i, line in ipairs(lines) do lines[i] = wrapped(line) end
+  if e.example then lines[#lines + 1] = "\n```lua\n" .. e.example .. "\n```" end
+  return table.concat(lines, "\n") .. "\n"
 end
 
---- Prints the page; options.code: the name that it is to speak of. Returns the exit status.
-function reference.main(options)
-  local page = reference.page(options.code)
-  if page == "" then
-    io.stderr:write(("hinge: nothing is called '%s'; `hinge reference` prints everything\n"):format(options.code))
-    return 2
-  end
-  io.write(page)
-  return 0
+--- The page.
+function reference.page()
+  local parts = { opening }
+  for _, e in ipairs(reference.read()) do parts[#parts + 1] = reference.text(e) end
+  return table.concat(parts, "\n")
 end
 
 if ... == "hinge.reference" then return reference end
