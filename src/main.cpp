@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using hinge::script::Context;
 
 struct Request {
-    std::string verb = "run", script, case_name, out, code, within, budget, quantity;
+    std::string verb = "run", script, case_name, out, code, search, within, budget, quantity;
     std::vector<std::string> overrides, folders;
     bool sandbox = false, effects = false, resume = false, quiet = false, json = false, out_given = false;
     hinge::script::Limits limits;
@@ -63,6 +63,7 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     if (request.out_given) set("out_given", "yes");
     if (request.sandbox) set("sandbox", std::to_string(std::llround(request.limits.memory / (1 << 20))) + "M");
     set("code", request.code);
+    set("search", request.search);
     set("within", request.within);
     set("budget", request.budget);
     set("quantity", request.quantity);
@@ -243,8 +244,12 @@ int main(int argc, char** argv) {
     history_verb->add_option("folders", request.folders, "Output folders, or folders that hold them (default out)");
     history_verb->footer("Exit status: 0; 2 where no run was written.");
     auto* reference_verb = app.add_subcommand(
-        "reference", "Print the reference of all that a script can call, as Markdown; or only the entries on one name");
-    reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run");
+        "reference", "Print the reference of all that a script can call, as Markdown; or what one call is and takes");
+    auto* name = reference_verb->add_option("name", request.code, "Such as material, model:member, hinge.run, verdict");
+    reference_verb->add_option("-s,--search", request.search, "List where the texts speak of a word, such as buckling")
+        ->type_name("WORD")
+        ->excludes(name);
+    reference_verb->footer("Exit status: 0; 2 where nothing is found.");
     auto* do_verb = app.add_subcommand(
         "do", "Run a line of Lua, with 'hinge' loaded, and print what it returns; 'hinge -e CODE' is the same");
     do_verb->add_option("code", request.code, "Lua, an expression or statements")->required();
@@ -269,7 +274,7 @@ int main(int argc, char** argv) {
         if (hinge::script::print_history(request.folders)) return 0;
         return std::cerr << "hinge: no run was written to " << request.folders[0] << "\n", 2;
     }
-    if (*reference_verb) return with_lua(request, "hinge.reference", "main", false);
+    if (*reference_verb) return with_lua(request, "hinge.help", "main", false);
     if (*do_verb || *prompt_verb) {
         request.verb = *do_verb ? "do" : "prompt";
         if (!are_settings(request.overrides)) return 2;

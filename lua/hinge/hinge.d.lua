@@ -8,8 +8,8 @@
 --
 -- reference.lua makes reference.md from this. What is said of a class, an alias, a function or a field stands in the
 -- lines above it, or behind a field where it is short; what is said of a parameter or a result, behind it and in lines
--- below that begin with `---` and two blanks. The fenced Lua above a function is its example: it runs as it stands after
--- the lines at the top of reference.md (a test runs them all).
+-- below that begin with `---` and two blanks. The fenced Lua above a function is its example: it runs as it stands,
+-- after the lines at the top of reference.md; a test runs them all.
 
 ---@class hinge
 ---@field version string

@@ -1,4 +1,4 @@
--- The prompt, and a line of code from the command line. Only there is `hinge` a global.
+-- The prompt, and a line of code from the command line. Only there `hinge` and `help` are globals.
 local core = require "hinge.core"
 local parameters_of = require "hinge.parameters".of
 local readable = require "hinge.readable"
@@ -16,6 +16,12 @@ local function compile(text, name)
   return nil, problem, (problem:find "<eof>$" or lacking:find "<eof>$") ~= nil
 end
 
+-- The globals of those who type; a script's own `help` stays.
+local function set_globals()
+  _G.hinge = require "hinge"
+  if rawget(_G, "help") == nil then _G.help = require "hinge.help".at_prompt end
+end
+
 -- Runs it and prints what it returns. A list of items holds nils too.
 local function evaluate(chunk, ...)
   local results = table.pack(chunk(...))
@@ -26,7 +32,7 @@ end
 -- returns. Returns the exit status.
 function prompt.line(options)
   return runner.guard(function()
-    _G.hinge = require "hinge"
+    set_globals()
     local chunk, problem = compile(options.code or "", "=(command line)")
     if not chunk then core.input_error(problem) end
     local _, plain = parameters_of(options.overrides, "the line", options.code)
@@ -118,11 +124,11 @@ function prompt.main(options)
     local status = runner.guard(function() return runner.run(options) end)
     if not options.read and status ~= 0 then return status end
   end
-  _G.hinge = require "hinge"
+  set_globals()
   local read = options.read
   if read then
-    print(("hinge %s, %s. Expressions print what they are, Tab completes names, Ctrl-D ends. Locals last for one line.")
-      :format(core.version, _VERSION))
+    print(("hinge %s, %s. Expressions print what they are, Tab completes names, Ctrl-D ends. Locals last for one line. "
+      .. "help lists the calls."):format(core.version, _VERSION))
   else
     read = function() return io.read "l" end
   end

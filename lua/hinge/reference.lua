@@ -135,7 +135,7 @@ end
 
 -- A paragraph or an item of a list, broken into lines of at most 120 columns: at blanks outside of `code`, and not
 -- before what Markdown would take for the mark of a list.
-local function wrapped(text)
+function reference.wrapped(text)
   local indent = text:find "^%- " and "  " or ""
   local lines, line = {}, nil
   local words = text:gsub("`[^`]*`", function(code) return (code:gsub(" ", "\0")) end)
@@ -156,6 +156,9 @@ local function line_of(item)
   local about = item.doc ~= "" and " — " .. item.doc or ""
   return ("- `%s%s`: `%s`%s"):format(item.name, item.optional and "?" or "", item.type, about)
 end
+
+--- A field as an item of a list.
+function reference.field(field) return reference.wrapped(line_of(field)) end
 
 local writers = {
   heading = function(e) return { "## " .. (e.module and ('`require "%s"`'):format(e.module) or e.text) } end,
@@ -212,7 +215,7 @@ argument of a scenario's run.
 --- An entry as Markdown.
 function reference.text(e)
   local lines = writers[e.kind](e)
-  for i, line in ipairs(lines) do lines[i] = wrapped(line) end
+  for i, line in ipairs(lines) do lines[i] = reference.wrapped(line) end
   if e.example then lines[#lines + 1] = "\n```lua\n" .. e.example .. "\n```" end
   return table.concat(lines, "\n") .. "\n"
 end

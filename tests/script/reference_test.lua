@@ -273,10 +273,4 @@ expect(page == reference.page(),
 local program = support.quote(arg[1] .. "/hinge")
 local status, printed = support.run(program .. " reference")
 expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)
-status, printed = support.run(program .. " reference model:node")
-expect(status == 0
-  and printed == "#### `model:node(position)`\n\nAdds a joint.\n\n- `position`: `vec3` — m\n- returns `hinge.node`\n",
-  "hinge reference model:node: %s", printed)
-equal(support.run(program .. " reference nonsense"), 2, "status for a name that is not there")
-
 checks.done()

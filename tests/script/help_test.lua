@@ -1,0 +1,140 @@
+-- hinge reference NAME and -s WORD, and help at the prompt: what they print of a call, a class, a field, a value and a
+-- word, what they say of names that nothing has, and with which exit status.
+--
+-- Run: lua5.4 tests/script/help_test.lua BUILD_FOLDER, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local reference, overview = require "hinge.reference", require "hinge.help".overview
+local checks = support.checks "help"
+local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+local program = quote(arg[1] .. "/hinge")
+
+-- hinge reference -----------------------------------------------------------------------------------------------------
+
+local function asks(arguments) return run(program .. " reference " .. arguments) end
+local function headings(text)
+  local list = {}
+  for heading in text:gmatch "%f[^\n%z]#+ `([^`]*)`" do list[#list + 1] = heading end
+  return table.concat(list, " ")
+end
+
+local status, printed = asks "model:fix"
+equal(status, 0, "reference model:fix")
+equal(printed, [[
+#### `model:fix(node, what?)`
+
+Fixes degrees of freedom of one node or of a list of nodes, beside those that are fixed.
+
+- `node`: `hinge.node|hinge.node[]`
+- `what?`: `string` — "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
+
+```lua
+model:fix(wall) -- all six
+model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
+```
+]], "model:fix")
+for name, wanted in pairs {
+  ["damping"] = "model:damping(options) hinge.damping_options",
+  ["model.damping"] = "model:damping(options) hinge.damping_options",
+  ["MODEL:GRAVITY"] = "model:gravity(acceleration, load_case?)",
+  ["section.box"] = "",
+  ["hinge.section.box"] = "hinge.section.box(options)",
+  ["box"] = "hinge.section.box(options)",
+  ["hinge.energy"] = "hinge.energy",
+  ["node"] = "hinge.node model:node(position)",
+  ["run.energy"] = "hinge.energy",
+  ["vec3"] = "vec3",
+  ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
+} do
+  status, printed = asks(name)
+  equal(headings(printed), wanted, "headings of " .. name)
+  equal(status, wanted == "" and 2 or 0, "status of " .. name)
+end
+expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
+expect(select(2, asks "friction"):find("^`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
+  "a field is told with its class: %s", select(2, asks "friction"))
+expect(select(2, asks "verdict"):find("fields, too: `hinge.run.verdict`", 1, true), "fields of a call's name")
+equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
+  .. reference.preamble .. "\n```\n", "what examples start from")
+
+for name, message in pairs {
+  ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
+    .. "`hinge reference -s WORD` searches it\n",
+  ["buckling"] = "hinge: nothing is called 'buckling'; `hinge reference -s buckling` finds 1 mention of it\n",
+  ["-s nowhereatall"] = "hinge: the reference does not speak of 'nowhereatall'\n",
+  ["-s dampng"] = "hinge: the reference does not speak of 'dampng' (did you mean 'damping'?)\n",
+} do
+  local status_of, said, complaint = asks(name)
+  equal(status_of, 2, "status of " .. name)
+  equal(said .. complaint, message, name)
+end
+equal(asks "node -s word", 2, "a name and a word")
+
+status, printed = asks "--search Rayleigh"
+equal(status, 0, "a search")
+equal(printed, [[
+model:damping(options)
+    Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by ...
+hinge.energy.damping
+    dissipated by Rayleigh damping, where model:damping is declared
+]], "what a search prints")
+expect(select(2, asks "-s 'a blast of'"):find("model:load(options)\n    ... ", 1, true), "a search finds examples")
+for line in select(2, asks "-s element"):gmatch "[^\n]+" do
+  expect(utf8.len(line) <= 120, "a line of %d columns: %s", utf8.len(line), line)
+end
+
+-- help at the prompt --------------------------------------------------------------------------------------------------
+
+local function types(lines) return run(("printf %%s %s | %s -i"):format(quote(lines), program)) end
+local calls, lines = {}, 0
+do
+  local known = {}
+  for _, e in ipairs(reference.read()) do
+    if e.kind == "function" then known[reference.signature(e):match "^[^(]*"] = true end
+  end
+  local kind
+  for line in overview:gmatch "[^\n]*\n" do
+    lines = lines + 1
+    expect(utf8.len(line) <= 121, "the overview is too wide: %s", line)
+    for word in (line:match "^  (.*)" or ""):gmatch "[%w_]*[.:][%w_.:]+" do
+      if word:find "^%." then word = kind .. word end
+      kind = word:match "^(.*)[.:]"
+      calls[#calls + 1] = word
+      expect(known[word], "the overview names %s, which there is not", word)
+    end
+  end
+end
+expect(lines <= 24 and #calls > 40, "the overview has %d lines and %d calls", lines, #calls)
+for _, typed in ipairs { "help", "help()" } do
+  local ended, said, complaint = types(typed)
+  expect(ended == 0 and said == overview and complaint == "", "%s: %s%s", typed, said, complaint)
+end
+local beam = "m = hinge.model() a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 } "
+for typed, wanted in pairs {
+  ['help("damping")'] = "model:damping(options) hinge.damping_options",
+  ["help(hinge.model().member)"] = "model:member(options) hinge.member_options",
+  ["help(hinge.section.box)"] = "hinge.section.box(options)",
+  ["help(hinge.section)"] = "hinge.sections",
+  ["help(hinge)"] = "hinge",
+  ["help(hinge.note)"] = "hinge.note(text)",
+  ["help(hinge.model())"] = "hinge.model",
+  [beam .. "help(a)"] = "hinge.node",
+  [beam .. "help(a.displacement)"] = "node:displacement(run?)",
+  ['help(require "hinge.models.aircraft".add)'] = "aircraft.add(model, options?) aircraft.options",
+  ['help "no such word at all"'] = "", ['help ""'] = "", ["help(3)"] = "", ["help(print)"] = "", ["help(nil)"] = "",
+} do
+  local ended, said, complaint = types(typed)
+  equal(ended, 0, typed)
+  equal(headings(said), wanted, typed)
+  equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
+end
+expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
+expect(support.says(select(2, types 'help "buckling"'),
+  "Nothing is called 'buckling'. The texts have it here:\n\nmodel:static(options?)\n    ..."), "a word in the texts")
+equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
+local script = support.temporary_folder() .. "/own.lua"
+support.write(script, "function help() return 'mine' end\n")
+printed = select(2, run(("echo 'help()' | %s -i %s"):format(program, quote(script))))
+equal(printed, "mine\n", "a script's own help stays")
+checks.done()
