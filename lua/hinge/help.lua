@@ -77,7 +77,8 @@ local function texts_on(name, object)
     texts[#texts + 1] = e.kind == "class" and class_text(e) or reference.text(e)
   end
   for _, e in ipairs(entries) do
-    if e.kind == "function" and not object and (plain(e.name) == wanted or plain(call_of(e)) == wanted) then
+    local call = not object and e.kind == "function" and plain(call_of(e))
+    if call and (call == wanted or call == "hinge." .. wanted or plain(e.name) == wanted) then
       tell(e)
       for _, param in ipairs(e.params) do
         local options = options_of(param, classes)
