@@ -5,6 +5,7 @@
 #include <iostream>
 #include <unistd.h>
 
+#include "new_project.h"
 #include "prompt.h"
 #include "script/folders.h"
 #include "script/module.h"
@@ -138,13 +139,11 @@ bool are_settings(const std::vector<std::string>& words) {
     return true;
 }
 
-int run(Request request, bool named) {
+int run(Request request, bool named, const std::vector<std::string>& verbs) {
     if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
         return std::cerr << "hinge: there is no verb and no script '" << request.script << "'"
-                         << hinge::script::did_you_mean(request.script, {"run", "plan", "check", "cost", "render",
-                                                                         "history", "reference", "do", "prompt"})
-                         << "; hinge --help lists the verbs\n",
+                         << hinge::script::did_you_mean(request.script, verbs) << "; hinge --help lists the verbs\n",
                2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
@@ -165,15 +164,6 @@ int run(Request request, bool named) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> verbs = {"run",     "plan",      "check", "cost",  "render",
-                                            "history", "reference", "do",    "prompt"};
-    std::vector<std::string> words(argv + 1, argv + argc);
-    if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
-    const bool named =
-        !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
-    if (!words.empty() && (!named || words[0] == "--sandbox"))
-        words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
-
     CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
     app.set_version_flag("--version", HINGE_VERSION);
     app.require_subcommand(1);
@@ -261,6 +251,16 @@ int main(int argc, char** argv) {
     prompt_verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
     prompt_verb->add_option("--case", request.case_name, "One of the scenario's cases");
     prompt_verb->add_option("--out", request.out, "Folder for what is written (default: nothing is written)");
+    auto* new_verb = app.add_subcommand("new", "Write a small project to start from into a folder of that name");
+    new_verb->add_option("name", request.out, "Folder; what it holds already is not overwritten")->required();
+    new_verb->footer("Exit status: 0; 1 it cannot be written; 2 there is something of that name.");
+    std::vector<std::string> verbs, words(argv + 1, argv + argc);
+    for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
+    const bool named =
+        !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
+    if (!words.empty() && (!named || words[0] == "--sandbox"))
+        words.insert(words.begin(), "run");    // hinge SCRIPT is hinge run SCRIPT
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);
@@ -275,11 +275,12 @@ int main(int argc, char** argv) {
         return std::cerr << "hinge: no run was written to " << request.folders[0] << "\n", 2;
     }
     if (*reference_verb) return with_lua(request, "hinge.help", "main", false);
+    if (*new_verb) return hinge::new_project(request.out);
     if (*do_verb || *prompt_verb) {
         request.verb = *do_verb ? "do" : "prompt";
         if (!are_settings(request.overrides)) return 2;
         return with_lua(request, "hinge.prompt", *do_verb ? "line" : "main", bool(*prompt_verb));
     }
     if (*plan_verb || *check_verb || *cost_verb) request.verb = *plan_verb ? "plan" : *check_verb ? "check" : "cost";
-    return run(std::move(request), named);
+    return run(std::move(request), named, verbs);
 }

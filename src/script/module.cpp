@@ -73,16 +73,6 @@ std::filesystem::path own_folder() {
     return ".";
 }
 
-std::string library_folder() {
-    const auto own = own_folder();
-    // the installed program and module, and both of them as a rock
-    for (const char* place :
-         {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
-        if (std::filesystem::exists(own / place / "hinge/init.lua"))
-            return std::filesystem::canonical(own / place).string();
-    return HINGE_LUA_FOLDER;
-}
-
 std::string picture_module() {
     const auto own = own_folder();
     for (const auto& folder : {own, own / "../lib/hinge", own / "../lib", own / "../../hinge"})
@@ -100,6 +90,16 @@ int open_module(lua_State* L) {
 }
 
 }  // namespace
+
+std::string library_folder() {
+    const auto own = own_folder();
+    // the installed program and module, and both of them as a rock
+    for (const char* place :
+         {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
+        if (std::filesystem::exists(own / place / "hinge/init.lua"))
+            return std::filesystem::canonical(own / place).string();
+    return HINGE_LUA_FOLDER;
+}
 
 std::shared_ptr<Context> prepare(lua_State* L) {
     if (has_context(L)) return context(L);

@@ -1,0 +1,75 @@
+-- PROJECT: a steel portal stands under its own weight and a floor, and takes a blow against its left corner.
+--
+--   hinge run main.lua                     the values below
+--   hinge run main.lua impulse=15e3        another value; hinge run main.lua --case weak: several at once
+--   hinge plan main.lua                    what would be simulated, and why
+--   hinge reference model:member           what a call takes; hinge reference -s buckling searches
+local hinge = require "hinge"
+
+-- SI units: m, kg, s, N, Pa.
+local parameters = {
+  height = 4, -- m, of the columns
+  span = 6, -- m, of the beam
+  floor_load = 10e3, -- N/m on the beam
+  impulse = 10e3, -- N s, of the blow, over 50 ms
+  duration = 0.5, -- s, of the dynamic run
+  dt = 5e-4, -- s, a time step
+}
+
+-- The structure. Returns the model, its corners.
+local function portal(p)
+  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }
+  local column = hinge.section.h { depth = 0.2, width = 0.2, web = 0.009, flange = 0.015 }
+  local beam = hinge.section.h { depth = 0.25, width = 0.18, web = 0.0065, flange = 0.01 }
+  local model = hinge.model { elements_per_member = 4 }
+  local feet = { model:node { 0, 0, 0 }, model:node { p.span, 0, 0 } }
+  local corners = { model:node { 0, 0, p.height }, model:node { p.span, 0, p.height } }
+  model:fix(feet)
+  model:fix(corners, "y") -- held out of plane, as by purlins
+  for i = 1, 2 do
+    model:member { feet[i], corners[i], section = column, material = steel, group = "columns" }
+  end
+  local floor = model:member { corners[1], corners[2], section = beam, material = steel, group = "beams" }
+  model:load { member = floor, q = { 0, 0, -p.floor_load } }
+  for _, corner in ipairs(corners) do -- half the floor's mass at each end of the beam
+    model:mass { node = corner, mass = p.floor_load * p.span / 9.80665 / 2 }
+  end
+  model:fracture { curvature_x = 0.4, axial_strain = 0.3 } -- members break there
+  return model, corners
+end
+
+-- One run. `p`: the parameters.
+local function simulate(p)
+  local model, corners = portal(p)
+
+  -- 1. Its own weight and the floor, in statics.
+  local rest = model:static { steps = 4 }:finish()
+  if rest.verdict == "failed" then return { verdict = rest.reason } end
+
+  -- 2. The blow, in dynamics: a triangle of force over 50 ms.
+  model:load { node = corners[1], force = { 2 * p.impulse / 0.05, 0, 0 },
+    history = { { 0, 0 }, { 0.025, 1 }, { 0.05, 0 } } }
+  local run = model:dynamic { from = rest, dt = p.dt, duration = p.duration }
+  local sway = run:probe { node = corners[1], "ux", name = "sway" }
+  run:finish()
+
+  -- 3. Pictures, and the results that summary.json keeps.
+  hinge.picture(run, { title = "PROJECT, after the blow", from = { -0.2, -1, 0.2 } }, "portal.png")
+  hinge.plot({ series = { { x = sway.time, y = sway.value } }, x_label = "time, s", y_label = "sway, m" }, "sway.png")
+  return {
+    largest_sway_mm = 1000 * sway.max,
+    plastic_work_kJ = run.energy.plastic / 1000,
+    yielded = run:count { state = "yielded" },
+    broken = run:count { state = "broken" },
+  }
+end
+
+if ... then -- the program: it hands in the settings
+  return hinge.scenario {
+    parameters = parameters,
+    cases = { weak = { impulse = 3e3 }, tall = { height = 6 } },
+    accuracy = { dt = { 5e-4, 1e-3, 2.5e-4 } }, -- for hinge cost
+    run = simulate,
+  }
+end
+for name, value in pairs(simulate(parameters)) do print(name, value) end -- plain Lua: lua5.4 main.lua

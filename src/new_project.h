@@ -1,0 +1,11 @@
+// hinge new: a folder with a small project to start from.
+#pragma once
+
+#include <string>
+
+namespace hinge {
+
+/// Writes the files of lua/hinge/template into a new folder, says what to do next, and returns the exit status.
+int new_project(const std::string& folder);
+
+}  // namespace hinge
