@@ -5,6 +5,7 @@
 #include <iostream>
 #include <unistd.h>
 
+#include "completion.h"
 #include "new_project.h"
 #include "prompt.h"
 #include "script/folders.h"
@@ -254,6 +255,18 @@ int main(int argc, char** argv) {
     auto* new_verb = app.add_subcommand("new", "Write a small project to start from into a folder of that name");
     new_verb->add_option("name", request.out, "Folder; what it holds already is not overwritten")->required();
     new_verb->footer("Exit status: 0; 1 it cannot be written; 2 there is something of that name.");
+    std::vector<std::string> completed = hinge::completed_shells;
+    completed.push_back("names");
+    auto* completion_verb = app.add_subcommand(
+        "completion", "Print what makes a shell complete verbs, options, files, cases and parameters after 'hinge'");
+    completion_verb
+        ->add_option("shell", request.code,
+                     "bash, fish or zsh; names: what a script has of cases and parameters, or the reference of calls")
+        ->required()
+        ->check(CLI::IsMember(completed));
+    completion_verb->add_option("script", request.script, "Lua script, of names; it is read, not run");
+    completion_verb->footer("For bash: source <(hinge completion bash), in ~/.bashrc.");
+
     std::vector<std::string> verbs, words(argv + 1, argv + argc);
     for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
@@ -276,6 +289,11 @@ int main(int argc, char** argv) {
     }
     if (*reference_verb) return with_lua(request, "hinge.help", "main", false);
     if (*new_verb) return hinge::new_project(request.out);
+    if (*completion_verb) {
+        if (request.code == "names") return with_lua(request, "hinge.completion", "main", false);
+        std::cout << hinge::completion_script(app, request.code);
+        return 0;
+    }
     if (*do_verb || *prompt_verb) {
         request.verb = *do_verb ? "do" : "prompt";
         if (!are_settings(request.overrides)) return 2;

@@ -6,9 +6,9 @@ local values = require "hinge.values"
 
 local parameters = {}
 
--- The names that a text reads off the variable that holds its `...`, {} where it has no `...`; nil where only running
--- it can tell, for it hands them on or loads other code.
-local function names_in(text)
+--- The names that a text reads off the variable that holds its `...`, as keys, {} where it has no `...`; nil where only
+-- running it can tell, for it hands them on or loads other code.
+function parameters.names_in(text)
   text = text:gsub("%-%-%[%[.-%]%]", ""):gsub("%-%-[^\n]*", "")
   if text:find "scenario" then return nil end
   for _, word in ipairs { "load", "loadfile", "dofile" } do
@@ -51,7 +51,7 @@ end
 function parameters.of(overrides, script, code)
   overrides = overrides or {}
   local given, read, all = parameters.given(overrides), {}, false
-  local names = #overrides > 0 and names_in(code)
+  local names = #overrides > 0 and parameters.names_in(code)
   for _, override in ipairs(overrides) do
     if names and not names[override[1]] then refuse(override[1], override[2], script, names) end
   end
