@@ -133,6 +133,20 @@ expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)
 expect(support.says(select(2, types 'help "buckling"'),
   "Nothing is called 'buckling'. The texts have it here:\n\nmodel:static(options?)\n    ..."), "a word in the texts")
 equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
+
+-- The page on the prompt: its session prints what stands there, and its commands find something.
+local guide = support.read(support.root .. "lua/guide/prompt.md")
+local session = guide:match "\n```\n%$ hinge %-i\n(.-)```\n"
+local keys, shown = {}, {}
+for line in session:gmatch "[^\n]+\n" do table.insert(line:find "^> " and keys or shown, (line:gsub("^> ", ""))) end
+expect(#keys == 4 and support.says(select(2, types(table.concat(keys))), table.concat(shown)),
+  "the session in lua/guide/prompt.md: %s", select(2, types(table.concat(keys))))
+for command in guide:gmatch "\n| `hinge (reference[^`]*)` |" do
+  equal(run(program .. " " .. command), 0, "lua/guide/prompt.md: hinge " .. command)
+end
+local one_liner = guide:match "`hinge (%-e '[^`]*')`"
+expect(select(2, run(program .. " " .. one_liner)):find "^[%d.e-]+\n$", "lua/guide/prompt.md: " .. one_liner)
+
 local script = support.temporary_folder() .. "/own.lua"
 support.write(script, "function help() return 'mine' end\n")
 printed = select(2, run(("echo 'help()' | %s -i %s"):format(program, quote(script))))

@@ -63,6 +63,16 @@ for what, command in pairs {
   equal(printed, wanted, "library of the installed " .. what)
 end
 
+-- What the program reads of the library: the reference, and the project that hinge new writes.
+local installed = quote(prefix .. "/bin/hinge")
+status, printed, complaint = run(("cd %s && %s reference model:node && %s new made"):format(folder, installed,
+  installed))
+equal(status, 0, "reference and new: " .. complaint)
+expect(printed:find("Adds a joint", 1, true) and support.is_there(folder .. "/made/main.lua"), "it prints %s", printed)
+local told = support.read(folder .. "/made/.luarc.json") or ""
+expect(told:find(prefix .. "/share/hinge/lua/hinge/hinge.d.lua", 1, true), "editors are told of another place: %s",
+  told)
+
 -- Pictures, where they were built.
 if support.is_there(arg[1] .. "/libhinge_output.so") then
   support.write(folder .. "/frame.lua", [[
