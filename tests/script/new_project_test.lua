@@ -60,8 +60,8 @@ for _, name in ipairs { "portal.png", "sway.png" } do
   expect(not pictures or support.is_there(project .. "/out/test/" .. name), "no %s", name)
 end
 local weak, more = results "--case weak", results "impulse=15e3"
-expect(weak.yielded == 0 and weak.largest_sway_mm < plain.largest_sway_mm, "a weak blow: %s mm", weak.largest_sway_mm)
-expect(more.largest_sway_mm > plain.largest_sway_mm, "a stronger one: %s mm", more.largest_sway_mm)
+expect(weak.yielded == 0 and weak.largest_sway_mm < 50, "a weak blow: %s mm", weak.largest_sway_mm)
+expect((more.largest_sway_mm or 0) > 120, "a stronger one: %s mm", more.largest_sway_mm)
 status, printed, complaint = run(there .. ("LUA_CPATH=%s lua5.4 main.lua"):format(quote(arg[1] .. "/?.so")))
 equal(status, 0, "plain Lua: " .. complaint)
 checks.near(tonumber(printed:match "largest_sway_mm%s+(%S+)"), plain.largest_sway_mm, 1e-9, "its result")
