@@ -39,6 +39,8 @@ local function make(name)
 end
 
 for _, name in ipairs(#arg > 1 and table.move(arg, 2, #arg, 1, {}) or pages.names()) do
-  print(name)
-  make(name)
+  if #arg > 1 or pages.read(pages.folder .. name .. ".lua") then -- some pages have no script
+    print(name)
+    make(name)
+  end
 end

@@ -57,7 +57,12 @@ if name then
 else
   check_links("README.md", support.read(pages.folder .. "README.md"))
   local listed = {}
-  for _, page in ipairs(pages.names()) do listed[page] = true end
+  for _, page in ipairs(pages.names()) do
+    listed[page] = true
+    if not support.is_there(pages.folder .. page .. ".lua") then -- a page without a script of its own
+      check_links(page .. ".md", support.read(pages.folder .. page .. ".md") or "")
+    end
+  end
   for page in support.output("ls " .. pages.folder):gmatch "([%w_]+)%.md\n" do
     expect(listed[page] or page == "README", "README.md of the guide does not list %s.md", page)
   end
