@@ -22,7 +22,7 @@ local function frame(w, column_is_there)
         model:member { line[level - 1], line[level], section = post, material = steel, group = lost and "lost" or nil }
       end
       if last and level > 0 then
-        model:member { last[level], line[level], section = box, material = floor, elements = 4 }
+        model:member { last[level], line[level], section = box, material = floor, elements = 4, group = "beams" }
       end
     end
     if line[0] then model:fix(line[0], "all") end
