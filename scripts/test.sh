@@ -7,6 +7,8 @@
 # shellcheck source=scripts/setup.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 
+[ "${system:-debian}" = debian ] ||
+  stop "the tests are held to the tools of Debian 12: Catch2 2, clang-format 14, luacheck"
 install_missing
 build_targets all
 exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2 "$@"

@@ -1,6 +1,6 @@
--- scripts/demo.sh and scripts/test.sh with a made-up machine: what they install, with which rights, and what they say
--- when they cannot. Nothing is installed: dpkg-query, apt-get, id, sudo, cmake and ctest are stand-ins that write down
--- how they were called.
+-- scripts/demo.sh, test.sh, package.sh and setup.sh with a made-up machine: what they install, with which rights, and
+-- what they say when they cannot. Nothing is installed: dpkg-query, apt-get, rpm, dnf, id, sudo, cmake, ctest and cpack
+-- are stand-ins that write down how they were called.
 --
 -- Run: lua5.4 tests/script/setup_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -21,34 +21,43 @@ local configures = (": >%s/build/build.ninja; "
   .. "printf '%%s\\n' %s CMAKE_BUILD_TYPE:STRING=Release >%s/build/CMakeCache.txt")
   :format(quote(root), quote("CMAKE_HOME_DIRECTORY:INTERNAL=" .. root), quote(root))
 
--- The machine: who calls, which packages it has, whether there is sudo, and what the tools return.
+-- The machine: its system, who calls, which packages it has, whether there is sudo, and what the tools return.
 local function machine(m)
-  support.run(("rm -rf %s %s/build %s/sudo %s/dpkg-query"):format(log, quote(root), bin, bin))
+  support.run(("rm -rf %s %s/build %s/build-package; cd %s && rm -f sudo dpkg-query apt-get rpm dnf")
+    :format(log, quote(root), quote(root), bin))
+  support.write(folder .. "/os-release", ("ID=%s\n"):format(m.system or "debian"))
   local function tool(name, body)
     support.write(bin .. "/" .. name, "#!/usr/bin/env bash\n" .. body .. "\n")
     support.run(("chmod +x %s/%s"):format(bin, name))
   end
   local function noted(name, body) tool(name, ('echo "%s $*" >>%s\n%s'):format(name, log, body or "")) end
-  if m.packages ~= false then
+  if m.system == "fedora" then
+    tool("rpm", ([[case " %s " in *" ${*: -1} "*) ;; *) exit 1 ;; esac]]):format((m.packages:gsub("%s+", " "))))
+    noted("dnf", m.dnf)
+  elseif m.packages ~= false then
     local list = {}
     for name in (m.packages or ""):gmatch "%S+" do list[#list + 1] = "echo installed " .. name end
     tool("dpkg-query", table.concat(list, "\n") .. "\nexit 1")
+    noted("apt-get", m.apt)
   end
   tool("id", "echo " .. (m.user or 0))
-  noted("apt-get", m.apt)
   if m.sudo then noted("sudo", '"$@"') end
   noted("cmake", m.cmake or configures)
   noted("ctest", m.ctest)
+  noted("cpack", m.cpack)
   local command = m.command or "test"
-  local status, printed, complaint = support.run(("cd / && PATH=%s %s %s")
-    :format(bin, quote(root .. "/scripts/" .. command .. ".sh"), m.arguments or ""))
+  local status, printed, complaint = support.run(("cd / && os_release=%s/os-release PATH=%s %s %s")
+    :format(folder, bin, quote(root .. "/scripts/" .. command .. ".sh"), m.arguments or ""))
   return status, printed, complaint, support.read(log) or ""
 end
 
-local all = (support.read(support.root .. "scripts/setup.sh") or ""):match "packages=%((.-)%)"
-local readme = support.read(support.root .. "README.md") or ""
-for name in all:gmatch "%S+" do
-  expect(readme:find("`" .. name .. "`", 1, true), "README.md does not say why %s is needed", name)
+local setup = support.read(support.root .. "scripts/setup.sh") or ""
+local function list(name) return assert(setup:match("\n" .. name .. "=%((.-)%)"), name) end
+local of_program, of_fedora = list "debian", list "fedora"
+local all = of_program .. " " .. list "debian_tests"
+local page = support.read(support.root .. "lua/guide/install.md") or ""
+for name in (all .. " " .. of_fedora):gmatch "%S+" do
+  expect(page:find("`" .. name .. "`", 1, true), "lua/guide/install.md does not say why %s is needed", name)
 end
 
 local printed
@@ -60,9 +69,9 @@ expect(calls:find "%-DCMAKE_BUILD_TYPE=Release", "a release build: %s", calls)
 
 status, printed, _, calls = machine { packages = all:gsub("catch2", ""):gsub("xvfb", "") }
 equal(status, 0, "two packages missing, as root")
-expect(printed:find "hinge: installing catch2 xvfb\n", "it says so: %s", printed)
+expect(printed:find "hinge: installing xvfb catch2\n", "it says so: %s", printed)
 expect(select(2, calls:gsub("apt%-get [^\n]*update", "")) == 1
-  and calls:find "apt%-get [^\n]*install %-y %-%-no%-install%-recommends catch2 xvfb\n", "calls: %s", calls)
+  and calls:find "apt%-get [^\n]*install %-y %-%-no%-install%-recommends xvfb catch2\n", "calls: %s", calls)
 
 status, printed, _, calls = machine { packages = "", user = 1000, sudo = true }
 equal(status, 0, "all missing, with sudo")
@@ -75,12 +84,79 @@ equal(complaint, "hinge: missing: xvfb; to install them, run this as root or ins
 equal(calls, "", "nothing was tried")
 
 status, _, complaint = machine { packages = false }
-expect(status == 1 and complaint:find "^hinge: this is not Debian[^\n]*\n$", "no dpkg: %s", complaint)
+expect(status == 1 and complaint:find "^hinge: this is neither Debian, Ubuntu nor Fedora[^\n]*\n$",
+  "no dpkg, no rpm: %s", complaint)
 status, _, complaint, calls = machine { packages = "", apt = "exit 100" }
 expect(status == 1 and complaint:find "hinge: apt%-get update failed" and not calls:find "cmake",
   "no network: %s", complaint)
 status, _, complaint, calls = machine { packages = all, cmake = "exit 1" }
 expect(status == 1 and complaint:find "hinge: cmake failed" and not calls:find "ctest", "cmake fails: %s", complaint)
+
+-- Ubuntu and Fedora: the program without the tests.
+_, printed, complaint, calls = machine { system = "ubuntu", packages = of_program:gsub("file", ""), command = "demo" }
+expect(printed:find "hinge: installing file\n" and not calls:find "catch2", "Ubuntu: %s%s", printed, complaint)
+expect(calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Ubuntu: %s", calls)
+status, _, complaint, calls = machine { system = "ubuntu", packages = of_program }
+expect(status == 1 and complaint:find "^hinge: the tests are held to the tools of Debian 12[^\n]*\n$" and calls == "",
+  "tests on Ubuntu: %s%s", complaint, calls)
+_, printed, complaint, calls = machine { system = "fedora", packages = of_fedora:gsub("vtk%-devel", ""),
+  command = "demo", user = 1000, sudo = true }
+expect(printed:find "hinge: installing vtk%-devel with sudo\n"
+  and calls:find "dnf install %-y %-%-setopt=install_weak_deps=False vtk%-devel\n"
+  and calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Fedora: %s%s%s", printed, complaint, calls)
+status, _, complaint = machine { system = "fedora", packages = "", command = "demo", dnf = "exit 1" }
+expect(status == 1 and complaint:find "^hinge: dnf could not install gcc%-c%+%+ [^\n]*\n$", "no network: %s", complaint)
+
+-- setup.sh alone installs; with --print it prints what would be done on a bare system, and does nothing.
+status, _, _, calls = machine { packages = all:gsub("file", ""), command = "setup" }
+expect(status == 0 and calls:find "install %-y %-%-no%-install%-recommends file\n" and not calls:find "cmake",
+  "setup.sh: %s", calls)
+for system, m in pairs {
+  debian = { packages = all, lines = "apt%-get [^\n]*update\n[^\n]*apt%-get [^\n]*install %-y [^\n]*" },
+  ubuntu = { packages = of_program, lines = "apt%-get [^\n]*update\n[^\n]*apt%-get [^\n]*install %-y [^\n]*" },
+  fedora = { packages = of_fedora, lines = "^dnf install %-y [^\n]*" },
+} do
+  for _, arguments in ipairs { "--print", "--print " .. system } do
+    status, printed, complaint, calls = machine { system = arguments == "--print" and system or "debian", packages = "",
+      command = "setup", arguments = arguments }
+    equal(status, 0, arguments .. ": " .. complaint)
+    equal(calls, "", arguments .. " does nothing")
+    local packages = m.packages:gsub("%s+", " "):gsub("%p", "%%%0")
+    expect(printed:find(m.lines .. packages .. "\ncmake %-S %. %-B build [^\n]*\ncmake %-%-build build\n$"),
+      "%s on %s: %s", arguments, system, printed)
+    equal(printed:find("-DHINGE_TESTS=OFF", 1, true) ~= nil, system ~= "debian", system .. ": without the tests")
+  end
+end
+_, printed = machine { packages = "", command = "setup", arguments = "--print fedora", user = 1000 }
+expect(printed:find "^sudo dnf ", "as a user: %s", printed)
+status, _, complaint = machine { packages = "", command = "setup", arguments = "--print plan9" }
+expect(status == 1 and complaint == "hinge: no system 'plan9': debian, ubuntu or fedora\n", "plan9: %s", complaint)
+status, _, complaint = machine { packages = "", command = "setup", arguments = "--install" }
+expect(status == 1 and complaint:find "^hinge: setup.sh takes nothing, or %-%-print [^\n]*\n$", "%s", complaint)
+
+-- package.sh builds for any processor, in a folder of its own, and packs that.
+local in_package = configures:gsub("/build/", "/build-package/")
+status, printed, complaint, calls = machine { packages = of_program, command = "package", cmake = in_package,
+  cpack = (": >%s/build-package/hinge_1_any.deb"):format(quote(root)) }
+equal(status, 0, "package.sh: " .. complaint)
+expect(not calls:find "apt%-get", "package.sh needs no tools of the tests: %s", calls)
+expect(calls:find "cmake %-%-fresh [^\n]*/build%-package [^\n]*%-DHINGE_NATIVE=OFF %-DHINGE_TESTS=OFF\n"
+  and calls:find "cpack %-%-config [^\n]*/build%-package/CPackConfig.cmake ", "package.sh: %s", calls)
+equal(printed, ("sudo apt-get install '%s/build-package/hinge_1_any.deb'\n"):format(root), "what to type next")
+
+status, _, complaint, calls = machine { system = "fedora", packages = of_fedora, command = "package" }
+expect(status == 1 and complaint:find "^hinge: a Debian package is made on Debian or Ubuntu[^\n]*\n$" and calls == "",
+  "package.sh on Fedora: %s%s", complaint, calls)
+
+-- The container is built by package.sh from files that are there.
+local container = support.read(support.root .. "scripts/Containerfile") or ""
+expect(container:find "\nRUN scripts/package%.sh\n", "the container is built by another script")
+for names in container:gmatch "\nCOPY ([^-][^\n]*) %S+\n" do
+  for name in names:gmatch "%S+" do
+    expect(support.is_there(support.root .. name), "the Containerfile copies %s, which is not there", name)
+  end
+end
+expect(container:find "\nCOPY [^\n]*LICENSE", "the Containerfile does not copy LICENSE, which is installed")
 
 support.run(("rm -rf %s/build; : > %s/build"):format(quote(root), quote(root)))
 status, _, complaint = support.run(("PATH=%s %s"):format(bin, quote(root .. "/scripts/demo.sh")))
