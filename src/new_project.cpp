@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "script/module.h"
+#include "script/places.h"
 
 namespace hinge {
 namespace {

@@ -1,9 +1,7 @@
 // The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
-#include <dlfcn.h>
-#include <filesystem>
-
 #include "script/checkpoint.h"
 #include "script/module.h"
+#include "script/places.h"
 
 namespace hinge::script {
 namespace {
@@ -62,24 +60,6 @@ int open_core(lua_State* L) {
     return 1;
 }
 
-/// Where this shared object or program lies.
-std::filesystem::path own_folder() {
-    Dl_info info;
-    if (dladdr(reinterpret_cast<void*>(&open_core), &info) && info.dli_fname &&
-        std::filesystem::exists(info.dli_fname)) {
-        const auto path = std::filesystem::canonical(info.dli_fname).parent_path();
-        return path;
-    }
-    return ".";
-}
-
-std::string picture_module() {
-    const auto own = own_folder();
-    for (const auto& folder : {own, own / "../lib/hinge", own / "../lib", own / "../../hinge"})
-        if (std::filesystem::exists(folder / "libhinge_output.so")) return (folder / "libhinge_output.so").string();
-    return (own / "libhinge_output.so").string();
-}
-
 int open_module(lua_State* L) {
     const std::string init = prepare(L)->library + "/hinge/init.lua";
     protect(L, 0, 1, [file = init.c_str()](lua_State* L) {
@@ -90,16 +70,6 @@ int open_module(lua_State* L) {
 }
 
 }  // namespace
-
-std::string library_folder() {
-    const auto own = own_folder();
-    // the installed program and module, and both of them as a rock
-    for (const char* place :
-         {"../share/hinge/lua", "../../../share/hinge/lua", "../share/lua/5.4", "../../../share/lua/5.4"})
-        if (std::filesystem::exists(own / place / "hinge/init.lua"))
-            return std::filesystem::canonical(own / place).string();
-    return HINGE_LUA_FOLDER;
-}
 
 std::shared_ptr<Context> prepare(lua_State* L) {
     if (has_context(L)) return context(L);

@@ -3,7 +3,6 @@
 
 #include <lua.hpp>
 #include <memory>
-#include <string>
 
 namespace hinge::script {
 
@@ -11,9 +10,6 @@ struct Context;
 
 /// Makes `require "hinge"` work in this state, and returns what the host may set before a script runs. Once per state.
 std::shared_ptr<Context> prepare(lua_State* L);
-
-/// The folder that holds the Lua library, hinge/init.lua.
-std::string library_folder();
 
 }  // namespace hinge::script
 

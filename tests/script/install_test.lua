@@ -28,7 +28,7 @@ status, printed, complaint = run(("%s %s/host %s"):format(clean, host, quote(pre
 equal(status, 0, "the host runs: " .. complaint)
 local first, second = printed:match "^C%+%+: (1 of 1 members broken [^\n]*)\nLua: ([^\n]*)\n$"
 expect(first and first == second, "C++ and Lua break the same at the same time: %s", printed)
-status, _, complaint = run(("%s %s/host %s/nowhere"):format(clean, host, folder))
+status, _, complaint = run(("env -u LUA_PATH LUA_CPATH=nowhere %s/host %s/nowhere"):format(host, folder))
 expect(status == 1 and complaint:find "host: .*module 'hinge' not found", "a host without the module: %s", complaint)
 
 -- Types are laid out as in the engine, or the compiler says so.
@@ -57,6 +57,12 @@ for what, command in pairs {
   ["one-liner"] = ([[env LUA_CPATH=%s lua5.4 -e 'require "hinge"' asks.lua]])
     :format(quote(prefix .. "/lib/lua/5.4/?.so")),
   program = ("%s/bin/hinge run asks.lua --out program | grep -v '^written'"):format(quote(prefix)),
+  ["program by its name"] = ("PATH=%s/bin:$PATH hinge run asks.lua --out name | grep -v '^written'")
+    :format(quote(prefix)),
+  ["program by a link to a link"] = ("ln -s %s/bin/hinge one && ln -s one 'two hinges' && "
+    .. "./two\\ hinges run asks.lua --out link | grep -v '^written'"):format(quote(prefix)),
+  ["program from elsewhere"] = ("here=$PWD && cd %s/share && ../bin/hinge run $here/asks.lua --out $here/elsewhere "
+    .. "| grep -v '^written'"):format(quote(prefix)),
 } do
   status, printed, complaint = run(("cd %s && %s"):format(folder, command))
   equal(status, 0, what .. ": " .. complaint)
