@@ -12,6 +12,7 @@
 #include "script/module.h"
 #include "script/objects.h"
 #include "script/sandbox.h"
+#include "version.h"
 
 namespace {
 
@@ -166,7 +167,7 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
 
 int main(int argc, char** argv) {
     CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
-    app.set_version_flag("--version", HINGE_VERSION);
+    app.set_version_flag("--version", hinge::version_text, "Print version, build and libraries, and exit");
     app.require_subcommand(1);
     Request request;
     auto* run_verb = app.add_subcommand("run", "Run a script; 'hinge SCRIPT' is the same");

@@ -7,6 +7,7 @@ local checks = support.checks "program"
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local hinge = quote(arg[1] .. "/hinge")
+local version = (support.read(support.root .. "CMakeLists.txt") or ""):match "project%(hinge VERSION ([%d.]+)"
 local ten_storey = quote(support.root .. "scripts/ten_storey_impact.lua")
 local folder = support.temporary_folder()
 local function path(name) return folder .. "/" .. name end
@@ -27,13 +28,22 @@ for arguments, wanted in pairs {
   ["reference --help"] = { "name" },
   ["render --help"] = { "folder" },
   ["history --help"] = { "folders", "whose", "Exit status: 0; 2 " },
-  ["--version"] = { "0." },
+  ["--version"] = { "hinge " .. version .. "\nbuild ", "\nprocessor ", "\nthreads ", "\nLua        5.4.",
+    "library in ", "\nEigen      3.", "\nVTK        " },
 } do
   local status, printed = run(hinge .. " " .. arguments)
   equal(status, 0, arguments)
   for _, part in ipairs(wanted) do
     expect(printed:find(part, 1, true), "%s does not say '%s':\n%s", arguments, part, printed)
   end
+end
+
+-- Scripts read the version from the first line; the commit is there where it is known.
+local _, about = run(hinge .. " --version")
+equal(about:match "^([^\n]*)\n", "hinge " .. version, "the first line")
+equal(about:find "\n\n", nil, "an empty line in " .. about)
+if support.run(("git -C %s rev-parse HEAD"):format(quote(support.root))) == 0 then
+  expect(about:find "\ncommit     %x%x%x%x%x%x%x", "no commit: %s", about)
 end
 
 -- Wrong input: status 2, a message on stderr, nothing written ---------------------------------------------------------

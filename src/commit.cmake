@@ -1,0 +1,17 @@
+# Writes the header `header` with the commit of the folder `source`, where it is a git repository and git is there.
+set(commit "")
+if(EXISTS ${source}/.git)
+  execute_process(COMMAND git describe --always --exclude=* --dirty=+changes WORKING_DIRECTORY ${source}
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    set(commit "")
+  endif()
+endif()
+set(text "#define HINGE_COMMIT \"${commit}\"\n")
+set(written "")
+if(EXISTS ${header})
+  file(READ ${header} written)
+endif()
+if(NOT written STREQUAL text)
+  file(WRITE ${header} "${text}")
+endif()
