@@ -1,16 +1,30 @@
 # cmake --install: the program, the module, the Lua library, and the engine as the CMake package `hinge` (target hinge::engine).
 # The module and the program look for the Lua library and the pictures in these folders, seen from where they lie themselves
-# (script/module.cpp), so the whole may be moved.
+# (script/places.cpp), so the whole may be moved.
+# Components: program, module, development; the Debian package (package.cmake) takes program and debian.
 set(HINGE_MODULE_FOLDER lib/lua/5.4 CACHE STRING "Where the module is installed; on Lua's cpath")
 set(HINGE_LIBRARY_FOLDER share/hinge/lua CACHE STRING "Where the Lua library is installed")
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 install(TARGETS hinge_program RUNTIME DESTINATION bin)
-install(TARGETS hinge_module LIBRARY DESTINATION ${HINGE_MODULE_FOLDER})
 install(DIRECTORY lua/hinge DESTINATION ${HINGE_LIBRARY_FOLDER})
 if(HINGE_PICTURES)
   install(TARGETS hinge_output LIBRARY DESTINATION lib/hinge)
 endif()
+install(FILES src/hinge.1 DESTINATION share/man/man1)
+install(FILES LICENSE src/CHANGES.md DESTINATION share/doc/hinge)
+install(DIRECTORY lua/guide DESTINATION share/doc/hinge)
+install(DIRECTORY scripts/ DESTINATION share/doc/hinge/examples FILES_MATCHING PATTERN *.lua
+  PATTERN host EXCLUDE PATTERN pictures EXCLUDE PATTERN paper EXCLUDE)
+# Completion of the shells, each where the shell looks for it.
+install(FILES lua/hinge/completion/hinge.bash DESTINATION share/bash-completion/completions RENAME hinge OPTIONAL)
+install(FILES lua/hinge/completion/_hinge DESTINATION share/zsh/vendor-completions OPTIONAL)
+install(FILES lua/hinge/completion/hinge.fish DESTINATION share/fish/vendor_completions.d OPTIONAL)
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME module)
+install(TARGETS hinge_module LIBRARY DESTINATION ${HINGE_MODULE_FOLDER})
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 # Whoever includes the engine's headers compiles them as the engine was compiled: types laid out alike, the same bits.
 target_compile_features(hinge_engine INTERFACE cxx_std_20)
 target_compile_options(hinge_engine INTERFACE "$<INSTALL_INTERFACE:-Wno-psabi;-ffp-contract=off;$<$<BOOL:${HINGE_NATIVE}>:-march=native>>")
@@ -27,3 +41,7 @@ install(EXPORT hinge NAMESPACE hinge:: FILE hingeTargets.cmake DESTINATION lib/c
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/hingeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES src/hingeConfig.cmake ${CMAKE_BINARY_DIR}/hingeConfigVersion.cmake DESTINATION lib/cmake/hinge)
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME debian)
+install(TARGETS hinge_module LIBRARY DESTINATION lib/${CMAKE_LIBRARY_ARCHITECTURE}/lua/5.4 EXCLUDE_FROM_ALL)
+install(FILES LICENSE DESTINATION share/doc/hinge RENAME copyright EXCLUDE_FROM_ALL)

@@ -16,6 +16,7 @@ not_under_asan=(
   script_sandbox      # these two bound the address space; ASan asks for terabytes of it
   script_cost
   script_install      # the compiler, which the test calls, leaks
+  script_package      # empties the environment, and with it the sanitizer that is to be loaded before Lua
   script_startup      # bounds how long a script takes to begin
 )
 # Leaks of others: bash, the tool that makes a terminal, Xvfb, Mesa.

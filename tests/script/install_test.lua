@@ -95,6 +95,38 @@ end }]])
     "a script with a frame")
   expect(support.is_there(folder .. "/frame/frames/frame_00001.vtp"),
     "no frame: the installed program does not find its pictures")
+  -- the module, in the folder of Fedora's Lua, too
+  run(("mkdir -p %s/lib64/lua/5.4 && cp %s/lib/lua/5.4/hinge.so %s/lib64/lua/5.4")
+    :format(quote(prefix), quote(prefix), quote(prefix)))
+  support.write(folder .. "/picture.lua", [[
+local hinge = require "hinge"
+local model = hinge.model()
+local foot = model:node { 0, 0, 0 }
+model:fix(foot)
+model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
+  material = hinge.material { E = 1e9 } }
+hinge.frame(model:static { steps = 1 }:finish())]])
+  for _, place in ipairs { "lib", "lib64" } do
+    local said = select(3, run(("mkdir -p %s/in_%s && cd %s/in_%s && LUA_CPATH=%s lua5.4 ../picture.lua")
+      :format(folder, place, folder, place, quote(prefix .. "/" .. place .. "/lua/5.4/?.so"))))
+    expect(run(("find %s/in_%s | grep -q 'vtp$'"):format(folder, place)) == 0,
+      "no frame: the module in %s does not find its pictures: %s", place, said)
+  end
+  local _, about = run(("PATH=%s/bin:$PATH hinge --version"):format(quote(prefix)))
+  expect(about:find(", " .. prefix .. "/lib/hinge/libhinge_output.so", 1, true), "pictures of another hinge: %s", about)
+end
+
+-- Completion of the shells, where there is any; pages and examples.
+for from, to in pairs {
+  ["lua/hinge/completion/hinge.bash"] = "bash-completion/completions/hinge",
+  ["lua/hinge/completion/_hinge"] = "zsh/vendor-completions/_hinge",
+  ["lua/hinge/completion/hinge.fish"] = "fish/vendor_completions.d/hinge.fish",
+  ["lua/guide/install.md"] = "doc/hinge/guide/install.md",
+  ["src/CHANGES.md"] = "doc/hinge/CHANGES.md",
+  ["src/hinge.1"] = "man/man1/hinge.1",
+  ["scripts/01_first_cantilever.lua"] = "doc/hinge/examples/01_first_cantilever.lua",
+} do
+  equal(support.read(prefix .. "/share/" .. to), support.read(support.root .. from), "the installed " .. to)
 end
 
 -- A library that Lua finds by itself, as LuaRocks lays it out, takes the engine alone out of the module.
@@ -114,6 +146,9 @@ expect((support.read(support.root .. "src/CHANGES.md") or ""):match "\n## (%S+)"
   "src/CHANGES.md does not begin with %s", version)
 expect((support.read(support.root .. "lua/guide/install.md") or ""):find("hinge_" .. version .. "_", 1, true),
   "lua/guide/install.md names another version than %s", version)
+for name in (support.read(support.root .. "lua/guide/install.md") or ""):gmatch "%]%(([^)#]+)%)" do
+  expect(support.is_there(support.root .. "lua/guide/" .. name), "lua/guide/install.md points to %s", name)
+end
 expect(spec.package == "hinge" and spec.version == version .. "-1",
   "the rockspec is of %s, the project of %s", spec.version, version)
 

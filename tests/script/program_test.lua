@@ -46,6 +46,15 @@ if support.run(("git -C %s rev-parse HEAD"):format(quote(support.root))) == 0 th
   expect(about:find "\ncommit     %x%x%x%x%x%x%x", "no commit: %s", about)
 end
 
+-- The manual page knows every verb.
+local manual = support.read(support.root .. "src/hinge.1") or ""
+local verbs = 0
+for verb in (select(2, run(hinge .. " --help")):match "Subcommands:\n(.*)" or ""):gmatch "%f[^\n%z]  (%l+)" do
+  verbs = verbs + 1
+  expect(manual:find("\n.BR " .. verb .. " ", 1, true), "src/hinge.1 does not have %s", verb)
+end
+expect(verbs > 8, "%d verbs in --help", verbs)
+
 -- Wrong input: status 2, a message on stderr, nothing written ---------------------------------------------------------
 
 local plain = script("plain.lua", "return { given = (...).answer }")
