@@ -16,10 +16,15 @@ install(FILES LICENSE src/CHANGES.md DESTINATION share/doc/hinge)
 install(DIRECTORY lua/guide DESTINATION share/doc/hinge)
 install(DIRECTORY scripts/ DESTINATION share/doc/hinge/examples FILES_MATCHING PATTERN *.lua
   PATTERN host EXCLUDE PATTERN pictures EXCLUDE PATTERN paper EXCLUDE)
-# Completion of the shells, each where the shell looks for it.
-install(FILES lua/hinge/completion/hinge.bash DESTINATION share/bash-completion/completions RENAME hinge OPTIONAL)
-install(FILES lua/hinge/completion/_hinge DESTINATION share/zsh/vendor-completions OPTIONAL)
-install(FILES lua/hinge/completion/hinge.fish DESTINATION share/fish/vendor_completions.d OPTIONAL)
+# Completion of the shells, written by the program itself, each where the shell looks for it.
+foreach(shell bash fish)
+  add_custom_command(OUTPUT completion/hinge.${shell} DEPENDS hinge_program VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E make_directory completion
+    COMMAND hinge_program completion ${shell} > completion/hinge.${shell})
+endforeach()
+add_custom_target(hinge_completion ALL DEPENDS completion/hinge.bash completion/hinge.fish)
+install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.bash DESTINATION share/bash-completion/completions RENAME hinge)
+install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.fish DESTINATION share/fish/vendor_completions.d)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME module)
 install(TARGETS hinge_module LIBRARY DESTINATION ${HINGE_MODULE_FOLDER})

@@ -116,11 +116,12 @@ hinge.frame(model:static { steps = 1 }:finish())]])
   expect(about:find(", " .. prefix .. "/lib/hinge/libhinge_output.so", 1, true), "pictures of another hinge: %s", about)
 end
 
--- Completion of the shells, where there is any; pages and examples.
+-- Completion of the shells, as the program writes it; pages and examples.
+for shell, to in pairs { bash = "bash-completion/completions/hinge", fish = "fish/vendor_completions.d/hinge.fish" } do
+  local _, written = run(("%s/bin/hinge completion %s"):format(quote(prefix), shell))
+  expect(#written > 500 and support.read(prefix .. "/share/" .. to) == written, "the installed completion of %s", shell)
+end
 for from, to in pairs {
-  ["lua/hinge/completion/hinge.bash"] = "bash-completion/completions/hinge",
-  ["lua/hinge/completion/_hinge"] = "zsh/vendor-completions/_hinge",
-  ["lua/hinge/completion/hinge.fish"] = "fish/vendor_completions.d/hinge.fish",
   ["lua/guide/install.md"] = "doc/hinge/guide/install.md",
   ["src/CHANGES.md"] = "doc/hinge/CHANGES.md",
   ["src/hinge.1"] = "man/man1/hinge.1",
