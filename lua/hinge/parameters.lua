@@ -6,17 +6,53 @@ local values = require "hinge.values"
 
 local parameters = {}
 
---- The names that a text reads off the variable that holds its `...`, as keys, {} where it has no `...`; nil where only
--- running it can tell, for it hands them on or loads other code.
-function parameters.names_in(text)
-  text = text:gsub("%-%-%[%[.-%]%]", ""):gsub("%-%-[^\n]*", "")
-  if text:find "scenario" then return nil end
-  for _, word in ipairs { "load", "loadfile", "dofile" } do
-    if text:find("%f[%w_:.]" .. word .. "%f[^%w_]") then return nil end
+-- A script's text without comments, and with nothing between the quotes of its strings but where one stands for a name,
+-- as in p["speed"].
+local function bare(text)
+  local parts, at = {}, 1
+  while true do
+    local from = text:find("[%-%[\"']", at)
+    if not from then break end
+    local comment = text:match("^%-%-()", from)
+    local level, inside = text:match("^%[(=*)%[()", comment or from)
+    local stop
+    if level then
+      stop = select(2, text:find("]" .. level .. "]", inside, true)) or #text
+    elseif comment then
+      stop = (text:find("\n", comment, true) or #text + 1) - 1
+    elseif text:find("^[\"']", from) then
+      local quote, i = text:sub(from, from), from + 1
+      while i <= #text and text:sub(i, i) ~= quote do i = i + (text:sub(i, i) == "\\" and 2 or 1) end
+      stop = math.min(i, #text)
+    end
+    parts[#parts + 1] = text:sub(at, from - 1)
+    local is_name = stop and not comment and not level and text:sub(1, from - 1):find "%[%s*$"
+    if not stop or is_name then parts[#parts + 1] = text:sub(from, stop or from)
+    else parts[#parts + 1] = comment and " " or '""' end
+    at = (stop or from) + 1
   end
-  for module in text:gmatch "%f[%w_]require%f[^%w_]%s*(.[^\n]*)" do
+  return table.concat(parts) .. text:sub(at)
+end
+
+-- Whether a text may run other code, which may give back a scenario: `load` as a function, not as a name of its own.
+local function runs_other_code(text)
+  for _, word in ipairs { "loadfile", "dofile" } do
+    if text:find("%f[%w_:.]" .. word .. "%f[^%w_]") then return true end
+  end
+  if text:find "pcall%s*%(%s*load%s*," or text:find "=%s*load%s*[\n,;]" then return true end
+  local own = text:find "local%s+load%f[^%w_]" or text:find "function%s+load%f[^%w_]"
+  if not own and text:find "%f[%w_:.]load%s*[%(\"%[{]" then return true end
+  return false
+end
+
+--- The names that a text reads off the variable that holds its `...`, as keys, {} where it has no `...`; nil where
+-- only running it can tell, for it hands them on or loads other code.
+function parameters.names_in(whole)
+  for module in whole:gmatch "%f[%w_]require%f[^%w_]%s*(.[^\n]*)" do
     if not module:find "^%(?%s*[\"']hinge[\"'%.]" then return nil end
   end
+  local text = bare(whole)
+  if text:find "scenario" or runs_other_code(text) then return nil end
   local _, dots = text:gsub("%.%.%.", "")
   if dots == 0 then return {} end
   local variable = text:match "local%s+([%a_][%w_]*)%s*=%s*%.%.%."
@@ -36,6 +72,39 @@ local function refuse(name, text, script, names)
   local known = check.keys(names)
   check.fail("%s=%s: %s reads no parameter %s%s; it reads %s", name, text, script, check.show(name),
     core.did_you_mean(name, known), table.concat(known, ", "))
+end
+
+local sizes = { ["G"] = 1e9, ["M"] = 1e6, ["k"] = 1e3, ["m"] = 1e-3 }
+local units = { N = 1, Pa = 1, m = 1, s = 1, J = 1, W = 1, Nm = 1, ["N/m"] = 1, ["N m"] = 1, ["m/s"] = 1, ["m/s^2"] = 1,
+  ["m/s2"] = 1, g = 1e-3, ["N/m2"] = 1, ["N/m^2"] = 1 }
+local other_units = { ["cm"] = 0.01, ["km/h"] = 1 / 3.6, ["ms"] = 1e-3, ["t"] = 1e3, ["N/mm2"] = 1e6, ["N/mm^2"] = 1e6 }
+
+-- A number with its unit behind it as a number in SI units, nil for other texts.
+local function without_unit(text)
+  local number, unit = text:match "^%s*([+-]?[%d.]+[eE]?[+-]?%d*)%s*(%a[%w/^ ]*)%s*$"
+  number = tonumber(number)
+  if not number then return nil end
+  local size = other_units[unit] or units[unit]
+  local prefix, rest = sizes[unit:sub(1, 1)], units[unit:sub(2)]
+  if not size and prefix and rest then size = prefix * rest end
+  return size and number * size
+end
+
+--- What to say where a setting looks like a number with a unit: "" where it does not.
+function parameters.about_units(name, text)
+  local number = without_unit(text)
+  return number and ("; a number in SI units, without its unit, is %s=%.10g"):format(name, number) or ""
+end
+
+--- The same for all settings of a script, each on a line of its own.
+function parameters.all_about_units(overrides)
+  local lines = ""
+  for _, override in ipairs(overrides or {}) do
+    local name, text = override[1], override[2]
+    local about = parameters.about_units(name, text)
+    if about ~= "" then lines = lines .. ("\n%s=%s is a text to the script%s"):format(name, text, about) end
+  end
+  return lines
 end
 
 --- Settings as a table, by name. overrides: a list of { name, text }.

@@ -23,6 +23,8 @@ local function places(level)
   return lines
 end
 
+local about_settings = "" -- what may have been meant by settings that are not numbers
+
 -- Lua keeps the message handler out of this one: there may be no memory for it.
 local out_of_memory = "not enough memory"
 
@@ -31,11 +33,12 @@ local function explain(failure)
   if failure == out_of_memory then return failure end
   local kind, status = core.error_kind(failure)
   if kind then
-    return { status = status or kind == "outside" and run_failed or wrong_input, text = tostring(failure), kind = kind }
+    local text = tostring(failure) .. (kind == "input" and about_settings or "")
+    return { status = status or kind == "outside" and run_failed or wrong_input, text = text, kind = kind }
   end
   local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
   local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
-  return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") }
+  return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") .. about_settings }
 end
 
 --- The exit status that a verdict means; why a run failed goes to stderr.
@@ -55,7 +58,9 @@ function runner.load(path, overrides, sandbox)
   local chunk, problem = loadfile(path, "t", sandbox and require "hinge.sandbox".environment() or _G)
   if not chunk then check.fail("%s", problem) end
   local watched, plain, must_be_read = parameters.of(overrides, path, code)
+  about_settings = parameters.all_about_units(overrides)
   local result = chunk(watched)
+  about_settings = ""
   if scenario.is(result) then return result end
   return nil, result, plain, must_be_read
 end
@@ -67,14 +72,16 @@ local function plan_script(options)
   core.plan(checking)
   local say = print
   print = function() end
+  local all_read = nil -- once a script of plain statements has come to its end
   local ok, failure = xpcall(function()
     local this = job.new("", options.case)
     job.use(this)
     local loaded, _, _, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
-    if not loaded then return must_be_read() end
+    if not loaded then all_read = must_be_read return end
     loaded.run(loaded:values(options.case, options.overrides), this)
   end, explain)
   print = say
+  if all_read then all_read() end
   local described = core.runs_made()
   if ok and described == 0 then
     say(("nothing %s: the script makes no run"):format(checking and "to check" or "would be simulated"))
@@ -130,12 +137,16 @@ function runner.run(options)
       check.fail("--case %s: %s has no cases; it does not return a hinge.scenario", options.case, options.script)
     end
     used = plain
+    local ok, failure = pcall(must_be_read)
+    if not ok then -- nothing of a run by settings that it did not take is kept
+      core.drop_output()
+      error(failure, 0)
+    end
   end
   local verdict, reason = core.write_summary {
     results = results, parameters = used, case = options.case, script = options.script, notes = this.notes,
     whole = this.whole,
   }
-  if not loaded then must_be_read() end
   return runner.status(verdict, reason)
 end
 

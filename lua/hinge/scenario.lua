@@ -1,6 +1,7 @@
 -- A scenario: a script's parameters with their defaults, its named cases, the settings that trade accuracy for time,
 -- and the function that runs it.
 local check = require "hinge.check"
+local settings = require "hinge.parameters"
 local values = require "hinge.values"
 
 local scenario = {}
@@ -90,7 +91,8 @@ function Scenario:values(case, overrides)
     if default == nil then check.unknown(name .. "=" .. text, "parameter", name, check.keys(self.parameters)) end
     local value, allowed = values.like(text, default)
     if value == nil then
-      check.fail("%s=%s: %s is %s; must be %s", name, text, name, check.show(text), allowed)
+      check.fail("%s=%s: %s is %s; must be %s%s", name, text, name, check.show(text), allowed,
+        settings.about_units(name, text))
     end
     result[name] = value
   end

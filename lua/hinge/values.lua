@@ -89,7 +89,7 @@ function values.like(text, default)
   end
   if kind ~= "number" then return nil, "set in the script only" end
   local result = values.number(text)
-  if not result then return nil, "a number or a sum such as 440/3.6" end
+  if not result then return nil, "a number in SI units or a sum such as 440/3.6" end
   return math.type(default) == "integer" and math.tointeger(result) or result
 end
 

@@ -627,9 +627,47 @@ for text, wanted in pairs {
     complaint, wanted)
 end
 for _, text in ipairs { "local p = ...\nprint(p.zzz)", "print((...).zzz)", "for k in pairs(...) do print(k) end",
-  "-- zzz\nlocal p <const> = ...\nlocal q = p\nprint(q.zzz)" } do
+  "-- zzz\nlocal p <const> = ...\nlocal q = p\nprint(q.zzz)", "local p = ...\nprint('load'..p.zzz)",
+  "local p = ...\nq = p\nload('print(q.zzz)')()" } do
   local status, _, complaint = run_script(text, "zzz=3")
   equal(status, 0, "read: " .. text .. ": " .. complaint)
+end
+
+
+-- One that no name of the script is like is refused before the first statement where the text tells, else at the end;
+-- nothing is left then. hinge plan says so too.
+do
+  local with_load = [[
+print "begins"
+local p = ... or {}
+local load = p.load or 5 -- load it
+local hinge = require "hinge"
+local model = hinge.model()
+local foot, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(foot)
+model:member { foot, tip, section = hinge.section.solid { width = 0.1, depth = 0.1 },
+  material = hinge.material { E = 206e9, density = 7850 } }
+print("load", 'load("x")', MORE)
+model:load { node = tip, force = { 0, 0, -load } }
+model:static { steps = 1 }:finish()
+]]
+  local at_end = with_load:gsub("MORE", "load, (function(q) return q.what end)(p)")
+  local at_once = with_load:gsub("MORE", "load")
+  for what, text in pairs { ["at once"] = at_once, ["at the end"] = at_end } do
+    support.write(folder .. "/plain.lua", text)
+    for _, verb in ipairs { "run", "plan" } do
+      local status, printed, complaint = support.run(("cd %s && rm -rf out && %s %s plain.lua laod=3")
+        :format(quote(folder), quote(arg[1] .. "/hinge"), verb))
+      equal(status, 2, verb .. ", " .. what)
+      expect(complaint:find("laod=3: plain.lua reads no parameter 'laod' (did you mean 'load'?); it reads load", 1,
+        true), "%s, %s: %s", verb, what, complaint)
+      expect(not support.is_there(folder .. "/out"), "%s, %s: a folder is left", verb, what)
+      if verb == "run" then equal(printed:find "begins" ~= nil, what == "at the end", "begins: " .. what) end
+    end
+    local status = support.run(("cd %s && rm -rf out && %s run plain.lua load=3"):format(quote(folder),
+      quote(arg[1] .. "/hinge")))
+    expect(status == 0 and support.is_there(folder .. "/out/plain-load=3/summary.json"), "%s, as it should be", what)
+  end
 end
 
 checks.done()

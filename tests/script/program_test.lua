@@ -74,7 +74,12 @@ for arguments, message in pairs {
   ["run " .. ten_storey .. " sped=100"] =
     "hinge: sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ...",
   ["run " .. ten_storey .. " speed=fast"] =
-    "hinge: speed=fast: speed is 'fast'; must be a number or a sum such as 440/3.6",
+    "hinge: speed=fast: speed is 'fast'; must be a number in SI units or a sum such as 440/3.6",
+  ["run " .. ten_storey .. " speed=400km/h"] = "hinge: speed=400km/h: speed is '400km/h'; must be a number in SI units "
+    .. "or a sum such as 440/3.6; a number in SI units, without its unit, is speed=111.1111111",
+  ["run " .. script("adds.lua", "local p = ...\nreturn p.load + 1\n") .. " load=2kN"] =
+    "hinge: ...adds.lua:2: attempt to ...\n  at ...adds.lua:2\nload=2kN is a text to the script; a number in SI units, "
+      .. "without its unit, is load=2000",
   ["run " .. ten_storey .. " size=-15"] =
     "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
   ["run " .. script("syntax.lua", "local x =\n= 2\n")] = "hinge: ...syntax.lua:2: unexpected symbol near '='",
