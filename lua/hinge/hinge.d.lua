@@ -463,7 +463,10 @@ function model:member(options) end
 ---that breaks loses its part of the load. Such a load gives no handle; it can be left out, but not removed.
 ---
 ---A static run takes no load with a history, on nodes or on members, for it has no time; where `loads` of the run names
----its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one.
+---its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one. A dynamic
+---run that goes on from another goes on in its time: a history that begins with the second run begins at that time.
+---Points that are over by then, that change less than 5 % before the run's end, or that act for less than two steps,
+---are warned of.
 ---```lua
 ---model:load { node = tip, force = { 0, 0, -1000 } } -- N
 ---model:load { member = beam, q = { 0, 0, -200 } } -- N/m

@@ -19,6 +19,7 @@ public:
     History(F function) : function_(std::move(function)) {}
     explicit History(Points points);
 
+    const Points* points() const { return points_.get(); }  ///< null for a function, and for constant 1
     explicit operator bool() const { return bool(function_); }
     /// At a jump the value up to there.
     double operator()(double time) const { return function_(time); }

@@ -11,11 +11,16 @@
 namespace hinge {
 namespace {
 
+/// Nodes nearer to each other than this part of the shortest member there look as if they were meant to be one: 3 mm
+/// of 3 m.
+constexpr double part_of_members = 1e-3;
+
 std::string number(double v) { return number_text(v); }
 std::string at(const Vec3& x) { return vector_text(x) + " m"; }
 
 struct Finder {
     const Model& model;
+    std::set<std::pair<int, int>> joined;  ///< nodes, the smaller number first
     std::vector<Warning> found;
     std::map<std::string, std::size_t> place;
 
@@ -25,7 +30,7 @@ struct Finder {
         const auto [known, fresh] = place.try_emplace(kind, found.size());
         static const std::set<std::string> units = {"E",       "yield strain", "yield stress", "density",
                                                     "section", "span",         "gravity"};
-        if (fresh) found.push_back({what, advice, asked_at, 0, units.count(kind) > 0});
+        if (fresh) found.push_back({what, advice, asked_at, 0, 1, units.count(kind) > 0});
         else ++found[known->second].more;
     }
     const Vec3& position(int node) const { return model.nodes()[node].position; }
@@ -40,11 +45,13 @@ struct Finder {
 
     void materials();
     void sections();
+    void never_yields();
     void spans();
     void gravity();
     void lone_nodes();
     void tiny_members();
     void unjoined();
+    bool are_joined(int a, int b) const { return joined.count(std::minmax(a, b)) > 0; }
 };
 
 void Finder::materials() {
@@ -53,7 +60,14 @@ void Finder::materials() {
         const Material& m = *model.members()[i].material;
         if (!seen.insert(&m).second) continue;
         const std::string whose = " (the material of " + name(i) + ")";
-        if (m.E < 1e7)
+        // concrete and metals weigh more than 2000 kg/m^3; where nobody says, steel's number in kN/m^2 is told by
+        // itself
+        const double weighs = m.density < 25 ? 1000 * m.density : m.density;
+        const bool in_kilo = m.E < 1e9 && (weighs > 2000 || (m.density == 0 && m.E > 1.9e8 && m.E < 2.2e8));
+        if (in_kilo && m.E >= 1e7)
+            tell("E", "E is " + number(m.E) + " Pa" + whose, "in kN/m^2? in Pa that would be " + number(1000 * m.E),
+                 m.asked_at);
+        else if (m.E < 1e7)
             tell("E", "E is " + number(m.E) + " Pa" + whose,
                  m.E < 2000 ? "in GPa? " + number(m.E) + " GPa is " + number(m.E) + "e9"
                             : "in MPa? " + number(m.E) + " MPa is " + number(m.E) + "e6",
@@ -93,6 +107,24 @@ void Finder::sections() {
                  "the section (" + s.kind + ") of " + name(i) + " measures " + number(size) +
                      " m across, and the longest member that has it " + number(longest[&s]) + " m",
                  "in mm? sizes are in m, areas in m^2, moments of area in m^4", s.asked_at);
+    }
+}
+
+/// A yield stress without a plastic modulus or a plastic force to go with it.
+void Finder::never_yields() {
+    if (!model.options().plasticity) return;
+    std::set<const Section*> seen;
+    for (int i = 0; i < int(model.members().size()); ++i) {
+        const Section& s = *model.members()[i].section;
+        const Material& m = *model.members()[i].material;
+        const bool yields = s.N0 || s.Mx0 || s.My0 || s.Mz0 || s.plastic_area > 0 || s.Zx > 0 || s.Zy > 0 || s.Zz > 0;
+        if (std::isfinite(m.yield_stress) && !yields && seen.insert(&s).second)
+            tell("no plastic modulus",
+                 "the section (" + s.kind + ") of " + name(i) + " has no plastic moduli, so that it never yields at " +
+                     "its material's yield stress " + number(m.yield_stress) + " Pa",
+                 "give hinge.section.general plastic = { A =, Zx =, Zy =, Zz = } or N0, Mx0, My0, Mz0; or leave the "
+                 "yield stress out",
+                 s.asked_at);
     }
 }
 
@@ -154,11 +186,18 @@ void Finder::unjoined() {
         }
     const double close = 1e-6 * (high - low).norm();
     const Vec3 room = Vec3::Constant(0.5 * close);
+    std::vector<double> near(model.nodes().size(), std::numeric_limits<double>::infinity());  // of nodes, m
+    for (int i = 0; i < members; ++i)
+        for (int n : model.members()[i].node) near[n] = std::min(near[n], part_of_members * length(i));
     for (int i = 0; i < members; ++i)
         boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
     std::vector<int> used;
     for (int n = 0; n < int(model.nodes().size()); ++n)
-        if (!members_at[n].empty()) used.push_back(n), boxes.push_back({position(n) - room, position(n) + room});
+        if (!members_at[n].empty()) {
+            near[n] = std::max(near[n], close);
+            const Vec3 around = Vec3::Constant(0.5 * near[n]);
+            used.push_back(n), boxes.push_back({position(n) - around, position(n) + around});
+        }
 
     const auto pairs = contact::overlapping(boxes, [&](int i, int j) {
         if (i >= members || j < members) return true;
@@ -186,11 +225,16 @@ void Finder::unjoined() {
         const int n = used[j - members];
         if (i >= members) {
             const int other = used[i - members];
-            if ((position(n) - position(other)).norm() > close) continue;
-            tell("coincide",
-                 "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are both at " +
-                     at(position(n)) + ", but not joined",
-                 "use one node for both where their members meet", node_line(n));
+            const double apart = (position(n) - position(other)).norm();
+            if (apart > std::min(near[n], near[other]) || are_joined(n, other)) continue;
+            const std::string both = "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are ";
+            if (apart <= close)
+                tell("coincide", both + "both at " + at(position(n)) + ", but not joined",
+                     "use one node for both where their members meet", node_line(n));
+            else
+                tell("nearly coincide",
+                     both + number_text(apart, 3) + " m apart at " + at(position(n)) + ", but not joined",
+                     "use one node for both if their members meet there", node_line(n));
             continue;
         }
         const Vec3 span = end(i, 1) - end(i, 0), d = position(n) - end(i, 0);
@@ -208,10 +252,13 @@ void Finder::unjoined() {
 
 }  // namespace
 
-std::vector<Warning> warnings(const Model& model) {
-    Finder finder{model, {}, {}};
+std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined) {
+    Finder finder{model, {}, {}, {}};
+    for (const auto& [a, b] : joined) finder.joined.insert(std::minmax(a, b));
+    for (const MemberData& m : model.members()) finder.joined.insert(std::minmax(m.node[0], m.node[1]));
     finder.materials();
     finder.sections();
+    finder.never_yields();
     finder.spans();
     finder.gravity();
     finder.lone_nodes();
@@ -220,8 +267,9 @@ std::vector<Warning> warnings(const Model& model) {
     return std::move(finder.found);
 }
 
-bool doubts_units(const std::vector<Warning>& list) {
-    return std::any_of(list.begin(), list.end(), [](const Warning& w) { return w.of_units; });
+std::optional<Warning> of_units(const std::vector<Warning>& list) {
+    const auto first = std::find_if(list.begin(), list.end(), [](const Warning& w) { return w.of_units; });
+    return first == list.end() ? std::nullopt : std::optional(*first);
 }
 
 }  // namespace hinge

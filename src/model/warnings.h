@@ -1,7 +1,9 @@
 // What in a model is allowed but a likely mistake: units, members and nodes that are not joined as they seem to be.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/model.h"
@@ -14,15 +16,18 @@ struct Warning {
     std::string advice;
     std::string asked_at;  ///< the script's line, "" where it is not known
     int more = 0;
+    int tells_of = 1;       ///< so many things alike
     bool of_units = false;  ///< a number that looks as if it were in another unit
 };
 
-/// All of them: E, density, yield stress, sections, positions and gravity in other units than SI; gravity that pulls
-/// up; nodes that no member uses; nodes within a millionth of the model's size of each other, and members that lie on
-/// each other or pass through a node, not joined; members shorter than a fiftieth of one that they are joined to.
-std::vector<Warning> warnings(const Model& model);
+/// All of them: E, density, yield stress, sections, positions and gravity in other units than SI; materials that yield
+/// with sections that cannot; gravity that pulls up; nodes that no member uses; nodes within a millionth of the model's
+/// size, or a thousandth of the shortest member there, of each other, and members that lie on each other or pass
+/// through a node, not joined; members shorter than a fiftieth of one that they are joined to. `joined`: pairs of nodes
+/// that something other than a member joins.
+std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined = {});
 
-/// Whether one of them is of units: what is computed from such numbers is not worth a word.
-bool doubts_units(const std::vector<Warning>& list);
+/// The first of them that is of units: what is computed from such numbers is not worth a word.
+std::optional<Warning> of_units(const std::vector<Warning>& list);
 
 }  // namespace hinge

@@ -50,6 +50,7 @@ public:
     long substeps() const { return substeps_; }  ///< equilibria found: a step that was halved takes several
     long rejected() const { return rejected_; }  ///< tries that found none and were halved
     bool limit() const { return limit_; }        ///< it has ended at a limit load
+    const StaticSettings& settings() const { return settings_; }
     const std::vector<std::uint8_t>& held() const {
         return held_;
     }  ///< what supports and this run hold, six bits a node

@@ -153,7 +153,9 @@ int add_load(lua_State* L) {
     load.load_case = case_of(o, *m);
     if (load.history && !force && !moment)
         o.complain("history", "given", "is a factor of numbers; a force that is a function has its own");
+    const bool has_points = load.history.points() != nullptr;
     const int number = m->add_load(std::move(load));
+    if (has_points) m->ask("load " + std::to_string(number), where(L));
     if (!m->asked("loads")) m->ask("loads", where(L));
     push_load(L, m, number);
     return 1;
@@ -189,6 +191,7 @@ int move_support(lua_State* L) {
     for (const int n : nodes)
         for (int c = 0; c < 3; ++c)
             if (path[c]) m->add_motion({n, c, path[c]});
+    for (const int n : nodes) m->ask("motion of node " + std::to_string(n), where(L));
     m->ask("ground", where(L));
     return 0;
 }

@@ -97,6 +97,8 @@ int add_member_load(lua_State* L) {
         load.member = member;
         load.number = int(m->declared<MemberLoad>(member_loads_effect).size());
         m->declare(member_loads_effect, load);
+        if (load.history.points() && member == members[0])
+            m->ask("member load " + std::to_string(load.number), where(L));
     }
     m->ask(member_loads_effect, where(L));
     return 0;

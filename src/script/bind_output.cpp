@@ -357,7 +357,7 @@ int write_summary(lua_State* L) {
     if (const auto& r = c->record) {
         const Run& run = *r->run;
         verdict = run.verdict() == Verdict::running ? "stopped" : name(run.verdict());
-        reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : run.reason();
+        reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : reason_of(*r);
     }
     if (const Json whole = field("whole"); !whole.is_null())
         verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");

@@ -11,7 +11,8 @@
 
 namespace hinge::script {
 
-int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every) {
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every,
+             std::vector<Warning> doubts) {
     if (!model->closed_at.empty())
         throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
     model->take_elements(run->structure().model());
@@ -19,6 +20,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     record->run = std::move(run);
     record->model = std::move(model);
     record->every = every;
+    record->doubts = std::move(doubts);
     const auto c = context(L);
     if (c->record && !c->record->model->closed_at.empty()) c->record->run.reset();  // kept for the summary alone
     c->record = record;
@@ -52,6 +54,14 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     tell_collector(L, 2000 * record->run->structure().elements().size());
     tell_of_run(L);
     return 1;
+}
+
+std::string reason_of(const RunRecord& record) {
+    const std::string& reason = record.run->reason();
+    if (record.run->verdict() != Verdict::failed || !record.of_units) return reason;
+    const Warning& w = *record.of_units;
+    return reason + "; the cause may be what the warning" + (w.asked_at.empty() ? "" : " at " + w.asked_at) +
+           " says: " + w.what;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "script/check.h"
 #include "script/checkpoint.h"
+#include "script/load_warnings.h"
 #include "effects/all_effects.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
@@ -170,7 +171,8 @@ int static_run(lua_State* L) {
     o.expect(
         {"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "hold", "record", "from", "loads"});
     const RunRecord* before = run_before(o, m);
-    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, read_choice(o, *m, before, true)));
+    const LoadChoice choice = read_choice(o, *m, before, true);
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice));
     StaticSettings s;
     s.steps = o.integer("steps", 1, 10);
     s.iterations = o.integer("iterations", 2, s.iterations);
@@ -243,7 +245,8 @@ int static_run(lua_State* L) {
             "hinge.material a density, or leave gravity out");
     context(L)->running = L;
     try {
-        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every);
+        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every,
+                        empty_cases(*m, choice, where(L)));
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
 }
 
@@ -334,10 +337,11 @@ int dynamic_run(lua_State* L) {
     const std::string integrator = o.word("integrator", {"newmark", "energy-momentum", "explicit"}, "newmark");
     const bool in_explicit_steps = integrator == "explicit", conserving = integrator == "energy-momentum";
     const RunRecord* before = run_before(o, m);
-    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, read_choice(o, *m, before, false)),
-                                                             in_explicit_steps ? MassKind::lumped
-                                                             : conserving      ? MassKind::at_nodes
-                                                                               : MassKind::consistent);
+    const LoadChoice choice = read_choice(o, *m, before, false);
+    const auto structure =
+        std::make_shared<const Structure>(copy_of(L, *m, choice), in_explicit_steps ? MassKind::lumped
+                                                                  : conserving      ? MassKind::at_nodes
+                                                                                    : MassKind::consistent);
     if (in_explicit_steps && m->options().mass == MassShape::cubic)
         throw InputError(
             "model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes "
@@ -421,11 +425,15 @@ int dynamic_run(lua_State* L) {
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     refuse_idle_velocities(*structure, start);
     context(L)->running = L;
+    std::vector<Warning> doubts = empty_cases(*m, choice, where(L));
+    for (Warning& w : idle_histories(structure->model(), before ? &before->run->structure().model() : nullptr,
+                                     start.time, s.duration, automatic ? 0 : s.dt))
+        doubts.push_back(std::move(w));
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));
     auto plan = read_checkpoint_plan(o, *m);
-    make_run(L, std::move(run), m, every);
+    make_run(L, std::move(run), m, every, std::move(doubts));
     find<RunBox>(L, -1)->value->checkpoint = std::move(plan);
     return 1;
 }

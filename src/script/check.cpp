@@ -5,16 +5,16 @@
 
 #include "core/text.h"
 #include "model/warnings.h"
-#include "script/linear_solution.h"
+#include "script/load_warnings.h"
 #include "state/bodies.h"
 #include "algebra/modes.h"
 
 namespace hinge::script {
 namespace {
 
-constexpr int periods_told = 3, bodies_told = 5, buckling_told = 10;
-constexpr double near_buckling = 0.5;  // of Euler's load
-constexpr int most_nodes = 20000;      // of a body whose periods are looked for: some ten seconds
+constexpr int periods_told = 3, bodies_told = 5;
+constexpr int most_nodes = 20000;  // of a body whose periods are looked for: some ten seconds
+constexpr double few_steps = 5;    // in the longest period
 
 std::string digits(double v, int n = 4) { return number_text(v, n); }
 std::string count(std::size_t n, const std::string& what) { return count_text(long(n), what); }
@@ -116,101 +116,41 @@ LinearSolution linear_solution(const RunRecord& record, int most) {
     return solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
 }
 
-/// The size of what acts, as a script gives it: its largest load on a node, else gravity.
-std::string largest_load(const Model& model) {
-    const NodalLoad* largest = nullptr;
-    const auto size = [](const NodalLoad& l) { return std::max(l.force.norm(), l.moment.norm()); };
-    for (const NodalLoad& l : model.loads())
-        if (!largest || size(l) > size(*largest)) largest = &l;
-    if (largest && size(*largest) > 0) {
-        const bool force = largest->force.norm() >= largest->moment.norm();
-        return std::string("the largest of them is ") + digits(size(*largest), 3) + (force ? " N" : " N m") +
-               ", on node " + std::to_string(largest->node + 1);
+/// The longest natural period of a body that supports hold, s; 0 where nobody knows. Not looked for where dt is shorter
+/// than an axial wave's way through the longest member: no period of a frame is so short.
+double longest_period(const Structure& s, const std::vector<Piece>& bodies, const AddedToModes& added, double dt,
+                      int most) {
+    double longest = 0, wave = 0;
+    for (const Element& e : s.elements())
+        wave = std::max(wave,
+                        s.model().members()[e.member].elements * e.length * std::sqrt(e.rigidity.rhoA / e.rigidity.EA));
+    if (few_steps * dt < 2 * wave) return 0;
+    for (std::size_t i = 0; i < bodies.size() && i < bodies_told; ++i) {
+        const Piece& body = bodies[i];
+        if (body.supports.empty() || !body.heavy || int(body.nodes.size()) > most) return 0;
+        const int rigid = int(free_motions(s, body.nodes).size());
+        if (rigid > 0) return 0;  // it may move as slowly as it likes
+        for (double w : natural_frequencies(s, body.nodes, rigid, 1, added))
+            longest = std::max(longest, 2 * 3.14159265358979323846 / w);
     }
-    return model.gravity() ? "gravity is " + digits(model.gravity()->norm(), 3) + " m/s^2" : "they act on members";
+    return bodies.size() > bodies_told ? 0 : longest;
 }
 
-/// Strains, by a linear solution, that no building material follows elastically, and that plastic hinges would not see
-/// but far beyond a limit load: in statics, and where what acts may end again soon.
-constexpr double much_strain = 0.05, much_strain_in_dynamics = 0.5;
-
-/// Loads that would strain a section as nothing does that stands.
-std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& solution) {
-    if (!solution.run) return {};
-    const Structure& structure = solution.run->structure();
-    const Model& model = record.run->structure().model();
-    double most = 0;
-    int at = -1;
-    for (int i = 0; i < int(structure.elements().size()); ++i) {
-        const Element& e = structure.elements()[i];
-        const Section& s = *model.members()[e.member].section;
-        const double half = 0.5 * std::max({s.width, s.depth, std::sqrt(s.area)});
-        for (double side : {-1.0, 1.0}) {
-            const SectionForces f = solution.run->section_forces(i, side);
-            const double strain = std::abs(f.N) / e.rigidity.EA +
-                                  half * (std::abs(f.Mx) / e.rigidity.EIx + std::abs(f.My) / e.rigidity.EIy);
-            if (strain > most) most = strain, at = i;
-        }
-    }
-    if (!(most > (record.run->kind() == std::string("static") ? much_strain : much_strain_in_dynamics))) return {};
-    const int member = structure.elements()[at].member;
-    const auto percent = [](double part) {
-        return (part > 0.1 ? number_text(std::round(100 * part), 9) : digits(100 * part, 2)) + " %";
-    };
-    return {{"the loads would strain member " + std::to_string(member + 1) + " by " + percent(most) +
-                 " in a linear solution of them; " + largest_load(model),
-             "are the loads in N and N m, E in Pa, lengths in m? A thousandth of the loads would strain it by " +
-                 percent(most / 1000) + "; steel yields at about 0.1 %",
-             model.asked_at("loads")}};
-}
-
-/// Members whose compression is beyond half of Euler's load, the worst first.
-std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& solution) {
-    if (!solution.run) return {};
-    const Structure& declared = record.run->structure();
-    const Structure& structure = solution.run->structure();
-    const Model& model = structure.model();
-
-    struct Member {
-        double part = 0, force = 0, euler = 0;  ///< force over Euler's load, N, N
-        int member = 0;
-    };
-    std::vector<Member> found;
-    const auto& elements = structure.elements();
-    for (int i = 0; i < int(elements.size()); ++i) {
-        const int member = elements[i].member;
-        const auto& ends = model.members()[member].node;
-        const double euler = euler_load(elements[i].rigidity,
-                                        (model.nodes()[ends[1]].position - model.nodes()[ends[0]].position).norm());
-        for (double side : {-1.0, 1.0}) {
-            const double force = -solution.run->section_forces(i, side).N;
-            if (!(force > near_buckling * euler)) continue;
-            if (found.empty() || found.back().member != member) found.push_back({0, 0, euler, member});
-            found.back().force = std::max(found.back().force, force);
-            found.back().part = found.back().force / euler;
-        }
-    }
-    std::stable_sort(found.begin(), found.end(), [](const Member& a, const Member& b) { return a.part > b.part; });
-    std::vector<Warning> list;
-    for (const Member& m : found) {
-        if (int(list.size()) == buckling_told) {
-            list.back().more = int(found.size()) - buckling_told;
-            break;
-        }
-        const auto& groups = model.members()[m.member].groups;
-        list.push_back(
-            {"member " + std::to_string(m.member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")") +
-                 " carries " + digits(m.force) + " N in compression in a linear solution of the loads, " +
-                 digits(m.part, 3) + " times Euler's load " + digits(m.euler) +
-                 " N, pi^2 E I_min / L^2 between its nodes with effective length 1.0",
-             declared.p_delta()
-                 ? "it may buckle: that shows with a small imperfection, and with four elements where both its "
-                   "ends are clamped"
-                 : "it may buckle: that shows in large displacement with p_delta = \"member\", its "
-                   "default, or eight elements a member, and a small imperfection",
-             model.asked_at("member " + std::to_string(m.member + 1))});
-    }
-    return list;
+/// Steps that follow no vibration; where asked for, also those that spread an impact.
+std::optional<Warning> long_steps(const RunRecord& record, const std::vector<Piece>& bodies, const AddedToModes& added,
+                                  double dt, int most, bool impacts) {
+    const Structure& s = record.run->structure();
+    if (const double longest = longest_period(s, bodies, added, dt, most); longest > 0 && dt * few_steps > longest)
+        return Warning{
+            "dt is " + digits(dt) + " s, and the longest natural period " + digits(longest) + " s",
+            "steps longer than a fifth of it follow no vibration; give dt = " + digits(longest / 50, 1) + " or less",
+            record.asked_at};
+    const Waves waves = shortest_waves(s);
+    if (!impacts || waves.in_element < 0 || !(dt > waves.member)) return {};
+    return Warning{"dt is " + digits(dt) + " s, and an axial wave runs through member " +
+                       std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
+                   "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
+                   record.asked_at};
 }
 
 }  // namespace
@@ -225,8 +165,10 @@ std::string warning_text(const Warning& d) {
 std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads) {
     const Structure& s = record.run->structure();
     const bool impact = !s.model().asked_at("contact").empty() || !s.model().asked_at("ground").empty();
-    std::vector<Warning> list;
-    for (const Piece& body : bodies_of(s, added_by_effects(*record.run))) {
+    std::vector<Warning> list = record.doubts;
+    const AddedToModes added = added_by_effects(*record.run);
+    const std::vector<Piece> bodies = bodies_of(s, added);
+    for (const Piece& body : bodies) {
         const auto motions = free_motions(s, body.nodes);
         if (!motions.empty() && !body.supports.empty() && !body.held_by_effects)
             list.push_back(
@@ -237,14 +179,10 @@ std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, b
                  "fix what it may not do with model:fix",
                  s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
     }
-    const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
-    if (const Waves waves = shortest_waves(s); (all || impact) && waves.in_element >= 0 && d && !d->explicit_steps() &&
-                                               !d->settings().automatic && d->settings().dt > waves.member)
-        list.push_back(
-            {"dt is " + digits(d->settings().dt) + " s, and an axial wave runs through member " +
-                 std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
-             "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
-             record.asked_at});
+    if (const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
+        d && !d->explicit_steps() && !d->settings().automatic)
+        if (auto w = long_steps(record, bodies, added, d->settings().dt, most_solved, all || impact))
+            list.push_back(*w);
     const LinearSolution solution = linear_solution(record, most_solved);
     if (loads)
         for (Warning& w : huge_loads(record, solution)) list.push_back(std::move(w));
@@ -283,8 +221,8 @@ std::string checked_model(const RunRecord& record) {
     if (const Waves waves = shortest_waves(s); waves.in_element >= 0)
         text +=
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
-    std::vector<Warning> list = warnings(s.model());
-    for (Warning& d : warnings_of_run(record, most_nodes, true, !doubts_units(list))) list.push_back(std::move(d));
+    std::vector<Warning> list = warnings(s.model(), joined_by_connectors(s.model()));
+    for (Warning& d : warnings_of_run(record, most_nodes, true, !of_units(list))) list.push_back(std::move(d));
     for (const Warning& d : list) text += "  warning: " + warning_text(d) + "\n";
     return text + (list.empty() ? "  no warnings\n" : "");
 }

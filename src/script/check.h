@@ -15,10 +15,14 @@ std::string checked_run(const RunRecord& record);
 /// takes through an element, and warnings that name the culprit, the script's line and what to do.
 std::string checked_model(const RunRecord& record);
 
-/// What of that is found quickly, beside hinge::warnings of its model: mechanisms, a long step, loads that are far too
-/// large, columns that may buckle (both of models of at most `most_solved` nodes, by a linear solution). `all`: a long
+/// What of that is found quickly, beside hinge::warnings of its model: what was seen where the run was made
+/// (RunRecord::doubts), mechanisms, a long step, loads that are far too large, columns that may buckle (the last two of
+/// models of at most `most_solved` nodes, by a linear solution; periods of bodies of as many). `all`: a long
 /// step also where nothing strikes; `loads`: those that are too large.
 std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads);
+
+/// Pairs of nodes that connectors join.
+std::vector<std::pair<int, int>> joined_by_connectors(const Model& model);
 
 /// "what (line, and 3 more like it); advice"
 std::string warning_text(const Warning& d);
@@ -28,6 +32,6 @@ void tell(Context& c, const Warning& w);
 
 /// hinge run: tells of likely mistakes, each once, in ten lines at most; of a model before it is run, and of the run.
 void look_over(Context& c, const Model& model);
-void look_over(Context& c, const RunRecord& record);
+void look_over(Context& c, RunRecord& record);
 
 }  // namespace hinge::script

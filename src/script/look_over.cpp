@@ -1,6 +1,7 @@
 // Likely mistakes that hinge run tells of, before the mechanism or the failure that they may end in.
 #include <algorithm>
 
+#include "effects/connectors.h"
 #include "script/check.h"
 #include "script/events.h"
 
@@ -15,6 +16,13 @@ constexpr int most_solved = 2000;            ///< nodes, where a linear solution
 
 }  // namespace
 
+std::vector<std::pair<int, int>> joined_by_connectors(const Model& model) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const Connector& c : model.declared<Connector>(connectors_effect))
+        if (c.a >= 0 && c.b >= 0) pairs.emplace_back(c.a, c.b);
+    return pairs;
+}
+
 void tell(Context& c, const Warning& w) {
     const std::string text = warning_text(w);
     if (c.warned.size() >= most_kept || std::find(c.warned.begin(), c.warned.end(), text) != c.warned.end()) return;
@@ -26,26 +34,29 @@ void tell(Context& c, const Warning& w) {
 }
 
 void look_over(Context& c, const Model& model) {
+    c.of_units.reset();
     if (!c.looks_over || c.looked_over >= most_models || model.members().size() > most_members) return;
     ++c.looked_over;
-    const std::vector<Warning> list = warnings(model);
-    c.doubts_units = doubts_units(list);
+    const std::vector<Warning> list = warnings(model, joined_by_connectors(model));
+    c.of_units = of_units(list);
     for (const Warning& w : list) tell(c, w);
 }
 
-void look_over(Context& c, const RunRecord& record) {
+void look_over(Context& c, RunRecord& record) {
+    record.of_units = c.of_units;
     if (!c.looks_over || c.looked_over >= most_models ||
         record.run->structure().model().members().size() > most_members)
         return;
-    std::vector<Warning> list = warnings_of_run(record, c.doubts_units ? 0 : most_solved, false, true);
+    std::vector<Warning> list = warnings_of_run(record, c.of_units ? 0 : most_solved, false, true);
     const auto buckles = [](const Warning& w) { return w.what.find("Euler's load") != std::string::npos; };
     const long columns = std::count_if(list.begin(), list.end(), buckles);
     const auto first = std::find_if(list.begin(), list.end(), buckles);
     if (columns > 1) {  // the worst is told, the others are counted
-        for (auto w = first + 1; w != list.end(); ++w) first->more += w->more + 1;
+        for (auto w = first + 1; w != list.end(); ++w) first->more += w->more + w->tells_of;
         list.erase(first + 1, list.end());
     }
     for (const Warning& w : list) tell(c, w);
+    if (!record.of_units) record.of_units = of_units(list);
 }
 
 }  // namespace hinge::script

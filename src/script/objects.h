@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "model/warnings.h"
 #include "script/model_registry.h"
 #include "run/dynamics.h"
 #include "run/energy_watch.h"
@@ -31,7 +32,7 @@ struct Context {
     std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
     bool looks_over = false;                     ///< look for likely mistakes in the models that are run
     std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
-    bool doubts_units = false;                   ///< of the model looked at last
+    std::optional<Warning> of_units;             ///< the first such warning of the model looked at last
     int warnings_told = 0, looked_over = 0;      ///< lines; models
     volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
     bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on
@@ -163,11 +164,13 @@ struct RunRecord : Recorded {
     long every = 1;    ///< steps between rows of history.csv; 0: none is kept
     std::string rows;  ///< not yet written
     std::string history_path;
-    std::string asked_at;   ///< the script's line that made the run
-    std::string changed;    ///< what was declared first since, and where; "" for nothing
-    bool begun = false;     ///< its files are open
-    bool stepping = false;  ///< a step is going on: the script's functions may not ask for another
-    bool mid_step = false;  ///< the state is between two
+    std::string asked_at;             ///< the script's line that made the run
+    std::vector<Warning> doubts;      ///< likely mistakes that are seen where it is made
+    std::optional<Warning> of_units;  ///< of its model: what looks as if it were in another unit
+    std::string changed;              ///< what was declared first since, and where; "" for nothing
+    bool begun = false;               ///< its files are open
+    bool stepping = false;            ///< a step is going on: the script's functions may not ask for another
+    bool mid_step = false;            ///< the state is between two
     std::optional<CheckpointPlan> checkpoint;
     std::string past;                  ///< of history.csv, from a checkpoint
     long resumed_at = 0;               ///< steps
@@ -279,7 +282,11 @@ LoadChoice read_choice(Options& o, const Model& model, const RunRecord* from, bo
 void open_cases(lua_State* L);
 
 /// Makes the run that model:static{} and model:dynamic{} return.
-int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every);
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every,
+             std::vector<Warning> doubts = {});
+
+/// Why a run failed, and which warning may tell the cause.
+std::string reason_of(const RunRecord& record);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
 MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);

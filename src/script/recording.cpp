@@ -325,7 +325,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     if (over && r.run->verdict() == Verdict::failed)
         c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
                                              (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
-                                             ", failed: " + r.run->reason());
+                                             ", failed: " + reason_of(r));
     if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);

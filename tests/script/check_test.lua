@@ -118,8 +118,12 @@ local function suspicious(what, changes, says, part, fine)
 end
 
 suspicious("E in GPa", { E = "206", yields = "nil" }, "E is 206 Pa (the material of member 1)",
-  "hinge.material", { E = "2e7", yields = "2e5" })
+  "hinge.material", { E = "2e7", yields = "2e5", density = "1000" })
 suspicious("E in MPa", { E = "206e3", yields = "nil" }, "E is 206000 Pa", "hinge.material", { E = "1.2e12" })
+suspicious("E in kN/m^2", { E = "206e6", yields = "nil" }, "E is 2.06e+08 Pa", "hinge.material",
+  { E = "206e6", yields = "nil", density = "1100" })
+suspicious("E in kN/m^2, of concrete in t/m^3", { E = "30e6", yields = "nil", density = "2500" }, "E is 3e+07 Pa",
+  "hinge.material", { E = "30e6", yields = "nil", density = "1900" })
 suspicious("E in mPa", { E = "206e12" }, "E is 2.06e+14 Pa", "hinge.material", { E = "1.9e12" })
 suspicious("density in g/cm^3", { density = "7.85" }, "the density is 7.85 kg/m^3",
   "hinge.material", { density = "30" })
@@ -146,7 +150,38 @@ suspicious("a load too large", { more = "model:load { node = b, force = { 1e9, 0
   "model:load", { more = "model:load { node = b, force = { 1e6, 0, 0 } }" })
 suspicious("too large, in statics", { more = "model:load { node = b, force = { 2e6, 0, 0 } }", make = "static {}" },
   "the loads would strain member 1 by 5.2 % in a linear solution", "model:load",
-  { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static {}" })
+  { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static { to_limit = true }" })
+suspicious("too large for what yields", { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static {}" },
+  "the loads ask of member 1 14 times what yields it, in a linear solution of them; the largest of them is 1e+06 N, on "
+    .. "node 2", "model:load", { more = "model:load { node = b, force = { 2e5, 0, 0 } }", make = "static {}" })
+suspicious("a step as long as a period", { make = "dynamic { dt = 0.1, duration = 1 }" },
+  "dt is 0.1 s, and the longest natural period 0.", "model:dynamic", {})
+local blast = "model:load { node = b, force = { 1, 0, 0 }, history = { %s } }"
+local fine = { more = blast:format "{ 0, 1 }, { 0.5, 0 }" }
+suspicious("times in ms", { more = blast:format "{ 0, 1 }, { 2e4, 0 }" }, "the history of the load on node 2 changes "
+  .. "from 0 to 2e+04 s, and this run ends at 1 s: in it 0.005 % of the change is seen", "model:load", fine)
+suspicious("times after the end", { more = blast:format "{ 5, 0 }, { 6, 1 }" }, "the history of the load on node 2 "
+  .. "changes from 5 to 6 s, and this run ends at 1 s: in it nothing of that is seen", "model:load",
+  { more = blast:format "{ 0.5, 0 }, { 6, 1 }" })
+suspicious("a pulse within a step", { more = blast:format "{ 0, 0 }, { 5e-6, 1 }, { 1e-5, 0 }" },
+  "the history of the load on node 2 is over within 1e-05 s, and dt is 1e-05 s", "model:load",
+  { more = blast:format "{ 0, 0 }, { 1e-5, 1 }" })
+suspicious("a pulse on a member",
+  { more = "model:load { member = model:members()[2], q = { 0, 0, 1 }, history = { { 0, 1 }, { 1e-5, 0 } } }" },
+  "the history of the load on member 2 is over within 1e-05 s", "model:load",
+  { more = "model:load { member = model:members()[2], q = { 0, 0, 1 }, history = { { 0, 1 }, { 1e-4, 0 } } }" })
+suspicious("a motion after the end", { more = "model:move { node = { a, d }, x = { { 1, 0 }, { 2, 0.1 } } }" },
+  "the history of the motion of node 1 along x changes from 1 to 2 s", "model:move",
+  { more = "model:move { node = { a, d }, x = { { 0, 0 }, { 2, 0.1 } } }" })
+local live = "dynamic { dt = 1e-5, duration = 1, loads = { live = 1 } }"
+suspicious("an empty load case", { more = "model:case 'live'", make = live },
+  "load case 'live', which this run takes, has no load and no gravity", "model:dynamic",
+  { more = "model:load { node = b, force = { 1, 0, 0 }, case = model:case 'live' }", make = live })
+local general = "local odd = hinge.section.general { area = 0.01, Ix = 1e-5, Iy = 1e-5, J = 1e-5, "
+  .. "size = { width = 0.1, depth = 0.1 }%s } model:member { c, joint(6, 0, 3), section = odd, material = steel }"
+suspicious("a section that never yields", { more = general:format "" }, "the section (general) of member 4 has no "
+  .. "plastic moduli, so that it never yields at its material's yield stress 2.45e+08 Pa", "section.general",
+  { more = general:format ", plastic = { Zx = 1e-4 }" })
 suspicious("a long member", { gravity = "{ 0, 0, -0.1 } local e, f = joint(0, 9, 0), joint(0, 400, 0) member(e, f) "
   .. "model:fix({ e, f })", make = "dynamic { dt = 'auto', duration = 1 }" },
   "member 4 is 391 m long, 13545 times its section's radius of gyration", "{e, f",
@@ -157,6 +192,14 @@ suspicious("a node nobody uses", { more = "joint(9, 0, 0) joint(9, 0, 1)" },
 suspicious("nodes in one place", { more = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f)" },
   "nodes 3 and 5 are both at {4, 0, 3} m, but not joined", "{8, 0, 3}",
   { more = "member(c, joint(8, 0, 3)) local e, f = joint(4.001, 0.01, 3), joint(4.1, 5, 3) member(e, f)" })
+local hanging = "local e, f = joint(%s, 0, 3), joint(8, 0, 3) member(e, f)"
+local joined = " model:connector { c, e, stiffness = { x = 1e6, y = 1e6, z = 1e6 } }"
+suspicious("nodes nearly in one place", { more = hanging:format "4.0005" },
+  "nodes 3 and 5 are 0.0005 m apart at {4.0005, 0, 3} m, but not joined", "4.0005", { more = hanging:format "4.01" })
+suspicious("nodes in one place that nothing joins", { more = hanging:format "4" }, "nodes 3 and 5 are both at",
+  "{8, 0, 3}", { more = hanging:format "4" .. joined })
+suspicious("nodes nearly in one place that nothing joins", { more = hanging:format "4.0005" }, "nodes 3 and 5 are",
+  "4.0005", { more = hanging:format "4.0005" .. joined })
 suspicious("one member twice", { more = "member(c, b)" }, "member 4 lies on member 2 over 4 m",
   "{c, b", { more = "member(c, a)" })
 suspicious("members on one line", { more = "member(b, joint(1, 0, 3))" }, "member 4 lies on member 2 over 1 m",

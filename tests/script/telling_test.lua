@@ -288,6 +288,34 @@ model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
   expect(failed and #failed == 1 and failed[1]:find("^static run 1"), "summary.json: failed_runs")
 end
 
+-- A failure points back at the units that were doubted.
+_, _, complaint = hinge_run((beam:gsub("206e9", "206e3")) .. "model:static { steps = 1 }:finish()\n")
+expect(support.says(complaint, "...hinge: the run failed: ...; the cause may be what the warning at scene.lua:6 says: "
+  .. "E is 206000 Pa (the material of member 1)\n"), "units: %s", complaint)
+_, _, complaint = hinge_run((beam:gsub("%-1000", "-1e9")) .. "model:static { to_limit = true }:finish()\n")
+expect(not complaint:find "the cause may be what the warning at scene.lua:6", "no units: %s", complaint)
+
+-- A history that is over where the run begins, for this one goes on in the time of the one before.
+do
+  local two = beam .. [[
+local rest = model:dynamic { dt = 1e-4, duration = 1e-2 }:finish()
+model:load { node = tip, force = { 0, 0, -10 }, history = { { 0, 1 }, { 5e-3, 0 } } }
+model:dynamic { from = rest, dt = 1e-4, duration = 1e-2 }:finish()
+]]
+  local wanted = "warning: the history of the load on node 2 changes from 0 to 0.005 s, and this run begins at 0.01 s, "
+    .. "where the run that it goes on from ended: all along it is 0 (scene.lua:9); times go on through runs; add 0.01 s"
+  _, _, complaint = hinge_run(two)
+  expect(complaint:find(wanted, 1, true) and select(2, complaint:gsub("warning: ", "")) == 1, "over: %s", complaint)
+  for what, history in pairs { ["in time"] = "{ { 0.01, 1 }, { 0.015, 0 } }",
+    ["half of it"] = "{ { 0, 1 }, { 0.02, 0 } }" } do
+    _, _, complaint = hinge_run((two:gsub("{ { 0, 1.-} }", history)))
+    equal(complaint, "", "a history " .. what)
+  end
+  -- what acted in the run before may be over
+  _, _, complaint = hinge_run((two:gsub("(local rest[^\n]*\n)(model:load[^\n]*\n)", "%2%1")))
+  equal(complaint, "", "a history that acted before")
+end
+
 -- A picture's title has no digits that nobody reads.
 status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
   .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
