@@ -120,6 +120,8 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     lua_pop(L, 1);
     if (request.verb != "cost") context->out_dir = request.out;  // runs that are only compared leave nothing
     context->progress = progress && !request.quiet && !request.json;
+    context->warns = context->progress;
+    context->tells_failures = false;  // the verdict is told by itself
     context->looks_over = progress;
     if (request.json) context->events = events_alone_on_stdout();
     context->sandbox = request.sandbox;

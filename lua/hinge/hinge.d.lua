@@ -997,7 +997,8 @@ function model:dynamic(options) end
 ---@field index integer steps done
 ---@field planned_steps integer
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way
+---why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way.
+---Plain Lua tells of a failed run on stderr when the script has ended, where it has read neither verdict nor reason
 ---@field reason string
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics

@@ -224,6 +224,7 @@ int fields(lua_State* L) {
     const std::string key = key_argument(L);
     const auto& r = *self<RunBox>(L, "run." + key).value;
     const Run& run = *r.run;
+    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->asked_how.insert(r.number);
     if (key == "time") lua_pushnumber(L, run.state().time);
     else if (key == "factor") lua_pushnumber(L, run.state().factor);
     else if (key == "index") lua_pushinteger(L, run.steps_done());

@@ -5,11 +5,24 @@ namespace hinge::script {
 namespace {
 
 const char context_key = 0;
+
+constexpr int most_told = 10;  ///< runs that failed
+
+/// Where nobody asked how a run went, it says so at the end.
+void tell_failures(const Context& c) {
+    int told = 0;
+    for (const auto& [number, text] : c.failed)
+        if (c.asked_how.count(number) == 0 && ++told <= most_told) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    if (told > most_told) std::fprintf(stderr, "hinge: %d more runs failed\n", told - most_told);
+}
+
 struct ContextBox {
     static constexpr const char* lua_name = "hinge.context";
     std::shared_ptr<Context> value;
     ~ContextBox() {  // the last run's rules hold the context, which holds the run
-        if (value) value->record = value->writer = nullptr;
+        if (!value) return;
+        if (value->tells_failures) tell_failures(*value);
+        value->record = value->writer = nullptr;
     }
 };
 

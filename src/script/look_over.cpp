@@ -28,7 +28,7 @@ void tell(Context& c, const Warning& w) {
     if (c.warned.size() >= most_kept || std::find(c.warned.begin(), c.warned.end(), text) != c.warned.end()) return;
     c.warned.push_back(text);
     write_event(c, "warning", {{"text", w.what}, {"advice", w.advice}, {"line", w.asked_at}, {"more", w.more}});
-    if (!c.progress || c.warnings_told >= most_lines) return;
+    if (!c.warns || c.warnings_told >= most_lines) return;
     if (++c.warnings_told < most_lines) std::fprintf(stderr, "warning: %s\n", text.c_str());
     else std::fprintf(stderr, "warning: and more than these %d; hinge check tells all\n", most_lines - 1);
 }

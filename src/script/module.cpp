@@ -1,4 +1,6 @@
 // The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
+#include <cstdlib>
+
 #include "script/checkpoint.h"
 #include "script/module.h"
 #include "script/places.h"
@@ -77,6 +79,7 @@ std::shared_ptr<Context> prepare(lua_State* L) {
     c->running = L;
     c->library = library_folder();
     c->picture_module = picture_module();
+    c->looks_over = c->warns = c->tells_failures = std::getenv("HINGE_QUIET") == nullptr;  // the program says otherwise
     set_library_folder(L, c->library + "/hinge/");
     lua_getglobal(L, "package");
     lua_getfield(L, -1, "path");

@@ -28,7 +28,9 @@ struct Context {
     std::vector<std::string> new_folders;        ///< it and those that it is in, as far as they were not there before
     std::string library;                         ///< folder of the Lua library
     std::string picture_module;                  ///< path of the output module
-    bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state, warnings
+    bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state
+    bool warns = false;                          ///< tell there of likely mistakes
+    bool tells_failures = false;                 ///< and at the end of runs that failed, where the script never asked
     std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
     bool looks_over = false;                     ///< look for likely mistakes in the models that are run
     std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
@@ -54,6 +56,7 @@ struct Context {
     int histories = 0;                                ///< kept by number so far
     int begun = 0;                                    ///< runs that have taken a step
     std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
+    std::set<int> asked_how;                          ///< runs of which the script has read how they went
     std::size_t unseen = 0;                           ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed

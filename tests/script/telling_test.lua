@@ -316,6 +316,34 @@ model:dynamic { from = rest, dt = 1e-4, duration = 1e-2 }:finish()
   equal(complaint, "", "a history that acted before")
 end
 
+-- Plain Lua: the same warnings and failures on stderr, nothing else there, and nothing of it where it is to be quiet.
+do
+  local function plain(text, before)
+    support.write(folder .. "/scene.lua", text)
+    return run(("cd %s && %s LUA_CPATH=%s/?.so lua5.4 scene.lua"):format(quote(folder), before or "env -u HINGE_QUIET",
+      quote(arg[1])))
+  end
+  local soft = beam:gsub("206e9", "1e9"):gsub("7850", "78.5e2") .. "model:static { steps = 1 }:finish()\n"
+  local doubted = soft:gsub("1e9", "0.9e9")
+  for text, wanted in pairs { [soft] = "", [doubted] = "warning: E is 9e+08 Pa (the material of member 1) "
+    .. "(scene.lua:6); in kN/m^2? in Pa that would be 9e+11\n" } do
+    status, printed, complaint = plain(text .. "print 'done'\n")
+    expect(status == 0 and printed == "done\n" and complaint == wanted, "plain Lua: %s %s %s", status, printed,
+      complaint)
+    _, _, complaint = plain(text, "HINGE_QUIET=1")
+    equal(complaint, "", "plain Lua, quiet")
+  end
+  local fails = beam:gsub("%-1000", "-1e9") .. "local run = model:static { steps = 2 }:finish()\n"
+  for after, told in pairs { [""] = true, ["print(run.factor)"] = true, ["print(run.verdict)"] = false,
+    ["if run.reason then end"] = false } do
+    status, _, complaint = plain(fails .. after)
+    expect(status == 0 and (complaint:find "hinge: static run 1, made at scene.lua:8, failed: " ~= nil) == told,
+      "plain Lua, a failed run, %s: %s", after, complaint)
+  end
+  _, _, complaint = plain(fails, "HINGE_QUIET=1")
+  equal(complaint, "", "plain Lua, a failed run, quiet")
+end
+
 -- A picture's title has no digits that nobody reads.
 status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
   .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
