@@ -117,8 +117,8 @@ LinearSolution linear_solution(const RunRecord& record, int most) {
     return solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
 }
 
-/// The longest natural period of a body that supports hold, s; 0 where nobody knows. Not looked for where dt is shorter
-/// than an axial wave's way through the longest member: no period of a frame is so short.
+/// The longest natural period of a body that supports hold, s; 0 where nobody knows. Not looked for where few_steps
+/// of dt are shorter than an axial wave's way through the longest member and back: no period of a frame is so short.
 double longest_period(const Structure& s, const std::vector<Piece>& bodies, const AddedToModes& added, double dt,
                       int most) {
     double longest = 0, wave = 0;
