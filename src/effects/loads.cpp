@@ -61,6 +61,7 @@ public:
         }
         if (jumped) {
             found_anew_ = true;
+            if (w_.kind.explicit_steps) leave_jump(step.dt);
             return host_.accelerations_anew();
         }
         ask(step.end());
@@ -70,6 +71,7 @@ public:
     void restart_ends() override {
         if (!found_anew_) return;
         begun_ = true, found_anew_ = false;
+        if (!left_.empty()) arrive_from_jump();
         for (Loaded& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.begin;
     }
@@ -81,7 +83,7 @@ public:
 
     /// By the trapezium rule.
     void add_up(const Step&, Accounts& sums) const override {
-        double work = 0;
+        double work = of_jumps_;
         for (const Loaded& l : loaded_) {
             const Vec6 mean = 0.5 * (l.now + l.before);
             work += mean.head<3>().dot(w_.trial.displacement[l.node] - w_.state.displacement[l.node]) +
@@ -93,6 +95,7 @@ public:
     void keep(const Step&) override {
         for (Loaded& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.end;
+        of_jumps_ = 0;
         keep_asked();
     }
 
@@ -165,6 +168,20 @@ private:
         }
         return jumped;
     }
+    /// The kinetic energy of explicit steps, by the trapezium rule for the velocities, is ahead of the work by dt^2/8 a
+    /// M a wherever a step ends. It goes away again as the acceleration does, but where the acceleration is found anew
+    /// it stays: dt^2/8 (F1 - F2) (a1 + a2) belongs to the work of a jump from F1 to F2.
+    void leave_jump(double dt) {
+        left_.clear();
+        left_by_ = dt * dt / 8;
+        for (const Loaded& l : loaded_) left_.push_back(w_.state.acceleration[l.node]);
+    }
+    void arrive_from_jump() {
+        for (std::size_t i = 0; i < loaded_.size(); ++i)
+            of_jumps_ += left_by_ * (loaded_[i].before - loaded_[i].now)
+                                        .dot(left_[i] + w_.state.acceleration[loaded_[i].node]);
+        left_.clear();
+    }
     /// Only nodes with loads change.
     void act(double t, Vec6 Asked::*said, double StepFactor::*of_step) {
         for (Loaded& l : loaded_) l.now.setZero();
@@ -188,7 +205,10 @@ private:
     std::map<std::size_t, Asked> asked_;         ///< of the loads that are functions of the state
     std::map<std::size_t, StepFactor> jumping_;  ///< of the loads whose history may jump within a step
     std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
-    bool begun_ = false;                         ///< the functions were asked where the run begins
+    std::vector<Vec6> left_;  ///< explicit steps, while a jump is taken: of loaded_, the acceleration before it
+    double left_by_ = 0;      ///< s^2, dt^2/8 of the step
+    double of_jumps_ = 0;     ///< J, to be added to the work of the step
+    bool begun_ = false;      ///< the functions were asked where the run begins
     bool found_anew_ = false;                    ///< with what they gave there the acceleration is being found
 };
 

@@ -159,6 +159,17 @@ for name, pulse in pairs(pulses) do
   end
 end
 
+-- Explicit steps: what a jump leaves between energy and work is taken up, as large as the pulse is short.
+for _, steps in ipairs { 1.5, 2.1, 2.5, 2.7, 3.5, 4.5 } do
+  local dt = 8e-6
+  local run, momentum, energy = flying({ { 0, 0 }, { steps * dt / 2, 1 }, { steps * dt, 0 } },
+    { dt = dt, integrator = "explicit" })
+  local what = ("a triangle of %g explicit steps"):format(steps)
+  near(momentum, P * steps * dt / 2, 1e-9 * P * dt, what .. ": momentum")
+  expect(energy.work > 0 and math.abs(run.energy_error) <= 2e-3, "%s: energy error %g of the largest energy", what,
+    run.energy_error)
+end
+
 do -- a checkpoint where a jump is still to come, and a step that is taken back over one
   local function struck(options)
     local model, _, tip = cantilever {}
