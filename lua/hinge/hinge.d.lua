@@ -57,10 +57,11 @@ function hinge.model(options) end
 ---where the axial force of an element acts in large displacement. member (default): on the element's chord, and on the
 ---bending of each pair of elements between its ends, by the stability functions of the exact beam-column
 ---(src/beam/beam_column.h). Elastic columns buckle at Euler's load to 0.1 % with two elements. One that is clamped at
----both ends and cannot sway needs four to bend out; statics counts that load with two, too. chord: on the chord alone,
----as in the paper. Two elements a member then carry too much in compression: a pinned column 2.27 times Euler's load, a
----clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation asi-gauss,
----displacement large and shift plastic; without them the default is chord
+---both ends and cannot sway needs four to bend out; statics counts that load with two, too, dynamics warns of it. What
+---its compression adds to the moments of loads along it (0.7 N / N_clamped at first) takes four, too. chord: on the
+---chord alone, as in the paper. Two elements a member then carry too much in compression: a pinned column 2.27 times
+---Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation
+---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
@@ -860,8 +861,11 @@ function model:counts() end
 ---at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is pressed beyond Euler's load between
 ---clamped ends cannot bend out; it counts as unstable. Under load control an elastic step that took many iterations is
 ---taken back as a trial. One that does not lead back has leapt over a snap, and the run ends before it; take several
----steps all the same, for no trial finds every leap. Beams turn over sideways, too. They resist it by bending and
----torsion (G J) alone: not by warping, and nothing but what the model has, such as a floor, holds them.
+---steps all the same, for no trial finds every leap. In large displacement a plateau of plastic hinges, after which the
+---structure carries more again, is stopped at or passed over as the steps fall: run.warnings says where one may have
+---been passed. displacement = "small" gives a plastic limit load whatever the steps. Beams turn over sideways, too.
+---They resist it by bending and torsion (G J) alone: not by warping, and nothing but what the model has, such as a
+---floor, holds them.
 ---```lua
 ---local rest = model:static():finish()
 ---local pushed = model:static { control = { node = tip, "uz", to = -0.1 }, steps = 20 }:finish() -- down by 0.1 m
@@ -872,17 +876,22 @@ function model:counts() end
 function model:static(options) end
 
 ---@class hinge.static_options
----default 10; of arc length at most so many. A step that finds no equilibrium is halved, down to 1e-5 of the whole way,
----and is still one step to run:steps(), run.index and history.csv; a limit load may cut the last one short. A try in
----which Newton's method no longer gets anywhere is given up before its last iteration
+---default 10; of arc length at most so many, and run.reason says where they do not come to its load factor. A step that
+---finds no equilibrium is halved, down to 1e-5 of the whole way, and is still one step to run:steps(), run.index and
+---history.csv; a limit load may cut the last one short. A try in which Newton's method no longer gets anywhere is given
+---up before its last iteration
 ---@field steps? integer
----equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad). Driven, a step that
+---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad). Arc length goes past
+---limit loads, the load factor falling or rising as the path does; it ends where the factor comes to 1, or to another
+---one, as { "arc", to = 2 }, by a last step of load that lands there. Driven, a step that
 ---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
 ---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so
----@field control? "load"|"arc"|{ node: hinge.node, [1]: hinge.component, to: number }
+---@field control? "load"|"arc"|{ node?: hinge.node, [1]: hinge.component|"arc", to: number }
 ---load control where the structure has become unstable (large displacement). fail (default): the run ends, with the
----last equilibrium that can be held as its state. continue: it goes on, run.instability tells
----A step that leaps over a whole snap at once, at many times the limit load, may still go unnoticed: take short ones
+---last equilibrium that can be held as its state. continue: it goes on; run.instability tells where it has gone on
+---from, run.reason whether its state at the end can be held, run.warnings where it may have leapt to another branch.
+---Which branch it comes to is a matter of its steps. A step that leaps over a whole snap at once, at many times the
+---limit load, may still go unnoticed: take short ones
 ---@field unstable? "fail"|"continue"
 ---load control up to the limit load: a run that ends where no further equilibrium is found, or where the structure
 ---becomes unstable, then has the verdict "completed" and run.limit = true; run.factor is that of the limit load.
@@ -997,9 +1006,16 @@ function model:dynamic(options) end
 ---@field index integer steps done
 ---@field planned_steps integer
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way.
+---why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way,
+---with unstable = "continue" whether the state at the end can be held, and that arc length has not come to its factor.
 ---Plain Lua tells of a failed run on stderr when the script has ended, where it has read neither verdict nor reason
 ---@field reason string
+---what the run cannot show, or may have passed over, each once: a member of two elements that is compressed beyond
+---Euler's load between clamped ends (dynamics; in statics that is an instability), or moments of loads along it that
+---are more than 5 % too small for its compression (p_delta = "member"), which four elements show; a step of static load
+---that moves the structure more than 30 times as far as such a load did at first. Dynamics looks every 100 steps, or 20
+---times in a short run, and at the end. `hinge run` tells them; they are in summary.json
+---@field warnings string[]
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
 ---in statics: whether the run has ended at a limit load, see to_limit; nil in dynamics
@@ -1156,7 +1172,9 @@ function run:stop() end
 ---@return hinge.run
 function run:on_step(callback) end
 
----Records one quantity of a node at every step, and in history.csv. Ask before the first step.
+---Records one quantity of a node at every step, and in history.csv. Ask before the first step. The first value is that
+---where the run begins. A reaction there: what holds the supports under the loads of that moment, with their part of
+---the mass of what accelerates at once; where statics begins, under a load factor of 0.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---local sag = swing:probe { node = tip, "uz", name = "sag" }

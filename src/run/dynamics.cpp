@@ -5,6 +5,7 @@
 
 #include "algebra/stable_step.h"
 #include "core/errors.h"
+#include "core/text.h"
 #include "run/central_differences.h"
 #include "run/energy_momentum.h"
 #include "run/newmark.h"
@@ -16,11 +17,23 @@ namespace {
 /// explicit steps come to while they hold, and else.
 constexpr double much_missed = 0.1, some_missed = 0.02;
 constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step control
+constexpr double far_bent = 0.5;       ///< rad: of an element, elastically
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
 RunKind kind_of(const DynamicSettings& s) {
     return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving, s.dt};
+}
+
+/// By how much the element that is bent most is bent elastically, rad.
+double most_bent(const Structure& structure, const State& state) {
+    double most = 0;
+    for (std::size_t i = 0; structure.large() && i < structure.elements().size(); ++i) {
+        if (state.broken[i]) continue;
+        const Vec6 d = element_deformation(structure, int(i), state) - state.plastic[i];
+        most = std::max({most, std::abs(d[1] - d[0]), std::abs(d[3] - d[2])});
+    }
+    return most;
 }
 
 }  // namespace
@@ -74,6 +87,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const auto& e : effects_)
         if (e->sleeps()) sleepers_.emplace_back();
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
+    add_inertia_to_reactions();
 }
 
 /// A step for what effects add to the elements: a chosen one is shortened, too long an explicit one refused. Elements'
@@ -262,7 +276,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
         Vec6& r = reaction_[n];
         r.setZero();
         for (int c = 0; c < 6; ++c)
-            if (state_.held[n] >> c & 1) r[c] = -out_of_balance[n][c], out_of_balance[n][c] = 0;
+            if (state_.held[n] >> c & 1) r[c] = 0 - out_of_balance[n][c], out_of_balance[n][c] = 0;
     }
     mass.solve(out_of_balance, state_.acceleration, state_, 1e-12);
     w_.yielding.clear();
@@ -270,6 +284,24 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     for (const auto& e : effects_) e->restart_ends();
     prescribe();
     if (w_.scheme.alpha != 0) w_.weighted = state_.acceleration;
+}
+
+/// Reactions where the run begins: what holds the supports' share of the mass of elements that accelerate at once. In
+/// explicit steps a support has no such share. Effects have found what they need in them without it.
+void Dynamics::add_inertia_to_reactions() {
+    const auto moves = [](const Vec6& a) { return !a.isZero(0); };
+    if (explicit_steps() || std::none_of(state_.acceleration.begin(), state_.acceleration.end(), moves)) return;
+    Sweep sweep(*structure_, pool_, true);
+    sweep.take_up(state_);
+    Pose pose = pose_of(state_);
+    std::vector<Vec6> with(pose.displacement.size(), Vec6::Zero()), without = with, force = state_.force;
+    std::vector<Yielding> yielding;
+    sweep.run(state_, pose, with, force, yielding);
+    for (Vec6& a : pose.acceleration) a.setZero();
+    sweep.run(state_, pose, without, force, yielding);
+    for (int n : w_.supported)
+        for (int c = 0; c < 6; ++c)
+            if (state_.held[n] >> c & 1) reaction_[n][c] += with[n][c] - without[n][c];
 }
 
 ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
@@ -358,6 +390,7 @@ bool Dynamics::advance() {
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
     guard();
+    look_at_pairs();
     return verdict_ != Verdict::failed;
 }
 
@@ -473,6 +506,11 @@ std::string Dynamics::remedies() const {
         newmark && structure_->large() && structure_->model().options().shift != Shift::whole &&
         std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->takes_mean_forces(); });
     std::vector<const char*> list;
+    // far bent, shorter steps do not hold either, nor does the energy-momentum method with so few elements
+    if (most_bent(*structure_, state_) > far_bent) {
+        if (may_conserve) return "more elements a member together with integrator = 'energy-momentum'";
+        list.push_back("more elements a member");
+    }
     if (integrator_->remedy) list.push_back(integrator_->remedy);
     list.push_back(finest ? "a larger step_control" : "a shorter dt");
     if (!finest && !settings_.conserving && !settings_.chosen) list.push_back("dt = 'auto'");
@@ -484,6 +522,33 @@ std::string Dynamics::remedies() const {
     for (std::size_t i = 0; i < list.size(); ++i)
         text += (i == 0 ? "" : i + 1 == list.size() ? " or " : ", ") + std::string(list[i]);
     return text;
+}
+
+/// Now and then, and at the end: whether a pair is pressed beyond what two elements can show.
+void Dynamics::look_at_pairs() {
+    constexpr long looks = 20, most_between = 100;
+    if (verdict_ == Verdict::failed || !structure_->large()) return;
+    const long steps = size_.whole() / size_.own_length();
+    if (verdict_ == Verdict::running && steps_done() % std::clamp(steps / looks, 1L, most_between) != 0) return;
+    const std::string where = "at t = " + number_text(state_.time, 4) + " s";
+    warn(pairs_.beyond_euler(*structure_, state_, where));
+    // F on a middle node, and what loads between nodes pass on to it: the jump that they make in the shear forces
+    const auto load_on = [this](int node) -> Vec3 {
+        double jump[2] = {0, 0};
+        const auto at = structure_->elements_at(node);
+        for (int i : at) {
+            const Element& e = structure_->elements()[i];
+            const double side = e.node[1] == node ? 1 : -1;
+            const SectionForces whole = section_forces(i, side);
+            const Vec6& p = state_.force[i];
+            jump[0] -= side * (whole.Qx + (p[2] + p[3]) / e.length);
+            jump[1] -= side * (whole.Qy - (p[0] + p[1]) / e.length);
+        }
+        const Mat3 axes = axes_of(place_element(*structure_, at[0], state_));
+        return w_.external[node].head<3>() + jump[0] * axes.col(0) + jump[1] * axes.col(1);
+    };
+    warn(pairs_.missed_moments(
+        *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
 }
 
 /// After a step that went well, or one that failed: whether the energy balance still closes.

@@ -76,6 +76,8 @@ private:
     std::string remedies() const;
     double energy_may_miss() const;
     void guard();
+    void look_at_pairs();
+    void add_inertia_to_reactions();
     void find_acceleration(std::vector<Vec6>& out_of_balance);
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();

@@ -1,6 +1,7 @@
 #include "run/run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/rotation.h"
 
@@ -77,6 +78,10 @@ void Run::fail(std::string why) {
     reason_ = std::move(why);
 }
 
+void Run::warn(std::optional<RunWarning> warning) {
+    if (warning) warnings_.push_back(std::move(*warning));
+}
+
 Vec6 Run::displacement(int node) const {
     Vec6 d;
     d.head<3>() = state_.displacement[node];
@@ -102,6 +107,11 @@ SectionForces Run::section_forces(int element, double side) const {
                          p[5], -(p[2] + p[3]) / e.length,         (p[0] + p[1]) / e.length};
     for (const auto& effect : effects_) effect->add_section_forces(element, side, forces);
     return forces;
+}
+
+Eigen::Vector2d Run::largest_moment(int element) const {
+    const SectionForces a = section_forces(element, -1), b = section_forces(element, 1);
+    return {std::max(std::abs(a.Mx), std::abs(b.Mx)), std::max(std::abs(a.My), std::abs(b.My))};
 }
 
 double Run::yield_value(int element) const {

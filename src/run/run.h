@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "effects/all_effects.h"
+#include "run/pressed_pairs.h"
 
 namespace hinge {
 
@@ -54,6 +55,8 @@ public:
         }
     };
     const std::vector<Waking>& wakings() const { return wakings_; }
+    /// What it cannot show, or may have passed over; each once.
+    const std::vector<RunWarning>& warnings() const { return warnings_; }
     long breaks() const { return breaks_; }  ///< elements that broke in this run
     long steps_done() const { return state_.step - first_step_; }
     long element_updates() const { return sweep_.updates(); }
@@ -73,6 +76,8 @@ public:
 
 protected:
     void fail(std::string why);
+    void warn(std::optional<RunWarning> warning);
+    Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
     Blocks blocks_at(const Places& at, double of_damping) const;
 
@@ -93,7 +98,8 @@ protected:
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_);
+        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_,
+          s.warnings_, s.pairs_);
     }
 
     std::shared_ptr<const Structure> structure_;
@@ -108,6 +114,8 @@ protected:
     Accounts at_start_;   ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
     std::vector<Waking> wakings_;
+    std::vector<RunWarning> warnings_;
+    PressedPairs pairs_;
     std::string reason_;
     long first_step_, breaks_ = 0;
 };

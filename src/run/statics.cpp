@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <map>
 
 #include "algebra/modes.h"
 #include "core/errors.h"
@@ -76,6 +74,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     effective_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
+    take_reactions(0);
     refuse_mechanism();
     if (structure_->large()) modes_at_start_ = most_modes_ = most_free_modes_ = effective_->negative_modes();
     const bool moments =
@@ -240,18 +239,14 @@ int Statics::negative_modes() {
 /// four times Euler's load of the pair on. The tangent does not show it, so that it is counted here (as in Wittrick and
 /// Williams, Q. J. Mech. Appl. Math. 24, 1971). Two elements have it in one member, four or more between its nodes.
 int Statics::modes_within_pairs() {
-    constexpr double clamped = std::numbers::pi * std::numbers::pi;  // N l^2 / EI, l: of one element
     int modes = 0;
     double worst = 1;
     pressed_ = -1;
     for (std::size_t i = 0; i + 1 < structure_->elements().size(); i += 2) {
-        const Element& e = structure_->elements()[i];
-        if (e.partner != int(i) + 1 || state_.broken[i] || state_.broken[i + 1] || structure_->conventional()) continue;
-        const double pressed = -0.5 * (w_.force[i][4] + w_.force[i + 1][4]) * e.length * e.length / clamped;
-        for (double EI : {e.rigidity.EIx, e.rigidity.EIy}) {
-            if (!(pressed > EI)) continue;
+        for (const double part : pressed(*structure_, state_, w_.force, int(i)).part) {
+            if (!(part > 1)) continue;
             ++modes;
-            if (pressed / EI > worst) worst = pressed / EI, pressed_ = e.member;
+            if (part > worst) worst = part, pressed_ = structure_->elements()[i].member;
         }
     }
     return modes;
@@ -398,6 +393,14 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
     return Outcome::diverged;
 }
 
+void Statics::take_reactions(double factor) {
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+        if (!held_[i]) continue;
+        Vec6& r = reaction_[int(i)];
+        for (int c = 0; c < 6; ++c) r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - load_at(i, factor)[c] : 0;
+    }
+}
+
 void Statics::commit(double before) {
     const Step step{state_.time, 0, false, 0, {}, {}};
     double& work = state_.accumulated["work"];
@@ -409,12 +412,8 @@ void Statics::commit(double before) {
                 (potential_[i].head<3>().dot(du) + potential_[i].tail<3>().dot(w_.rotation_step[i]));
         if (!held_loads_.empty())
             work += held_loads_[i].head<3>().dot(du) + held_loads_[i].tail<3>().dot(w_.rotation_step[i]);
-        if (held_[i]) {
-            Vec6& r = reaction_[int(i)];
-            for (int c = 0; c < 6; ++c)
-                r[c] = held_[i] >> c & 1 ? w_.resisting[i][c] - load_at(i, trial_factor_)[c] : 0;
-        }
     }
+    take_reactions(trial_factor_);
     for (const auto& e : effects_) e->add_up(step, state_.accumulated);
     for (const auto& e : effects_) e->keep(step);
     state_.displacement = w_.trial.displacement;
@@ -449,7 +448,7 @@ int Statics::modes_under_control() {
 /// load control one that can, but that Newton's iteration came to by way of tangents that cannot, may lie beyond a
 /// snap: that is none.
 Statics::Found Statics::try_step(double increment) {
-    wavered_ = false;
+    wavered_ = doubtful_ = false;
     if (on_try) on_try();
     if (equilibrate(increment, true) != Outcome::converged &&
         (hinges_.empty() || stiffening_ > 0 || equilibrate(increment, false) != Outcome::converged))
@@ -457,9 +456,8 @@ Statics::Found Statics::try_step(double increment) {
     modes_ = negative_modes();
     free_modes_ = modes_under_control();
     if (modes_ > modes_at_start_) return Found::unstable;
-    const bool in_doubt =
-        settings_.control == Control::load && !settings_.past_unstable && (wavered_ || !leads_back(increment));
-    return in_doubt ? Found::nothing : Found::stable;
+    doubtful_ = settings_.control == Control::load && (wavered_ || !leads_back(increment));
+    return doubtful_ && !settings_.past_unstable ? Found::nothing : Found::stable;
 }
 
 /// Whether an elastic structure comes back to where it was when the load of the step that was tried is taken off again.
@@ -554,7 +552,8 @@ void Statics::end_at_limit(const std::string& why, const std::string& advice) {
 double Statics::softness() const { return std::sqrt(dot(response_, response_)); }
 
 double Statics::part_done() const {
-    return settings_.control == Control::arc            ? double(steps_done()) / settings_.steps
+    const double arcs = double(steps_done()) / settings_.steps;
+    return settings_.control == Control::arc ? at_target_ ? 1 : std::max(arcs, state_.factor / settings_.target)
            : settings_.control == Control::displacement ? progress_
                                                         : state_.factor;
 }
@@ -564,7 +563,8 @@ bool Statics::advance() {
     // the way still to go: to factor 1, to the target, or the steps allowed
     const bool arc = settings_.control == Control::arc;
     const auto done = [&] { return settings_.control == Control::displacement ? progress_ : state_.factor; };
-    const auto over = [&] { return arc ? steps_done() >= settings_.steps : done() >= 1 - 1e-12; };
+    const bool ends_at_limit = settings_.control == Control::load && !settings_.past_unstable;
+    const auto over = [&] { return arc ? at_target_ || steps_done() >= settings_.steps : done() >= 1 - 1e-12; };
     if (over()) {
         verdict_ = Verdict::completed;
         return false;
@@ -604,6 +604,17 @@ bool Statics::advance() {
             if (arc) arc_scale_ = left = increment;
         }
         if (verdict_ != Verdict::running) break;
+        if (arc && passes_target()) {  // the last part is a step of load
+            const double way = settings_.target - state_.factor;
+            const auto as = [&](Control control, double part) {
+                settings_.control = control;
+                last_move_ = arrived_by;
+                return try_step(part) != Found::nothing;
+            };
+            at_target_ = as(Control::load, way);
+            if (at_target_) increment = left = way;
+            else as(Control::arc, increment);  // it goes on, and may come by once more
+        }
         if (settings_.control == Control::displacement && free_modes_ > most_free_modes_) {
             most_free_modes_ = free_modes_;
             if (!branching_) branching_ = state_.factor;
@@ -612,7 +623,7 @@ bool Statics::advance() {
             const bool first = !instability_;
             const double stable = first ? locate(increment, arrived_by) : increment;
             most_modes_ = modes;
-            if (settings_.control == Control::load && !settings_.past_unstable) {
+            if (ends_at_limit) {
                 if (stable > 0 && try_step(stable) == Found::stable) commit(before);
                 end_at_limit(
                     instability_text(),
@@ -623,8 +634,10 @@ bool Statics::advance() {
             }
             instability_->count = modes - modes_at_start_;
         }
+        if (!arc) note_leap(increment, before);
         commit(before);
         progress_ += increment;
+        if (at_target_) settings_.control = Control::arc;
         left = increment == left ? 0 : left - increment;
         if (arc)
             arc_scale_ = std::min(arc_scale_ * std::clamp(std::sqrt(5.0 / converged_in_), 0.5, 1.5),
@@ -635,10 +648,9 @@ bool Statics::advance() {
     ++state_.step;
     if (verdict_ == Verdict::running && over()) {
         verdict_ = Verdict::completed;
-        if (branching_)
-            reason_ = "beyond a branching point at load factor " + number_text(*branching_) +
-                      ": these equilibria cannot be held, not even where they are driven";
+        tell_end();
     }
+    if (verdict_ != Verdict::failed) look_at_pairs();
     return true;
 }
 

@@ -17,7 +17,7 @@ struct StaticSettings {
         10;  ///< load control: equal steps to factor 1; arc: at most so many; displacement: equal steps to `target`
     Control control = Control::load;
     int node = -1, component = 0;  ///< displacement control: what is driven (0..5: ux uy uz rx ry rz)
-    double target = 0;             ///< its value at the end, m or rad
+    double target = 1;             ///< displacement: its value at the end, m or rad; arc: the load factor there
     int iterations = 30;           ///< Newton iterations before a step is halved
     double tolerance =
         1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
@@ -76,7 +76,12 @@ private:
     enum class Found { nothing, stable, unstable };
     Found try_step(double increment);
     bool past_exchange(double increment);
-    void commit(double factor);
+    void commit(double before);
+    void take_reactions(double factor);
+    void note_leap(double increment, double before);
+    void look_at_pairs();
+    void tell_end();
+    bool passes_target() const;
     void refuse_mechanism();
     std::string loosely_held_body(int node) const;
     void refuse_idle_loads() const;
@@ -106,6 +111,9 @@ private:
     std::optional<double> branching_;  ///< load factor where displacement control can no longer hold it
     long substeps_ = 0, rejected_ = 0;
     bool limit_ = false;
+    bool at_target_ = false;  ///< arc length has come to its load factor
+    bool leap_told_ = false;
+    bool doubtful_ = false;          ///< the step that was tried may have leapt over a snap
     bool wavered_ = false;           ///< a tangent on the way of Newton's iteration had more
     bool tangent_known_ = false;     ///< what is factorised is the tangent where the state is
     bool tangent_of_trial_ = false;  ///< or where the step that was tried has arrived

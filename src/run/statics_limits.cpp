@@ -83,6 +83,69 @@ std::string Statics::instability_text() const {
     return text;
 }
 
+/// Control by arc length: whether the step that was tried has come to the load factor where the run ends, or past it.
+bool Statics::passes_target() const {
+    const double to = settings_.target;
+    return (state_.factor < to && trial_factor_ >= to) || (state_.factor > to && trial_factor_ <= to);
+}
+
+/// A step of load that moves the structure many times as far as such a load did at first has come past a plateau or a
+/// snap: whether a run stops there, is a matter of its steps. So it is where Newton's iteration has come by tangents
+/// that cannot be held, and the run goes on all the same.
+void Statics::note_leap(double increment, double before) {
+    constexpr double far = 30, seen = 3e-3;  // times as at first, of the structure's size
+    if (leap_told_ || settings_.control != Control::load || !structure_->large()) return;
+    std::size_t node = 0;
+    int component = 0;
+    double most = 0, square = 0;
+    for (std::size_t i = 0; i < last_move_.size(); ++i) {
+        square += last_move_[i].head<3>().squaredNorm();
+        for (int c = 0; c < 3; ++c)
+            if (const double size = std::abs(last_move_[i][c]); size > most) most = size, node = i, component = c;
+    }
+    const double times = std::sqrt(square) / (increment * first_softness_);
+    const bool leap = times > far && most > seen * reach_;
+    if (!leap && !doubtful_) return;
+    leap_told_ = true;
+    std::string what = "between load factors " + number_text(before) + " and " + number_text(trial_factor_) + " ";
+    what += leap ? component_name(component) + (" of " + structure_->node_name(int(node))) + " changes by " +
+                       number_text(last_move_[node][component], 3) + " m, and the structure moves " +
+                       number_text(std::round(times), 9) + " times as far as under such a load at first"
+                 : std::string("the run may have leapt to another branch of equilibria");
+    const bool plastic = !hinges_.empty() || !w_.yielding.empty();
+    const std::string advice =
+        "a limit load may lie there, or a snap, at which a static run with other steps may end; control by "
+        "displacement "
+        "or arc length follows the path";
+    warn(RunWarning{
+        what, advice + (plastic ? ", displacement = 'small' gives the plastic limit load whatever the steps" : ""),
+        -1});
+}
+
+/// What is to be said of a run that has completed.
+void Statics::tell_end() {
+    if (branching_)
+        reason_ = "beyond a branching point at load factor " + number_text(*branching_) +
+                  ": these equilibria cannot be held, not even where they are driven";
+    else if (settings_.control == Control::arc && !at_target_)
+        reason_ = count_text(settings_.steps, "step") + " of arc length " + (settings_.steps == 1 ? "has" : "have") +
+                  " not come to load factor " + number_text(settings_.target) + ": it is " + number_text(state_.factor);
+    else if (settings_.past_unstable && instability_)
+        reason_ = "the run went on past load factor " + number_text(instability_->factor) +
+                  ", where the structure becomes unstable; its state at the end " +
+                  (modes_ > modes_at_start_
+                       ? "cannot be held: there are " + count_text(modes_ - modes_at_start_, "way") +
+                             " to move that nothing resists"
+                       : std::string("can be held, but another may be the one that the structure goes to"));
+}
+
+/// Where a step has ended: whether a pair is pressed so much that moments of loads along it are missed.
+void Statics::look_at_pairs() {
+    warn(pairs_.missed_moments(
+        *structure_, state_, [this](int node) -> Vec3 { return load_at(std::size_t(node), state_.factor).head<3>(); },
+        [this](int element) { return largest_moment(element); }, "at load factor " + number_text(state_.factor)));
+}
+
 /// Where the last try was given up: the node that the loads move most, if that is far more than they did at first, and
 /// the members with plastic hinges there. "" where the structure is as stiff as ever.
 std::string Statics::limit_point() const {

@@ -247,7 +247,12 @@ int fields(lua_State* L) {
                            return std::string(t);
                        }()
                            .c_str());
-    else if (key == "contacts") {
+    else if (key == "warnings") {
+        lua_newtable(L);
+        int i = 0;
+        for (const RunWarning& w : run.warnings())
+            lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
+    } else if (key == "contacts") {
         lua_createtable(L, 0, 2);
         lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0),
             lua_setfield(L, -2, "bound");
@@ -400,7 +405,7 @@ void open_run(lua_State* L) {
                                       "verdict", "reason",       "energy",       "worst_remainder", "contacts",
                                       "stages",  "effects",      "wall_seconds", "fastest",         "dt",
                                       "hash",    "counts",       "wakings",      "probes",          "instability",
-                                      "limit",   "energy_error", "loads"});
+                                      "limit",   "energy_error", "loads",        "warnings"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

@@ -163,6 +163,47 @@ int record_every(Options& o, int usual) {
     return none ? 0 : o.integer("record", 1, usual);
 }
 
+/// What leads the way of a static run.
+void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, StaticSettings& s) {
+    const char* allowed = "must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", to = }";
+    const int type = o.push_field("control");
+    if (type == LUA_TSTRING) {
+        const std::string word = lua_tostring(L, -1);
+        if (word == "arc") s.control = Control::arc;
+        else if (word != "load") o.complain("control", "'" + word + "'", allowed + did_you_mean(word, {"load", "arc"}));
+    } else if (type == LUA_TTABLE) {
+        Options c(L, -1, "model:static, control");
+        c.push_item(1);
+        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+        if (component == "arc") {
+            s.control = Control::arc;
+            s.target = c.number("to", "", Range::any);
+            if (s.target == 0) c.complain("to", "0", "must differ from 0, the load factor where the run begins");
+            c.finish(1);
+            return lua_pop(L, 2);
+        }
+        s.control = Control::displacement;
+        c.push_field("node");
+        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
+        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
+        const auto at = std::find(names.begin(), names.end(), component);
+        if (at == names.end())
+            throw InputError("model:static, control: component is " + show(L, -2) +
+                             "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
+        lua_pop(L, 2);
+        s.component = int(at - names.begin());
+        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
+        if (s.target == 0) c.complain("to", "0", "must differ from 0");
+        c.finish(1);
+        if (m->nodes()[s.node].fixed >> s.component & 1)
+            throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) +
+                             " is fixed by a support and cannot be driven");
+    } else if (type != LUA_TNIL) {
+        o.complain("control", show(L, -1), allowed);
+    }
+    lua_pop(L, 1);
+}
+
 }  // namespace
 
 int static_run(lua_State* L) {
@@ -177,37 +218,7 @@ int static_run(lua_State* L) {
     s.steps = o.integer("steps", 1, 10);
     s.iterations = o.integer("iterations", 2, s.iterations);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
-    const int type = o.push_field("control");
-    if (type == LUA_TSTRING) {
-        const std::string word = lua_tostring(L, -1);
-        if (word == "arc") s.control = Control::arc;
-        else if (word != "load")
-            o.complain("control", "'" + word + "'",
-                       "must be 'load', 'arc', or { node =, \"ux\", to = }" + did_you_mean(word, {"load", "arc"}));
-    } else if (type == LUA_TTABLE) {
-        Options c(L, -1, "model:static, control");
-        s.control = Control::displacement;
-        c.push_field("node");
-        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
-        c.push_item(1);
-        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
-        const auto at = std::find(names.begin(), names.end(), component);
-        if (at == names.end())
-            throw InputError("model:static, control: component is " + show(L, -1) +
-                             "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
-        lua_pop(L, 2);
-        s.component = int(at - names.begin());
-        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
-        if (s.target == 0) c.complain("to", "0", "must differ from 0");
-        c.finish(1);
-        if (m->nodes()[s.node].fixed >> s.component & 1)
-            throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) +
-                             " is fixed by a support and cannot be driven");
-    } else if (type != LUA_TNIL) {
-        o.complain("control", show(L, -1), "must be 'load', 'arc', or { node =, \"ux\", to = }");
-    }
-    lua_pop(L, 1);
+    read_control(L, o, m, s);
     s.past_unstable = o.word("unstable", {"fail", "continue"}, "fail") == "continue";
     s.to_limit = o.flag("to_limit", false);
     if (s.control != Control::load)

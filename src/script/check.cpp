@@ -165,6 +165,11 @@ std::string warning_text(const Warning& d) {
     return d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice;
 }
 
+Warning warning_of(const Run& run, const RunWarning& w) {
+    const Model& model = run.structure().model();
+    return {w.what, w.advice, w.member < 0 ? "" : model.asked_at("member " + std::to_string(w.member + 1))};
+}
+
 std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads) {
     const Structure& s = record.run->structure();
     const bool impact = !s.model().asked_at("contact").empty() || !s.model().asked_at("ground").empty();

@@ -27,6 +27,9 @@ std::vector<std::pair<int, int>> joined_by_connectors(const Model& model);
 /// "what (line, and 3 more like it); advice"
 std::string warning_text(const Warning& d);
 
+/// What a run says of itself, with the line of the member that it speaks of.
+Warning warning_of(const Run& run, const RunWarning& w);
+
 /// Tells of a likely mistake, once.
 void tell(Context& c, const Warning& w);
 

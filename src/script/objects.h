@@ -180,7 +180,7 @@ struct RunRecord : Recorded {
     std::vector<LuaFunction> on_step;  ///< called after each step
     std::chrono::steady_clock::time_point start, last_progress, last_write;
     int number = 0;  ///< of the program's runs that have begun, from 1
-    std::size_t wakings_seen = 0;
+    std::size_t wakings_seen = 0, warnings_seen = 0;
     struct Changes {
         int awake = 0, asleep = 0;
         double last = 0;  ///< s

@@ -8,6 +8,7 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "script/check.h"
 #include "script/checkpoint.h"
 #include "script/events.h"
 #include "script/folders.h"
@@ -332,6 +333,8 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         r.last_write = now;
     }
     tell_changes(*c, r, over);
+    for (const auto& list = r.run->warnings(); r.warnings_seen < list.size(); ++r.warnings_seen)
+        tell(*c, warning_of(*r.run, list[r.warnings_seen]));
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
     if (statics && statics->instability() && !r.instability_shown && r.run->verdict() != Verdict::failed) {
         r.instability_shown = true;

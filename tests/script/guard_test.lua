@@ -44,6 +44,28 @@ local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
   "Newton: %s, energy error %g", held.verdict, held.energy.remainder)
 
+-- A column that folds bends its elements so far that shorter steps do not hold: what does, is named, and holds.
+local function folding(elements, options)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 5 }
+  model:fix(a)
+  model:fix(b, "x,y,rx,ry,rz")
+  local member = model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
+    material = hinge.material { E = 206e9, density = 7850 }, elements = elements }
+  model:load { node = b, force = { 0, 0, -677713 * 6 } }
+  model:load { member = member, at = 0.5, force = { 1000, 0, 0 } }
+  options.dt, options.record = 2e-4, false
+  return model:dynamic(options):finish()
+end
+for _, options in ipairs { { duration = 0.3 }, { duration = 0.3, step_control = 0.01 } } do
+  local folded = folding(4, options)
+  checks.expect(folded.verdict == "failed"
+    and folded.reason:find "; more elements a member together with integrator = 'energy%-momentum' may hold$",
+    "a column that folds: %s, %s", folded.verdict, folded.reason)
+end
+local holds = folding(8, { duration = 0.3, integrator = "energy-momentum" })
+checks.equal(holds.verdict, "completed", "a column that folds: " .. holds.reason)
+
 -- An element that winds up turn after turn: no reason for a run to end.
 for _, step_control in ipairs { 0, 0.01 } do
   local model = hinge.model {}

@@ -95,6 +95,58 @@ for _, case in ipairs {
   expect(run.limit, "%s: no limit told", case.name)
   near(2 * run.factor, 1, 1e-3, case.name .. ": unstable at")
 end
+-- What two elements do not show between clamped ends is told: beyond Euler's load, and moments of loads along it.
+do
+  local function clamped(o)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+    model:fix(a, o.foot or "all")
+    model:fix(b, o.head or "xy,rx,ry,rz")
+    local member = model:member { a, b, section = section, material = material, up = { 0, 1, 0 },
+      elements = o.elements }
+    model:load { node = b, force = { 0, 0, -o.part * 4 * P_E } }
+    if o.q ~= 0 then model:load { member = member, q = { 0, o.q or 1e2, 0 } } end
+    return model, member
+  end
+  for _, integrator in ipairs { "newmark", "explicit", "energy-momentum" } do
+    for _, case in ipairs { { 1.2, 2, 1 }, { 1.2, 4, 0 }, { 0.4, 2, 0 } } do -- part, elements, warnings
+      local model = clamped { part = case[1], elements = case[2], q = 0 }
+      local dt = integrator == "explicit" and 5e-6 or 1e-3
+      local run = model:dynamic { dt = dt, duration = 0.05, integrator = integrator }:finish()
+      local what = ("%s, %g of Euler's load, %d elements"):format(integrator, case[1], case[2])
+      equal(run.verdict, "completed", what .. ": " .. run.reason)
+      equal(#run.warnings, case[3], what .. ": warnings")
+      local N, limit = (run.warnings[1] or ""):match("^member 1 is compressed by (%S+) N at t = %S+ s, "
+        .. "and buckles between clamped ends at (%S+) N; two elements cannot show that, four can$")
+      if case[3] == 1 and expect(N, "%s: %s", what, run.warnings[1]) then
+        near(tonumber(limit), 4 * P_E, 1e-3 * P_E, what .. ": limit")
+        expect(tonumber(N) > 4 * P_E and tonumber(N) < 2.5 * case[1] * 4 * P_E, "%s: %s N", what, N)
+      end
+    end
+  end
+  -- moments: as much too small as it says, and nothing said where they are right to 5 %
+  for _, part in ipairs { 0.02, 0.05, 0.06, 0.1, 0.25, 0.5 } do
+    local moment, told = {}, {}
+    for _, elements in ipairs { 2, 4, 16 } do
+      local model, member = clamped { part = part, elements = elements }
+      local run = model:static { steps = 1 }:finish()
+      equal(run.verdict, "completed", "loads along it: " .. run.reason)
+      moment[elements], told[elements] = math.abs(member:forces(run).Mx), run.warnings
+    end
+    local lacks, what = 1 - moment[2] / moment[16], ("loads along it, %g of Euler's load"):format(part)
+    local says = (told[2][1] or ""):match "moments are some (%d+) %% too small"
+    equal(#told[4], 0, what .. ": four elements")
+    if says then near(says / 100, lacks, 0.01 + 0.12 * lacks, what) else expect(lacks < 0.06, "%s: %g", what, lacks) end
+    expect(lacks > 0.04 or not says, "%s: told of %g", what, lacks)
+  end
+  for _, part in ipairs { 0.05, 0.1, 0.15, 0.2 } do -- pinned: two elements show it
+    local run = clamped { part = part, foot = "xyz,rz", head = "xy,rz", q = 1 }:static { steps = 1 }:finish()
+    equal(#run.warnings, 0, ("pinned, %g: %s"):format(part, run.warnings[1]))
+  end
+  local run = clamped { part = 0.5 }:dynamic { dt = 1e-3, duration = 0.05 }:finish()
+  expect(#run.warnings == 1 and run.warnings[1]:find("at t = ", 1, true), "loads along it in dynamics: %s",
+    run.warnings[1])
+end
 do -- clamped at both ends: four elements
   local case = { name = "clamped at both ends", foot = "all", head = "xy,rx,ry,rz", exact = 4, elements = 4 }
   local model = model_of(case)

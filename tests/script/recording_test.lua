@@ -5,8 +5,46 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "recording"
-local expect, equal = checks.expect, checks.equal
+local expect, equal, near = checks.expect, checks.equal, checks.near
 local build = arg[1]
+
+-- Where a run begins ------------------------------------------------------------------------------------------------
+-- The first value of a reaction: what statics has come to, or what holds under the load that is there at once.
+do
+  local function loaded()
+    local model = hinge.model {}
+    local foot, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+    model:fix(foot)
+    model:member { foot, tip, section = hinge.section.solid { width = 0.1, depth = 0.1 },
+      material = hinge.material { E = 206e9, density = 7850 } }
+    model:load { node = tip, force = { 200, 0, -1000 } }
+    return model, foot
+  end
+  local function begins(run, foot, name)
+    local probe = run:probe { node = foot, name }
+    run:finish()
+    return probe.value[1], probe.value[2], probe.last
+  end
+  for _, name in ipairs { "fx", "fz", "my" } do
+    local model, foot = loaded()
+    local static = model:static { steps = 2 }
+    local first, _, at_rest = begins(static, foot, name)
+    equal(first, 0.0, name .. ": statics from nothing")
+    local on_first = begins(model:static { steps = 2, from = static }, foot, name)
+    near(on_first, at_rest, 1e-6 * math.abs(at_rest), name .. ": statics goes on")
+    for _, integrator in ipairs { "newmark", "energy-momentum", "explicit" } do
+      local what = ("%s: %s, "):format(name, integrator)
+      local options = { dt = 1e-7, duration = 1e-6, integrator = integrator }
+      local fresh, where = loaded()
+      local sudden, next_one = begins(fresh:dynamic(options), where, name)
+      expect(math.abs(sudden - next_one) <= 1e-3 * math.abs(next_one) + 1e-2, "%sfrom nothing: %g, then %g", what,
+        sudden, next_one)
+      expect(integrator == "explicit" or name == "my" or math.abs(sudden) > 20, "%sfrom nothing: %g", what, sudden)
+      options.from = static
+      near(begins(model:dynamic(options), foot, name), at_rest, 1e-6 * math.abs(at_rest), what .. "after statics")
+    end
+  end
+end
 
 -- Each quantity of a probe, and how a run is asked for the same.
 local quantities = {}

@@ -65,7 +65,7 @@ end
 local run = column(0.98, { eccentric = 1e-6 * L }):static { steps = 10 }:finish()
 expect(run.verdict == "completed" and run.instability == nil, "below: %s %s", run.verdict, run.reason)
 run = column(56.7, { eccentric = 1e-6 * L }):static { steps = 10, unstable = "continue" }:finish()
-expect(run.verdict == "completed" and run.factor == 1 and run.reason == "", "continue: %s %s", run.verdict, run.reason)
+expect(run.verdict == "completed" and run.factor == 1 and run.reason:find("cannot be held", 1, true), "continue: %s %s", run.verdict, run.reason)
 expect(run.instability and run.instability.count > 1, "continue: %s ways", run.instability and run.instability.count)
 near(56.7 * (run.instability or { factor = 0 }).factor, buckles, 0.015, "continue: load")
 
@@ -180,6 +180,63 @@ run = slender:static { steps = 7, to_limit = true }:finish()
 expect(run.limit and run.reason:find(", in 2 ways, by compression of member 1, beyond Euler's load between clamped "
   .. "ends: two elements cannot show that, four can", 1, true), "a clamped rod: %s", run.reason)
 near(1.5 * run.factor, 1, 1e-3, "a clamped rod")
+
+-- A run that goes on past it says at its end whether it can stay where it is, and where it may have leapt.
+run = slender:static { steps = 7, unstable = "continue" }:finish()
+equal(run.verdict, "completed", "a clamped rod that goes on: " .. run.reason)
+expect(run.reason:find("cannot be held: there are 2 ways to move that nothing resists", 1, true),
+  "a clamped rod that goes on: %s", run.reason)
+run = truss(4e5):static { steps = 2, unstable = "continue" }:finish()
+expect(run.verdict == "completed" and #run.warnings == 1 and run.warnings[1]:find("^between load factors .* and ")
+  and run.warnings[1]:find("a snap", 1, true), "a truss that snaps: %s, %s", run.verdict, run.warnings[1])
+run = truss(0.5e5 * most):static { steps = 2, unstable = "continue" }:finish()
+expect(run.verdict == "completed" and run.reason == "" and #run.warnings == 0, "a truss that does not: %s, %s",
+  run.reason, run.warnings[1])
+
+-- A plateau of plastic hinges is passed over or stopped at, as the steps fall: what passes it says so.
+do
+  local soft = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+  local square = hinge.section.solid { width = 0.1, depth = 0.1 }
+  local function cantilever(part, options)
+    local made = hinge.model {}
+    local a, b = made:node { 0, 0, 0 }, made:node { 3, 0, 0 }
+    made:fix(a)
+    made:member { a, b, section = square, material = soft }
+    made:load { node = b, force = { 0, 0, -part * 235e6 * 0.1 ^ 3 / 4 / 3 } }
+    return made:static(options):finish(), b
+  end
+  for _, steps in ipairs { 5, 10, 20, 50 } do
+    run = cantilever(2, { steps = steps, to_limit = true })
+    local told = run.warnings[1] or ""
+    local first, beyond = told:match "^between load factors (%S+) and (%S+) uz of node 2 at .* changes by %-%S+ m, and"
+    expect(run.limit and #run.warnings == 0 or not run.limit and #run.warnings == 1 and first
+      and tonumber(first) <= 0.51 and tonumber(beyond) >= 0.5, "a plateau in %d steps: limit %s at %g, %s", steps,
+      run.limit, run.factor, told)
+  end
+  equal(#cantilever(0.97, { steps = 10 }).warnings, 0, "before the plateau")
+
+  -- Arc length ends at the declared loads, or where it is told to.
+  local elastic = 0.9
+  for _, case in ipairs { { "arc", 1 }, { { "arc", to = 1 }, 1 }, { { "arc", to = 1.05 }, 1.05 } } do
+    local tip
+    run, tip = cantilever(elastic, { control = case[1], steps = 40 })
+    equal(run.verdict, "completed", "arc length: " .. run.reason)
+    equal(run.reason, "", "arc length")
+    near(run.factor, case[2], 1e-12, "arc length: load factor")
+    local by_load, same = cantilever(elastic * case[2], { steps = 4 })
+    local drop = select(3, by_load:displacement(same))
+    near(select(3, run:displacement(tip)), drop, 1e-7 * math.abs(drop), "arc length: where it ends")
+    expect(run.index < 40, "arc length: %d steps", run.index)
+  end
+  run = cantilever(0.5, { control = { "arc", to = 100 }, steps = 3 })
+  expect(run.verdict == "completed" and run.index == 3
+    and run.reason:find("^3 steps of arc length have not come to load factor 100: it is "), "too few: %s", run.reason)
+  local peak = 0 -- past a limit load, and back up to the declared one
+  local arc = truss(0.8e5 * most):static { control = { "arc", to = 2 }, steps = 400 }
+  for step in arc:steps() do peak = math.max(peak, step.index < 40 and step.factor or 0) end
+  expect(arc.verdict == "completed" and arc.factor == 2 and peak < 1.26, "arc length past a snap: %s %g, peak %g",
+    arc.reason, arc.factor, peak)
+end
 
 -- A frame that stands says nothing.
 model = hinge.model { elements_per_member = 4 }
@@ -309,6 +366,11 @@ refused("control by arc length scales the loads that are declared, and none acts
   local m, a = idle()
   m:load { node = a, force = { 0, 0, -1 } }
   m:static { control = "arc" }
+end)
+refused("field 'to' is 0; must differ from 0, the load factor where the run begins", function()
+  local m, _, b = idle()
+  m:load { node = b, force = { 0, 0, -1 } }
+  m:static { control = { "arc", to = 0 } }
 end)
 refused("field 'to_limit' has no meaning with control by displacement", function()
   local m, _, b = idle()

@@ -1,0 +1,84 @@
+#include "run/pressed_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/text.h"
+#include "state/pose.h"
+
+namespace hinge {
+namespace {
+
+/// Of a clamped beam's end moment under loads along it, in parts of what P L / 8 of a load P in its middle would be:
+/// what compression adds is so many times n / (1 - n), n = N / N_clamped. 0.82 within 1 % up to n = 0.75, with P; a
+/// uniform load of the same P on the middle node has 1.1 times that.
+constexpr double by_compression = 0.82;
+constexpr double most_missed = 0.05;  ///< of a pair's largest moment, that goes unsaid
+constexpr double negligible = 1e-3;   ///< of N i: a moment that adds less than 0.2 % to the stress by N
+
+std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
+
+}  // namespace
+
+Pressed pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first) {
+    constexpr double clamped = std::numbers::pi * std::numbers::pi;  // N l^2 / EI, l: of one element
+    const Element& e = structure.elements()[first];
+    if (e.partner != first + 1 || state.broken[first] || state.broken[first + 1] || structure.conventional()) return {};
+    const double N = -0.5 * (force[first][4] + force[first + 1][4]), p = N * e.length * e.length / clamped;
+    return {N, {p / e.rigidity.EIx, p / e.rigidity.EIy}};
+}
+
+std::optional<RunWarning> PressedPairs::beyond_euler(const Structure& structure, const State& state,
+                                                     const std::string& where) {
+    if (euler_told_ || !structure.large()) return {};
+    double worst = 1;
+    int at = -1;
+    for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2)
+        if (const double part = pressed(structure, state, state.force, int(i)).most(); part > worst)
+            worst = part, at = int(i);
+    if (at < 0) return {};
+    euler_told_ = true;
+    const int member = structure.elements()[at].member;
+    const double N = pressed(structure, state, state.force, at).force;
+    const bool two = structure.model().members()[member].elements == 2;
+    return RunWarning{"member " + std::to_string(member + 1) + " is compressed by " + number_text(N, 4) + " N " +
+                          where + ", and " + (two ? "" : "a pair of its elements ") +
+                          "buckles between clamped ends at " + number_text(N / worst, 4) + " N",
+                      "two elements cannot show that, four can", member};
+}
+
+std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structure, const State& state,
+                                                       const std::function<Vec3(int)>& load_on,
+                                                       const std::function<Eigen::Vector2d(int)>& largest_moment,
+                                                       const std::string& where) {
+    if (moments_told_ || !structure.p_delta()) return {};
+    double worst = most_missed;
+    int at = -1;
+    for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
+        const Pressed by = pressed(structure, state, state.force, int(i));
+        if (!(by.most() > most_missed) || by.most() >= 1) continue;
+        const Element& e = structure.elements()[i];
+        const Vec3 load = load_on(e.node[1]);
+        if (load.isZero(0)) continue;
+        const Mat3 axes = axes_of(place_element(structure, int(i), state));
+        const Eigen::Vector2d has = largest_moment(int(i)).cwiseMax(largest_moment(int(i) + 1));
+        for (int plane : {0, 1}) {  // bending about x is by loads along y
+            const double n = by.part[plane], EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;
+            const double lacks = by_compression * n / (1 - n) * std::abs(axes.col(1 - plane).dot(load)) * e.length / 4;
+            if (!(lacks > negligible * by.force * std::sqrt(EI / e.rigidity.EA))) continue;
+            if (const double part = lacks / (has[plane] + lacks); part > worst) worst = part, at = int(i);
+        }
+    }
+    if (at < 0) return {};
+    moments_told_ = true;
+    const int member = structure.elements()[at].member;
+    const Pressed by = pressed(structure, state, state.force, at);
+    return RunWarning{"member " + std::to_string(member + 1) + " has loads between its nodes and is compressed by " +
+                          number_text(by.force, 4) + " N " + where + ", " + percent(by.most()) +
+                          " of what buckles a pair of its elements between clamped ends: its moments are some " +
+                          percent(worst) + " too small, and more so as it is compressed further",
+                      "two elements cannot show that, four can", member};
+}
+
+}  // namespace hinge

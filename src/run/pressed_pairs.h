@@ -1,0 +1,52 @@
+// What pairs of elements cannot show of a beam that is compressed: between clamped ends their middle node does not bend
+// out (beam/beam_column.h). A run looks for that now and then, and says so.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "state/state.h"
+
+namespace hinge {
+
+/// What a user should know of a run, as it is told by hinge run: "member 3 ...", and what can be done about it.
+struct RunWarning {
+    std::string what, advice;
+    int member = -1;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.what, s.advice, s.member);
+    }
+};
+
+/// N l^2 / (pi^2 EI) of a pair, that begins with this element, in bending about x and about y: 1 where it buckles
+/// between clamped ends. Both 0 where it is none, or is broken.
+struct Pressed {
+    double force = 0;  ///< N, compression
+    double part[2] = {0, 0};
+    double most() const { return part[0] > part[1] ? part[0] : part[1]; }
+};
+Pressed pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first);
+
+/// Whoever is pressed beyond what a pair can show, each told once in a run.
+class PressedPairs {
+public:
+    /// Compression beyond Euler's load between clamped ends. `where`: "at t = 0.1 s".
+    std::optional<RunWarning> beyond_euler(const Structure& structure, const State& state, const std::string& where);
+    /// Moments that lack what the loads along the pair make of its compression: they would bend out the middle node.
+    /// `load_on`: force on a node, N. `largest_moment`: of an element, about x and about y, N m.
+    std::optional<RunWarning> missed_moments(const Structure& structure, const State& state,
+                                             const std::function<Vec3(int)>& load_on,
+                                             const std::function<Eigen::Vector2d(int)>& largest_moment,
+                                             const std::string& where);
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.euler_told_, s.moments_told_);
+    }
+
+private:
+    bool euler_told_ = false, moments_told_ = false;
+};
+
+}  // namespace hinge
