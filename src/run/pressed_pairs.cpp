@@ -45,7 +45,7 @@ std::optional<RunWarning> PressedPairs::beyond_euler(const Structure& structure,
     return RunWarning{"member " + std::to_string(member + 1) + " is compressed by " + number_text(N, 4) + " N " +
                           where + ", and " + (two ? "" : "a pair of its elements ") +
                           "buckles between clamped ends at " + number_text(N / worst, 4) + " N",
-                      "two elements cannot show that, four can", member};
+                      "where that lasts it bends out: two elements cannot show that, four can", member};
 }
 
 std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structure, const State& state,

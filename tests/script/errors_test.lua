@@ -289,7 +289,8 @@ wrong("model:static: field 'steps' is 0; must be a whole number, 1 or above",
 wrong("model:static: unknown field 'stpes' (did you mean 'steps'?); it takes ...",
   function(s) s.model:static { stpes = 1 } end)
 wrong(
-  "model:static: field 'control' is 'ark'; must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", to = } (did you mean 'arc'?)",
+  "model:static: field 'control' is 'ark'; must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", "
+    .. "to = } (did you mean 'arc'?)",
   function(s) s.model:static { control = "ark" } end)
 wrong("model:static, control: component is 'up'; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'...",
   function(s) s.model:static { control = { node = s.tip, "up", to = 1 } } end)

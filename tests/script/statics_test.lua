@@ -65,7 +65,8 @@ end
 local run = column(0.98, { eccentric = 1e-6 * L }):static { steps = 10 }:finish()
 expect(run.verdict == "completed" and run.instability == nil, "below: %s %s", run.verdict, run.reason)
 run = column(56.7, { eccentric = 1e-6 * L }):static { steps = 10, unstable = "continue" }:finish()
-expect(run.verdict == "completed" and run.factor == 1 and run.reason:find("cannot be held", 1, true), "continue: %s %s", run.verdict, run.reason)
+expect(run.verdict == "completed" and run.factor == 1 and run.reason:find("cannot be held", 1, true),
+  "continue: %s %s", run.verdict, run.reason)
 expect(run.instability and run.instability.count > 1, "continue: %s ways", run.instability and run.instability.count)
 near(56.7 * (run.instability or { factor = 0 }).factor, buckles, 0.015, "continue: load")
 
