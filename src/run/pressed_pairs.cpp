@@ -21,7 +21,7 @@ std::string percent(double part) { return number_text(std::round(100 * part), 3)
 
 }  // namespace
 
-Pressed pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first) {
+PairCompression pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first) {
     constexpr double clamped = std::numbers::pi * std::numbers::pi;  // N l^2 / EI, l: of one element
     const Element& e = structure.elements()[first];
     if (e.partner != first + 1 || state.broken[first] || state.broken[first + 1] || structure.conventional()) return {};
@@ -56,7 +56,7 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
     double worst = most_missed;
     int at = -1;
     for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
-        const Pressed by = pressed(structure, state, state.force, int(i));
+        const PairCompression by = pressed(structure, state, state.force, int(i));
         if (!(by.most() > most_missed) || by.most() >= 1) continue;
         const Element& e = structure.elements()[i];
         const Vec3 load = load_on(e.node[1]);
@@ -73,7 +73,7 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
     if (at < 0) return {};
     moments_told_ = true;
     const int member = structure.elements()[at].member;
-    const Pressed by = pressed(structure, state, state.force, at);
+    const PairCompression by = pressed(structure, state, state.force, at);
     return RunWarning{"member " + std::to_string(member + 1) + " has loads between its nodes and is compressed by " +
                           number_text(by.force, 4) + " N " + where + ", " + percent(by.most()) +
                           " of what buckles a pair of its elements between clamped ends: its moments are some " +

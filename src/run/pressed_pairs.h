@@ -22,12 +22,12 @@ struct RunWarning {
 
 /// N l^2 / (pi^2 EI) of a pair, that begins with this element, in bending about x and about y: 1 where it buckles
 /// between clamped ends. Both 0 where it is none, or is broken.
-struct Pressed {
+struct PairCompression {
     double force = 0;  ///< N, compression
     double part[2] = {0, 0};
     double most() const { return part[0] > part[1] ? part[0] : part[1]; }
 };
-Pressed pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first);
+PairCompression pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first);
 
 /// Whoever is pressed beyond what a pair can show, each told once in a run.
 class PressedPairs {
