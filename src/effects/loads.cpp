@@ -178,8 +178,8 @@ private:
     }
     void arrive_from_jump() {
         for (std::size_t i = 0; i < loaded_.size(); ++i)
-            of_jumps_ += left_by_ * (loaded_[i].before - loaded_[i].now)
-                                        .dot(left_[i] + w_.state.acceleration[loaded_[i].node]);
+            of_jumps_ +=
+                left_by_ * (loaded_[i].before - loaded_[i].now).dot(left_[i] + w_.state.acceleration[loaded_[i].node]);
         left_.clear();
     }
     /// Only nodes with loads change.
@@ -205,11 +205,11 @@ private:
     std::map<std::size_t, Asked> asked_;         ///< of the loads that are functions of the state
     std::map<std::size_t, StepFactor> jumping_;  ///< of the loads whose history may jump within a step
     std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
-    std::vector<Vec6> left_;  ///< explicit steps, while a jump is taken: of loaded_, the acceleration before it
-    double left_by_ = 0;      ///< s^2, dt^2/8 of the step
-    double of_jumps_ = 0;     ///< J, to be added to the work of the step
-    bool begun_ = false;      ///< the functions were asked where the run begins
-    bool found_anew_ = false;                    ///< with what they gave there the acceleration is being found
+    std::vector<Vec6> left_;   ///< explicit steps, while a jump is taken: of loaded_, the acceleration before it
+    double left_by_ = 0;       ///< s^2, dt^2/8 of the step
+    double of_jumps_ = 0;      ///< J, to be added to the work of the step
+    bool begun_ = false;       ///< the functions were asked where the run begins
+    bool found_anew_ = false;  ///< with what they gave there the acceleration is being found
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

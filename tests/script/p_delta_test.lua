@@ -97,7 +97,7 @@ for _, case in ipairs {
 end
 -- What two elements do not show between clamped ends is told: beyond Euler's load, and moments of loads along it.
 do
-  local function clamped(o)
+  local function held(o)
     local model = hinge.model {}
     local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, L }
     model:fix(a, o.foot or "all")
@@ -110,7 +110,7 @@ do
   end
   for _, integrator in ipairs { "newmark", "explicit", "energy-momentum" } do
     for _, case in ipairs { { 1.2, 2, 1 }, { 1.2, 4, 0 }, { 0.4, 2, 0 } } do -- part, elements, warnings
-      local model = clamped { part = case[1], elements = case[2], q = 0 }
+      local model = held { part = case[1], elements = case[2], q = 0 }
       local dt = integrator == "explicit" and 5e-6 or 1e-3
       local run = model:dynamic { dt = dt, duration = 0.05, integrator = integrator }:finish()
       local what = ("%s, %g of Euler's load, %d elements"):format(integrator, case[1], case[2])
@@ -129,7 +129,7 @@ do
   for _, part in ipairs { 0.02, 0.05, 0.06, 0.1, 0.25, 0.5 } do
     local moment, told = {}, {}
     for _, elements in ipairs { 2, 4, 16 } do
-      local model, member = clamped { part = part, elements = elements }
+      local model, member = held { part = part, elements = elements }
       local run = model:static { steps = 1 }:finish()
       equal(run.verdict, "completed", "loads along it: " .. run.reason)
       moment[elements], told[elements] = math.abs(member:forces(run).Mx), run.warnings
@@ -141,10 +141,10 @@ do
     expect(lacks > 0.04 or not says, "%s: told of %g", what, lacks)
   end
   for _, part in ipairs { 0.05, 0.1, 0.15, 0.2 } do -- pinned: two elements show it
-    local run = clamped { part = part, foot = "xyz,rz", head = "xy,rz", q = 1 }:static { steps = 1 }:finish()
+    local run = held { part = part, foot = "xyz,rz", head = "xy,rz", q = 1 }:static { steps = 1 }:finish()
     equal(#run.warnings, 0, ("pinned, %g: %s"):format(part, run.warnings[1]))
   end
-  local run = clamped { part = 0.5 }:dynamic { dt = 1e-3, duration = 0.05 }:finish()
+  local run = held { part = 0.5 }:dynamic { dt = 1e-3, duration = 0.05 }:finish()
   expect(#run.warnings == 1 and run.warnings[1]:find("at t = ", 1, true), "loads along it in dynamics: %s",
     run.warnings[1])
 end
