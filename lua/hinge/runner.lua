@@ -137,16 +137,14 @@ function runner.run(options)
       check.fail("--case %s: %s has no cases; it does not return a hinge.scenario", options.case, options.script)
     end
     used = plain
-    local ok, failure = pcall(must_be_read)
-    if not ok then -- nothing of a run by settings that it did not take is kept
-      core.drop_output()
-      error(failure, 0)
-    end
   end
+  local all_read, unread = pcall(must_be_read or function() end)
+  if not all_read then this.whole = { verdict = "failed", reason = tostring(unread) } end
   local verdict, reason = core.write_summary {
     results = results, parameters = used, case = options.case, script = options.script, notes = this.notes,
     whole = this.whole,
   }
+  if not all_read then error(unread, 0) end
   return runner.status(verdict, reason)
 end
 

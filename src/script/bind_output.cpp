@@ -482,16 +482,7 @@ int own_output(lua_State* L) {
     const auto c = context(L);
     c->owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
     c->out_dir = lua_toboolean(L, 3) ? folder : free_folder(folder, c->owner);
-    c->new_folders = missing_folders(c->out_dir);
     return lua_pushstring(L, c->out_dir.c_str()), 1;
-}
-
-/// core.drop_output(): what was written goes, where the output folder was not there before.
-int drop_output(lua_State* L) {
-    const auto c = context(L);
-    if (c->writer) c->writer->rows.clear(), c->writer->history_path.clear();
-    drop_folders(c->new_folders);
-    return 0;
 }
 
 /// core.whole_path(path): from the root, without links.
@@ -528,7 +519,6 @@ void open_output(lua_State* L, int module) {
                                          {"write_summary", guarded<write_summary>},
                                          {"out_dir", guarded<out_dir>},
                                          {"own_output", guarded<own_output>},
-                                         {"drop_output", guarded<drop_output>},
                                          {"whole_path", guarded<whole_path>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);

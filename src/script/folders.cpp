@@ -113,19 +113,6 @@ void take_folder(Context& c) {
     write_whole(c.out_dir + "/run.json", mine.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::vector<std::string> missing_folders(const std::string& folder) {
-    std::vector<std::string> missing;
-    std::error_code none;
-    for (fs::path p = folder; !p.empty() && !fs::exists(p, none); p = p.parent_path()) missing.push_back(p.string());
-    return missing;
-}
-
-void drop_folders(const std::vector<std::string>& folders) {
-    std::error_code none;
-    for (std::size_t i = 0; i < folders.size(); ++i)
-        i == 0 ? fs::remove_all(folders[i], none) : fs::remove(folders[i], none);
-}
-
 bool print_history(const std::vector<std::string>& folders) {
     bool any = false;
     for (const std::string& folder : folders) {

@@ -15,11 +15,6 @@ std::string free_folder(const std::string& wanted, const std::string& owner);
 /// Makes the output folder and writes run.json into it, once. Says so where it held a run of something else.
 void take_folder(Context& c);
 
-/// A folder and those that it is in, as far as they are not there yet, the innermost first.
-std::vector<std::string> missing_folders(const std::string& folder);
-/// Removes the first of them with all that is in it, and the others where nothing else is in them.
-void drop_folders(const std::vector<std::string>& folders);
-
 /// hinge history: a paragraph for each folder in `folders`, or in those that they hold, that a run was written to.
 /// False where there is none.
 bool print_history(const std::vector<std::string>& folders);

@@ -25,7 +25,6 @@ struct Context {
     std::string out_dir;           ///< empty: nothing is written unless a path is given
     std::string owner;             ///< run.json of that folder; "": none is written
     bool owner_written = false;
-    std::vector<std::string> new_folders;        ///< it and those that it is in, as far as they were not there before
     std::string library;                         ///< folder of the Lua library
     std::string picture_module;                  ///< path of the output module
     bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state
