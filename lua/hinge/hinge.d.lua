@@ -788,11 +788,13 @@ function connector:broken(run) end
 ---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
 ---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps
 ---the velocity in space, flying and rotating as a whole too; beta the rates of the element's own deformation, so no
----rigid motion, and keeps the elastic stiffness where an element yields. A broken element is damped no more, nor is the
----mass left of it. Of several calls the last one that applies to a member's groups counts, so that alpha = 0 with a
----group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
----the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
----is as strong as that. It does not act in statics.
+---rigid motion, and keeps the elastic stiffness where an element yields. A point mass (model:mass), its rotary inertia
+---and its offset with it, has the alpha of the members at its node; where they differ, as by groups, their mean. A
+---broken element is damped no more, nor is the mass left of it, and it no longer counts in that mean: a point mass
+---whose members have all broken off flies undamped. Of several calls the last one that applies to a member's groups
+---counts, so that alpha = 0 with a group leaves it undamped. The energy that it dissipates is in run.energy.damping.
+---With explicit steps beta shortens the longest stable step (dt = "auto" includes this); Newmark's method takes
+---predictor "displacement" where damping is as strong as that. It does not act in statics.
 ---```lua
 ---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
 ---```

@@ -5,13 +5,24 @@
 // The part of beta takes the rates of the element's own deformation: rotating and flying as a whole is not damped by
 // it, however fast. The part of alpha takes the nodes' velocities in space, as Rayleigh's does. A yielding element
 // keeps its elastic K here; a broken one is not damped at all, nor is the mass that is left of it.
+//
+// A point mass has the alpha of the elements at its node that are whole, the mean where they differ, and none once all
+// are broken. Its part of C is a block of its node.
 #include "effects/damping.h"
 
+#include <map>
+
 #include "effects/kinds.h"
+#include "effects/point_mass.h"
 #include "state/hinges.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
+
+/// A point mass that has rotated by 20 mrad since, the cosine of whose half this is, is renewed in the effective
+/// stiffness. What is missed until then is the part of that angle that alpha dt is.
+constexpr double lag_cosine = 1 - 5e-5;
 
 bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
 
@@ -37,6 +48,15 @@ public:
         of_element_.resize(damped_.size());
         before_.assign(w.structure.position().size(), Vec6::Zero());
         now_ = before_;
+        std::map<int, OffsetMass> masses;
+        for (const PointMass& m : w.structure.model().declared<PointMass>(point_mass_effect))
+            for (const int e : w.structure.elements_at(m.node))
+                if (damping_[e].of_mass != 0) {
+                    attach(m, masses[m.node]);
+                    break;
+                }
+        for (const auto& [node, mass] : masses)
+            masses_.push_back({node, mass}), built_.push_back(w.state.rotation[node]);
     }
 
     bool damps_elements() const override { return true; }
@@ -46,6 +66,18 @@ public:
     void add_forces(double, std::vector<Vec6>& resisting) override {
         find_forces();
         for (std::size_t n = 0; n < now_.size(); ++n) resisting[n] += now_[n];
+        if (masses_lag()) renew(w_.trial);
+    }
+
+    bool has_blocks() const override { return !masses_.empty(); }
+    void add_blocks(const Places& at, Blocks& blocks) const override {
+        for (const auto& [node, mass] : masses_)
+            blocks.damping(node, Mat6(alpha_at(node) * offset_mass_in_space(mass, at.rotation[node])));
+    }
+    void broke(const Break& b) override {
+        for (const AtNode& m : masses_)
+            for (const int node : w_.structure.elements()[b.element].node)
+                if (m.node == node) return renew(w_.state);
     }
 
     /// Where the step ends, before contact gives impulses: the accelerations of this step and of the next one follow
@@ -68,11 +100,40 @@ public:
     void keep(const Step&) override { before_ = now_; }
     void restart_ends() override { before_ = now_; }
 
-    void save(Writer& to) const override { to(before_); }
-    void restore(Reader& from) override { from(before_); }
-    bool restored(std::span<const State* const>) override { return before_.size() == now_.size(); }
+    void save(Writer& to) const override { to(before_, built_); }
+    void restore(Reader& from) override { from(before_, built_); }
+    bool restored(std::span<const State* const>) override {
+        return before_.size() == now_.size() && built_.size() == masses_.size();
+    }
 
 private:
+    struct AtNode {
+        int node;
+        OffsetMass mass;  ///< of its point masses
+    };
+
+    bool rests(int node) const { return !w_.resting.empty() && w_.resting[node] >= 0; }
+
+    /// The mean of the whole elements there, 1/s.
+    double alpha_at(int node) const {
+        double sum = 0;
+        int whole = 0;
+        for (const int e : w_.structure.elements_at(node))
+            if (!w_.state.broken[e]) sum += damping_[e].of_mass, ++whole;
+        return whole ? sum / whole : 0;
+    }
+
+    bool masses_lag() const {
+        for (std::size_t i = 0; i < masses_.size() && host_.has_effective_stiffness(); ++i)
+            if (std::abs(w_.trial.rotation[masses_[i].node].dot(built_[i])) < lag_cosine) return true;
+        return false;
+    }
+
+    void renew(const Places& at) {
+        for (std::size_t i = 0; i < masses_.size(); ++i) built_[i] = at.rotation[masses_[i].node];
+        host_.blocks_changed(at);
+    }
+
     /// C v at the trial pose, N and N m of each node.
     void find_forces() {
         w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
@@ -82,13 +143,16 @@ private:
         for (std::size_t i = 0; i < damped_.size(); ++i)
             for (int end : {0, 1})
                 now_[w_.structure.elements()[damped_[i]].node[end]] += of_element_[i].segment<6>(6 * end);
+        for (const auto& [node, mass] : masses_)
+            if (!rests(node))
+                now_[node] +=
+                    alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * w_.trial.velocity[node]);
     }
 
     /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
     Vec12 force_of(int index) const {
         const Element& e = w_.structure.elements()[index];
-        const bool rests = !w_.resting.empty() && w_.resting[e.node[0]] >= 0;
-        if (w_.state.broken[index] || rests) return Vec12::Zero();
+        if (w_.state.broken[index] || rests(e.node[0])) return Vec12::Zero();
         const ElementDamping& c = damping_[index];
         const PlacedElement place = place_element(w_.structure, index, w_.trial);
         Vec12 v, force = Vec12::Zero();
@@ -103,8 +167,10 @@ private:
     }
 
     std::vector<ElementDamping> damping_;
-    std::vector<int> damped_;         ///< elements
-    std::vector<Vec12> of_element_;   ///< of those
+    std::vector<int> damped_;        ///< elements
+    std::vector<Vec12> of_element_;  ///< of those
+    std::vector<AtNode> masses_;
+    std::vector<Quat> built_;         ///< of those: orientation that they have in the effective stiffness
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
 };
 

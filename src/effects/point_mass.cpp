@@ -61,11 +61,7 @@ private:
                              " has no member; a point mass needs one, and one that has not broken off, where a run "
                              "begins");
         if (s.offset_mass.empty()) s.offset_mass.assign(s.displacement.size(), {});
-        OffsetMass& h = s.offset_mass[m.node];
-        h.mass += m.mass;
-        h.moment += m.mass * m.offset;
-        h.inertia += m.inertia.asDiagonal().toDenseMatrix() +
-                     m.mass * (m.offset.squaredNorm() * Mat3::Identity() - m.offset * m.offset.transpose());
+        attach(m, s.offset_mass[m.node]);
     }
 
     bool flies_alone(int node) const {
@@ -107,6 +103,13 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }
 
 }  // namespace
+
+void attach(const PointMass& m, OffsetMass& to) {
+    to.mass += m.mass;
+    to.moment += m.mass * m.offset;
+    to.inertia += m.inertia.asDiagonal().toDenseMatrix() +
+                  m.mass * (m.offset.squaredNorm() * Mat3::Identity() - m.offset * m.offset.transpose());
+}
 
 EffectKind point_mass_kind() {
     return {point_mass_effect,
