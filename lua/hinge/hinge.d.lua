@@ -883,9 +883,8 @@ function model:static(options) end
 ---history.csv; a limit load may cut the last one short. A try in which Newton's method no longer gets anywhere is given
 ---up before its last iteration
 ---@field steps? integer
----equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad). Arc length goes past
----limit loads, the load factor falling or rising as the path does; it ends where the factor comes to 1, or to another
----one, as { "arc", to = 2 }, by a last step of load that lands there. Driven, a step that
+---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad): to the displacement
+---that run:displacement gives, which goes on from that of `from`; an error where it has it already. Driven, a step that
 ---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
 ---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so
 ---@field control? "load"|"arc"|{ node?: hinge.node, [1]: hinge.component|"arc", to: number }

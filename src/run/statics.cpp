@@ -25,6 +25,9 @@ constexpr double first_off_balance = 1e-3;
 /// Of the whole: a step halved below this ends the run, at the limit load.
 constexpr double smallest_step = 1e-5;
 
+/// Displacement control that would change what it drives by no more than this part of it has nowhere to go.
+constexpr double same_place = 1e-9;
+
 /// Newton's method no longer gets anywhere where so many iterations in a row had to be halved so often: what is out of
 /// balance falls by less than a thousandth in each.
 constexpr int most_idle = 5, halvings_of_idle = 8;
@@ -69,6 +72,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     for (const auto& e : effects_) loads_follow_ = loads_follow_ || e->loads_follow();
     find_loads();
     refuse_idle_loads();
+    find_way();
     state_.factor = 0;
     sweep_.take_up(state_);
     effective_->set_held(held_);
@@ -227,6 +231,17 @@ void Statics::refuse_idle_loads() const {
                      "that is to do it with model:load or model:gravity, of any size");
 }
 
+void Statics::find_way() {
+    if (settings_.control != Control::displacement) return;
+    const double here = displacement(settings_.node)[settings_.component], to = settings_.target;
+    way_ = to - here;
+    if (std::abs(way_) <= same_place * std::max(std::abs(to), std::abs(here)))
+        throw InputError("control: to = " + number_text(to) + (settings_.component < 3 ? " m" : " rad") + " is where " +
+                         component_name(settings_.component) + " of " + structure_->node_name(settings_.node) +
+                         " is already; 'to' is the displacement that run:displacement gives, not one that this run "
+                         "adds to it");
+}
+
 /// Of the tangent where a step has been brought to equilibrium, not kept yet. In small displacement it has none ever.
 int Statics::negative_modes() {
     if (!structure_->large()) return modes_at_start_;
@@ -324,8 +339,7 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
         } else if (settings_.control == Control::displacement) {
             const int n = settings_.node, c = settings_.component;
             const auto at = [&](const std::vector<Vec6>& v) { return v[n][c]; };
-            const double wanted =
-                iteration == 1 ? increment * settings_.target : increment * settings_.target - at(total);
+            const double wanted = iteration == 1 ? increment * way_ : increment * way_ - at(total);
             if (at(response_) == 0) return Outcome::diverged;
             if (first_response_ == 0) first_response_ = at(response_);
             d_factor = (wanted - at(change_)) / at(response_);

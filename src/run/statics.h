@@ -17,7 +17,7 @@ struct StaticSettings {
         10;  ///< load control: equal steps to factor 1; arc: at most so many; displacement: equal steps to `target`
     Control control = Control::load;
     int node = -1, component = 0;  ///< displacement control: what is driven (0..5: ux uy uz rx ry rz)
-    double target = 1;             ///< displacement: its value at the end, m or rad; arc: the load factor there
+    double target = 1;  ///< displacement: its value at the end (Run::displacement), m or rad; arc: the load factor there
     int iterations = 30;           ///< Newton iterations before a step is halved
     double tolerance =
         1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
@@ -85,6 +85,7 @@ private:
     void refuse_mechanism();
     std::string loosely_held_body(int node) const;
     void refuse_idle_loads() const;
+    void find_way();
     int negative_modes();
     int modes_within_pairs();
     int modes_under_control();
@@ -101,6 +102,7 @@ private:
     double trial_factor_ = 0, step_size_, progress_ = 0, last_arc_ = 0, arc_scale_ = 1, mean_length_ = 1, reach_ = 1e-3,
            noise_ = 0;
     int converged_in_ = 0;
+    double way_ = 0;  ///< displacement control: from where the run begins to the target, m or rad
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
     int pressed_ = -1;                          ///< the member of the last modes within pairs that is pressed most
     int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves

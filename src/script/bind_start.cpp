@@ -193,7 +193,7 @@ void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& 
         lua_pop(L, 2);
         s.component = int(at - names.begin());
         s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
-        if (s.target == 0) c.complain("to", "0", "must differ from 0");
+        if (s.target == 0 && !before) c.complain("to", "0", "must differ from 0");
         c.finish(1);
         if (m->nodes()[s.node].fixed >> s.component & 1)
             throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) +

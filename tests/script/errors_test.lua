@@ -296,6 +296,8 @@ wrong("model:static, control: component is 'up'; must be one of 'ux', 'uy', 'uz'
   function(s) s.model:static { control = { node = s.tip, "up", to = 1 } } end)
 wrong("model:static, control: field 'to' is missing; give a number in m",
   function(s) s.model:static { control = { node = s.tip, "uz" } } end)
+wrong("model:static, control: field 'to' is 0; must differ from 0",
+  function(s) s.model:static { control = { node = s.tip, "uz", to = 0 } } end)
 wrong("model:static, control: 'uz' of node 1 is fixed by a support and cannot be driven",
   function(s) s.model:static { control = { node = s.wall, "uz", to = 1 } } end)
 wrong("model:static: field 'hold': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",

@@ -313,6 +313,28 @@ run = model:static { steps = 2, control = { node = tip, "uy", to = 0.1 } }:finis
 expect(run.verdict == "failed" and run.reason:find("the loads do not move uy of node 2 at {1, 0, 0} m", 1, true)
   and not run.reason:find "by displacement", "driven across: %s", run.reason)
 
+-- Where another run ended, it is driven on to what run:displacement gives, there and back; not by as much again.
+for _, c in ipairs { { "uz", 3, "m", "small" }, { "uz", 3, "m", "large" }, { "ry", 5, "rad", "large" } } do
+  model = hinge.model { displacement = c[4] }
+  wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall, "all")
+  model:member { wall, tip, section = bar, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
+  model:load { node = tip, force = { 0, 0, -1e3 } }
+  local function driven(to, from)
+    return model:static { steps = 4, from = from, control = { node = tip, c[1], to = to } }:finish()
+  end
+  local direct, on = driven(-0.02), driven(-0.01)
+  on = driven(-0.02, on)
+  near(select(c[2], on:displacement(tip)), -0.02, 1e-9, c[1] .. ": driven on")
+  near(on.factor, direct.factor, 1e-9, c[1] .. ": its load")
+  on = driven(0, on)
+  near(select(c[2], on:displacement(tip)), 0, 1e-9, c[1] .. ": driven back")
+  local good, message = pcall(driven, -0.02, direct)
+  expect(not good and support.says(tostring(message), ("...model:static: control: to = -0.02 %s is where %s of node 2 "
+    .. "at {1, 0, 0} m is already; 'to' is the displacement that run:displacement gives, ..."):format(c[3], c[1])),
+    "driven to where it is: %s", tostring(message))
+end
+
 -- Loads beyond what a frame carries: the limit load is named, with who gives way, and what goes on past it. Tries that
 -- Newton's method gets nowhere with are given up: 966 factorisations, not 1198.
 model = hinge.model { elements_per_member = 4 }
