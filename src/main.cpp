@@ -229,8 +229,9 @@ int main(int argc, char** argv) {
         "the answers and costs in time");
     cost_verb->add_option(
         "--out", request.out,
-        "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost; with "
-        "--effects effects.csv and summary.json, out/SCRIPT[-CASE]-effects)");
+        "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost with the "
+        "settings given, such as out/frame-cost-speed=100; with --effects effects.csv and summary.json, "
+        "out/SCRIPT[-CASE]-effects)");
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* history_verb = app.add_subcommand(

@@ -106,18 +106,21 @@ local function name_part(value)
   return (text:gsub("[^%w._+-]", "_"))
 end
 
--- The script's output folder: options.out, with the parameters that differ from their defaults in its name unless the
--- user gave it. `changed`: those.
-local function own_output(options, used, changed)
-  if not options.out then return core.out_dir() end
-  local names = check.keys(changed)
+--- The output folder for these parameters: options.out, with them in its name unless the user gave it.
+function runner.folder(options, changed)
   local folder = options.out
-  for _, name in ipairs(options.out_given and {} or names) do
+  for _, name in ipairs(options.out_given and {} or check.keys(changed)) do
     folder = ("%s-%s=%s"):format(folder, name_part(name), name_part(changed[name]))
   end
+  return folder:sub(1, 160)
+end
+
+-- The script's output folder, with the parameters that differ from their defaults in its name. `changed`: those.
+local function own_output(options, used, changed)
+  if not options.out then return core.out_dir() end
   local owner = { script = core.whole_path(options.script), case = options.case, parameters = used,
     changed = changed }
-  return core.own_output(folder:sub(1, 160), owner, options.out_given ~= nil)
+  return core.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
 end
 
 --- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.

@@ -369,6 +369,15 @@ support.write(script, "local hinge = require 'hinge' -- changed\n" .. text)
 support.run(command .. " --within 5%")
 expect(runs() > before, "a script that has changed is run again")
 expect(select(2, support.run(command .. " --case far way=one")):find "3 settings", "a case, a setting held")
+-- By itself it writes to a folder that tells the settings that are held.
+local elsewhere = ("cd %s && %s cost %s --within 5%% "):format(support.quote(folder), program, support.quote(script))
+for arguments, wanted in pairs { ["way=one"] = "-cost-way=one", ["x=0.25 way=two"] = "-cost-way=two-x=0.25" } do
+  status, printed, complaint = support.run(elsewhere .. arguments)
+  wanted = "out/" .. script:match "([^/]*)%.lua$" .. wanted
+  expect(status == 0 and printed:find("written to " .. wanted .. "\n", 1, true)
+    and support.is_there(folder .. "/" .. wanted .. "/summary.json"),
+    "folder of %s: %s%s", arguments, printed, complaint)
+end
 for arguments, message in pairs {
   [" --within much"] = "hinge: --within much: must be a part above 0, such as 1% or 0.01\n",
   [" --budget 3x"] = "hinge: --budget 3x: must be a time above 0, such as 60s, 5min or 1h\n",

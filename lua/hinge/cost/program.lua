@@ -28,11 +28,12 @@ function program.main(options)
     end
     local given, parameters = scenario:values(options.case, options.overrides), {}
     for _, override in ipairs(options.overrides) do parameters[override[1]] = given[override[1]] end
+    local out = runner.folder(options, parameters)
     local result = cost.compare(scenario, { within = within, budget = budget, quantity = options.quantity,
-      case = options.case, parameters = parameters, out = options.out, progress = true,
+      case = options.case, parameters = parameters, out = out, progress = true,
       effects = options.effects ~= nil })
     require(options.effects and "hinge.cost.effects_report" or "hinge.cost.report").show(result)
-    print("written to " .. options.out)
+    print("written to " .. out)
     return 0
   end)
 end
