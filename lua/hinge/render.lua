@@ -9,7 +9,9 @@ local render = {}
 function render.frames(folder)
   local path = folder .. "/frames.pvd"
   local collection, problem = io.open(path)
-  if not collection then check.fail("no frames to draw: %s; a script asks for them with job:frame(run)", problem) end
+  if not collection then
+    check.fail("no frames to draw: %s; a script asks for them with job:frame(run) or hinge.frame(run)", problem)
+  end
   local text = collection:read "a"
   collection:close()
   local frames = {}

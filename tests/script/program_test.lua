@@ -96,7 +96,8 @@ for arguments, message in pairs {
   expect(not support.is_there(path "never"), "something was written by: hinge %s", arguments)
 end
 local status, _, complaint = run(hinge .. " render " .. quote(path "nowhere"))
-expect(status == 2 and complaint:find "no frames to draw" and complaint:find "job:frame",
+expect(status == 2 and complaint:find "no frames to draw"
+  and complaint:find "job:frame%(run%) or hinge%.frame%(run%)",
   "render without frames: %s %s", status, complaint)
 
 -- A folder that cannot be written is the world's fault, not the script's: status 1.
