@@ -49,6 +49,8 @@ std::string checkpoint_of(const Dynamics& run, std::string beside) {
     return bytes;
 }
 
+bool begins_checkpoint(std::string_view bytes) { return bytes.starts_with(magic); }
+
 Checkpoint open_checkpoint(std::string_view bytes, const std::string& path) {
     const auto refuse = [&](const std::string& what) -> OutsideError {
         return OutsideError("checkpoint " + path + " " + what);

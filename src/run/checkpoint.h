@@ -31,6 +31,9 @@ struct Checkpoint {
 /// The bytes of a checkpoint of the run as it is. Changes nothing in it.
 std::string checkpoint_of(const Dynamics& run, std::string beside = {});
 
+/// Whether a file that begins with these bytes is one, of any format.
+bool begins_checkpoint(std::string_view bytes);
+
 /// Looks into the bytes of the file `path`, which must outlive the result. Throws OutsideError where they are not a
 /// whole checkpoint that this hinge can read, naming what happened and what to do.
 Checkpoint open_checkpoint(std::string_view bytes, const std::string& path);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 
 #include "core/files.h"
+#include "run/checkpoint.h"
 #include "script/events.h"
 
 namespace hinge::script {
@@ -68,6 +70,30 @@ std::string written_at(const std::string& file) {
     return text;
 }
 
+/// The names of the checkpoints in a folder, "" for none.
+std::string checkpoints_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none))
+        if (const fs::path& file = entry.path(); file.extension() != ".before" && entry.is_regular_file(none)) {
+            char bytes[8] = {};
+            std::ifstream(file, std::ios::binary).read(bytes, sizeof bytes);
+            if (begins_checkpoint({bytes, sizeof bytes})) names.push_back(file.filename().string());
+        }
+    std::sort(names.begin(), names.end());
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// Of a folder without a summary.
+std::string how_far(const std::string& folder) {
+    const std::string stopped = "the script has not ended, or stumbled", there = checkpoints_in(folder);
+    if (there.empty()) return "no summary: " + stopped;
+    return "no summary, but a checkpoint, " + there + ": " + stopped +
+           "; the same command with --resume goes on from it";
+}
+
 bool print_folder(const std::string& folder, bool in_full) {
     const Json run = read_json(folder + "/run.json"), summary = read_json(folder + "/summary.json");
     if (run.is_null() && summary.is_null()) return false;
@@ -78,8 +104,7 @@ bool print_folder(const std::string& folder, bool in_full) {
         if (known.contains("parameters") && !known["parameters"].empty())
             std::printf("  parameters %s\n", text_of_parameters(known["parameters"]).c_str());
     }
-    const std::string verdict =
-        summary.is_null() ? "no summary: the script has not ended, or stumbled" : summary.value("verdict", "?");
+    const std::string verdict = summary.is_null() ? how_far(folder) : summary.value("verdict", "?");
     std::printf("  %s; hinge %s; %s\n", verdict.c_str(), known.value("hinge", "of unknown version").c_str(),
                 written_at(folder + (summary.is_null() ? "/run.json" : "/summary.json")).c_str());
     if (in_full && summary.is_object() && summary.contains("reason"))
@@ -105,7 +130,9 @@ void take_folder(Context& c) {
     c.owner_written = true;
     Json mine = Json::parse(c.owner);
     if (const Json before = owner_of(c.out_dir); !before.is_null() && before != mine) {
-        const std::string text = c.out_dir + " held the run of " + whose(before) + ", which is replaced";
+        const std::string becomes = c.resume ? "; what has a checkpoint there goes on as the run of " + whose(mine)
+                                             : ", which is replaced",
+                          text = c.out_dir + " held the run of " + whose(before) + becomes;
         if (c.progress) std::fprintf(stderr, "%s\n", text.c_str());
         write_event(c, "warning", {{"text", text}, {"advice", "give another --out"}});
     }

@@ -351,8 +351,14 @@ expect(complaint:find("hinge: interrupted by SIGTERM after step 1234, t = 0.0246
   .. path "ended/impact.checkpoint" .. "; the same command with --resume goes on from there", 1, true),
   "after SIGTERM: %s", complaint)
 expect(not support.is_there(path "ended/summary.json"), "a summary of a run that is not over")
+local _, told = run(program .. " history " .. quote(path "ended"))
+expect(told:find("  no summary, but a checkpoint, impact.checkpoint: the script has not ended, or stumbled; the same "
+  .. "command with --resume goes on from it; hinge ", 1, true), "history of an interrupted run: %s", told)
 status, _, complaint = run(command("ended", "threads=2 --resume"))
 equal(status, 0, "status of --resume: " .. complaint)
+expect(support.says(complaint, path "ended" .. " held the run of ...impact.lua, slow = 1234; what has a checkpoint "
+  .. "there goes on as the run of ...impact.lua, threads = 2\n...") and not complaint:find "replaced",
+  "whose it was: %s", complaint)
 expect(complaint:find("goes on from " .. path "ended/impact.checkpoint: step 1234, t = 0.02468 s", 1, true),
   "--resume: %s", complaint)
 local function as_whole(what, out)
@@ -367,6 +373,8 @@ expect(status == 0 and complaint:find "step 5000", "--resume of a run that is ov
 as_whole("over, once more", "ended")
 status, _, complaint = run(command("unkept", "slow=100 checkpoint=none"))
 equal(status, 143, "status after SIGTERM without a checkpoint")
+_, told = run(program .. " history " .. quote(path "unkept"))
+expect(told:find("  no summary: the script has not ended, or stumbled; hinge ", 1, true), "without: %s", told)
 expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1, true),
   "without: %s", complaint)
 -- the heading, step 0, and one in ten
