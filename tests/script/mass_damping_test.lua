@@ -104,6 +104,19 @@ for _, integrator in ipairs { "newmark", "explicit", "energy-momentum" } do
   equal(resumed.energy.damping, whole.energy.damping, integrator .. ": account after a checkpoint")
 end
 
+-- Solved once a step, where a step takes much of the velocity: by the trapezium rule.
+do
+  local model = hinge.model { displacement = "small" }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  local member = model:member { a, b, section = section, material = steel() }
+  model:mass { node = a, mass = 300 }
+  model:velocity(member, { 1, 0, 0 })
+  model:damping { alpha = 3e3 }
+  local run = done(model:dynamic { dt = 1e-4, duration = 1e-3, iterations = 1, solver = "direct", precision = "double",
+    record = false, rest = false }, "strong alpha")
+  near((run:velocity(a)), (0.85 / 1.15) ^ 10, 1e-9, "ten steps of strong alpha")
+end
+
 -- Between members of two groups a mass has the mean of their alphas, of those that are whole. Once all have broken it
 -- flies undamped. The members weigh next to nothing.
 local function between(breaks)
