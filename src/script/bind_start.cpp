@@ -163,8 +163,9 @@ int record_every(Options& o, int usual) {
     return none ? 0 : o.integer("record", 1, usual);
 }
 
-/// What leads the way of a static run.
-void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, StaticSettings& s) {
+/// What leads the way of a static run; `before`: the run that it goes on from, or null.
+void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, const RunRecord* before,
+                  StaticSettings& s) {
     const char* allowed = "must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", to = }";
     const int type = o.push_field("control");
     if (type == LUA_TSTRING) {
@@ -218,7 +219,7 @@ int static_run(lua_State* L) {
     s.steps = o.integer("steps", 1, 10);
     s.iterations = o.integer("iterations", 2, s.iterations);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
-    read_control(L, o, m, s);
+    read_control(L, o, m, before, s);
     s.past_unstable = o.word("unstable", {"fail", "continue"}, "fail") == "continue";
     s.to_limit = o.flag("to_limit", false);
     if (s.control != Control::load)
