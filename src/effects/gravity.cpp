@@ -1,5 +1,11 @@
 // Gravity: the weight of elements and of rigid offset masses, and their potential energy (eq 20b).
+//
+// Weights act at the nodes. What they miss of a load along the member is added to members that are whole and carried
+// (member_weights.h). It has no potential: minus its work is in gravity's account.
+#include <algorithm>
+
 #include "effects/kinds.h"
+#include "effects/member_weights.h"
 
 namespace hinge {
 namespace {
@@ -8,16 +14,23 @@ class Gravity : public Effect {
 public:
     Gravity(Workspace& w, Host& host) : Effect("gravity", w, host), g_(*w.structure.model().gravity()) {
         at_start_ = potential(w.state);
+        if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
+        choose_members();
     }
 
     /// Offset masses resist with their weight themselves (broken_members.cpp), since it rotates with them.
     void add_steady_loads(std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }
-    void add_held_loads(const Places&, std::vector<Vec6>& external) const override {
+    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+        add_corrections(g_, at, external);
+    }
+    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
         const Vec3& g = w_.structure.model().held_gravity();
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g; });
+        add_corrections(g, at, external);
     }
+    bool loads_follow() const override { return w_.structure.large() && !members_.joints().empty(); }
     bool has_potential() const override { return true; }
     bool takes_mean_forces() const override { return true; }
 
@@ -26,16 +39,70 @@ public:
         const beam::Inertia m = w_.structure.inertia(b.element);
         for (int end : {0, 1}) host_.change_steady_load(e.node[end], -(m.weight(end) * g_));
     }
+    void all_broke() override { choose_members(); }
+
+    /// In statics the correction is part of F.
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        const std::vector<int>& joints = members_.joints();
+        if (!w_.kind.dynamic || joints.empty()) return;
+        if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, now_);
+        for (std::size_t i = 0; i < joints.size(); ++i)
+            if (w_.resting.empty() || w_.resting[joints[i]] < 0) resisting[joints[i]].tail<3>() -= now_[i];
+    }
+    void restart_ends() override { before_ = now_; }
+
+    /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.
+    void add_up(const Step&, Accounts& sums) const override {
+        const std::vector<int>& joints = members_.joints();
+        if (joints.empty()) return;
+        std::vector<Vec3> end;
+        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, end);
+        double work = 0;
+        for (std::size_t i = 0; i < joints.size(); ++i)
+            work += (w_.kind.dynamic ? Vec3(0.5 * (now_[i] + before_[i])) : end[i]).dot(w_.rotation_step[joints[i]]);
+        sums["gravity"] -= work;
+    }
+    void keep(const Step&) override { before_ = now_; }
+
+    void add_section_forces(int element, double side, SectionForces& forces) const override {
+        if (!members_.has(w_.structure.elements()[element].member)) return;
+        const Vec3 held = w_.structure.model().held_gravity(),
+                   g = w_.kind.dynamic ? g_ : Vec3(held + w_.state.factor * (g_ - held));
+        members_.add_section_forces(w_.structure, w_.state, g, element, side, forces);
+    }
 
     /// Zero where the run starts.
     void add_energy(const State& state, Accounts& sums) const override {
         sums["gravity"] += potential(state) - at_start_;
     }
 
-    void save(Writer& to) const override { to(at_start_); }
-    void restore(Reader& from) override { from(at_start_); }
+    void save(Writer& to) const override { to(at_start_, before_); }
+    void restore(Reader& from) override { from(at_start_, before_); }
+    bool restored(std::span<const State* const>) override {
+        std::vector<Vec3> before = std::move(before_);
+        choose_members();
+        before_ = std::move(before);
+        return before_.size() == members_.joints().size();
+    }
 
 private:
+    /// In statics all is held, one way or another.
+    void choose_members() {
+        if (members_.count() == 0) return;
+        const std::vector<char> carried = carried_members(w_.structure, w_.state, members_, g_);
+        std::vector<int> list;
+        for (int m = 0; m < members_.count(); ++m)
+            if (w_.kind.dynamic ? carried[m] : members_.ends(m).whole(w_.state)) list.push_back(m);
+        members_.choose(w_.structure, list);
+        members_.find_moments(w_.structure, g_, w_.state, now_);
+        before_ = now_;
+    }
+    void add_corrections(const Vec3& g, const Places& at, std::vector<Vec6>& external) const {
+        std::vector<Vec3> moments;
+        members_.find_moments(w_.structure, g, at, moments);
+        for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];
+    }
+
     double potential(const State& state) const {
         const Structure& s = w_.structure;
         Vec3 moment = Vec3::Zero();  // of mass about the origin
@@ -48,13 +115,21 @@ private:
         return -moment.dot(g_);  // eq 20b
     }
 
-    Vec3 g_;           ///< m/s^2
-    double at_start_;  ///< J
+    Vec3 g_;                 ///< m/s^2
+    double at_start_;        ///< J
+    MemberWeights members_;  ///< none with weight = "nodes"
+    /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.
+    std::vector<Vec3> before_, now_;
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const bool on = s.model().gravity().has_value();
-    return {{"gravity", on, on ? "model:gravity" : "not declared", s.model().asked_at("gravity")}};
+    const bool along = s.model().options().weight == Weight::members;
+    return {{"gravity", on,
+             !on     ? "not declared"
+             : along ? "model:gravity, along members; weight = \"nodes\" leaves that out"
+                     : "model:gravity, at nodes alone",
+             s.model().asked_at("gravity")}};
 }
 
 }  // namespace

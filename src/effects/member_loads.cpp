@@ -1,63 +1,22 @@
 // Loads along members: forces and moments per length, and point loads between the ends.
 //
-// Each element passes its part of the load on to its two nodes by the lever rule. In a clamped member those parts give
-// other end moments than the load does, so the member's two end nodes get the difference to the fixed-end moments of
-// the whole Timoshenko member, with the two shear forces that keep it in balance. End forces are then exact, and
-// displacements of joints as exact as the stiffness between them is: closed form with pairs of asi-gauss elements.
+// Each element passes its part of the load on to its two nodes by the lever rule, and the member's two end nodes get
+// what that misses of the fixed-end moments (clamped_member.h).
 //
 // Large displacement: forces that are given in space keep their direction. The correction is that of the load's
-// components in the axes that the member has now (chord from end to end) and rotates with them. A member with a broken
-// element has no correction, and the broken element's part of the load goes with it.
+// components in the axes that the member has now (chord from end to end) and rotates with them. The part of the load on
+// a broken element goes with it.
 #include "effects/member_loads.h"
 
 #include <cmath>
 #include <map>
 
-#include "beam/tangent.h"
+#include "effects/clamped_member.h"
 #include "effects/history_jump.h"
 #include "effects/kinds.h"
 
 namespace hinge {
 namespace {
-
-/// The closed form of a Timoshenko beam that bends in one plane, shear flexibility phi = 12 EI/(GA L^2): where end 1 or
-/// 2 alone rotates by one, the deflection over the length and the section's rotation at xi (0 to 1). By Betti's law
-/// they are the fixed-end moments of a unit force or moment that acts there.
-double deflection(int end, double xi, double phi) {
-    const double bow = 0.5 * phi * (xi - xi * xi);
-    return (end == 0 ? xi * (1 - xi) * (1 - xi) + bow : -xi * xi * (1 - xi) - bow) / (1 + phi);
-}
-double rotation(int end, double xi, double phi) {
-    return (end == 0 ? (1 - xi) * (1 - 3 * xi + phi) : xi * (3 * xi - 2 + phi)) / (1 + phi);
-}
-
-/// What a member's elements make of loads at their nodes while its ends are clamped.
-class Clamped {
-public:
-    Clamped(const Structure& s, int first, int end) : n_(end - first) {
-        if (n_ < 2) return;
-        Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * (n_ + 1), 6 * (n_ + 1));
-        for (int i = 0; i < n_; ++i) {
-            const Element& e = s.elements()[first + i];
-            K.block<12, 12>(6 * i, 6 * i) += beam::linear_tangent(Mat3::Identity(), e.length, e.stiffness.matrix());
-        }
-        const int inner = 6 * (n_ - 1);
-        Eigen::MatrixXd to_ends(inner, 12);
-        to_ends << K.block(6, 0, inner, 6), K.block(6, 6 * n_, inner, 6);
-        carried_ = -K.block(6, 6, inner, inner).ldlt().solve(to_ends);
-    }
-    /// The part of a unit load on node k (0 to n), in one of six directions, that arrives at the ends' component `to`
-    /// (0 to 11).
-    double arrives(int k, int direction, int to) const {
-        if (k == 0) return direction == to;
-        if (k == n_) return 6 + direction == to;
-        return carried_(6 * (k - 1) + direction, to);
-    }
-
-private:
-    int n_;
-    Eigen::MatrixXd carried_;
-};
 
 /// A part of a load, at a point of an element.
 struct Portion {
@@ -77,12 +36,10 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
     if (load.axes == LoadAxes::projected)
         for (Vec3& q : force)
             if (!q.isZero(0)) q *= q.cross(along).norm() / q.norm();
-    const double point[3] = {0.5 - 0.5 * std::sqrt(0.6), 0.5, 0.5 + 0.5 * std::sqrt(0.6)},
-                 weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};  // Gauss: exact for a linear load on a cubic
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k) {
-            const double xi = (i + point[k]) / n, part = weight[k] * length / n;
-            list.push_back({i, point[k], xi, part * ((1 - xi) * force[0] + xi * force[1]),
+            const double xi = (i + gauss_point[k]) / n, part = gauss_weight[k] * length / n;
+            list.push_back({i, gauss_point[k], xi, part * ((1 - xi) * force[0] + xi * force[1]),
                             part * ((1 - xi) * load.moment[0] + xi * load.moment[1])});
         }
     return list;
@@ -92,14 +49,10 @@ class MemberLoads : public Effect {
 public:
     MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host) {
         const Structure& s = w.structure;
-        std::map<int, std::pair<int, int>> elements_of;  // first and one past the last
-        for (int i = 0; i < int(s.elements().size()); ++i) {
-            auto& range = elements_of.try_emplace(s.elements()[i].member, i, i).first->second;
-            range.second = i + 1;
-        }
+        const std::vector<std::pair<int, int>> elements_of = elements_of_members(s);
         place_.assign(s.position().size(), -1);
         for (const MemberLoad& load : declared()) {
-            const auto [first, end] = elements_of.at(load.member);
+            const auto [first, end] = elements_of[load.member];
             loads_.push_back(taken_up(load, first, end));
             on_member_[load.member].push_back(int(loads_.size()) - 1);
             for (int i = first; i < end; ++i)
@@ -177,22 +130,17 @@ public:
             const Loaded& l = loads_[i];
             const double factor = w_.kind.dynamic ? l.kept_factor : (l.held ? 1 : w_.state.factor * static_factor(l));
             const int end = side < 0 ? 0 : 1;
-            const Share& share = l.shares[element - l.first];
+            const Share& share = l.shares[element - l.ends.first];
             Vec3 force = share.force[end], moment = share.moment[end];
             if (!l.local) {
                 const Mat3 to_local = axes_of(place_element(w_.structure, element, w_.state)).transpose();
                 force = to_local * force, moment = to_local * moment;
             }
-            force *= -side * factor, moment *= -side * factor;
-            forces.Qx += force.x(), forces.Qy += force.y(), forces.N += force.z();
-            forces.Mx += moment.x(), forces.My += moment.y(), forces.Mz += moment.z();
-            if (!whole(l)) continue;
-            const Chord chord = chord_of(l, w_.state);
+            add_share(side, factor * force, factor * moment, forces);
+            if (!l.ends.whole(w_.state)) continue;
+            const MemberEnds::Chord chord = l.ends.chord(w_.structure, w_.state);
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
-            const double xi = double(element - l.first + end) / int(l.shares.size()), length = chord.span.norm();
-            const Vec3 there = (1 - xi) * m[0] - xi * m[1], sum = (m[0] + m[1]) / length;
-            forces.Mx += there.x(), forces.My += there.y();
-            forces.Qx += sum.y(), forces.Qy -= sum.x();
+            l.ends.add_section_forces(element, end, chord.span.norm(), m, forces);
         }
     }
 
@@ -204,7 +152,7 @@ public:
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Loaded& l : loads_)
             if (l.history)
-                for (int i = l.first; i < l.first + int(l.shares.size()); ++i) {
+                for (int i = l.ends.first; i < l.ends.first + l.ends.count; ++i) {
                     const int body = bodies.of_node[w_.structure.elements()[i].node[0]];
                     if (!w_.state.broken[i] && body >= 0) rests[body] = 0;
                 }
@@ -239,7 +187,7 @@ private:
         Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
     };
     struct Loaded {
-        int first;  ///< element
+        MemberEnds ends;
         bool local;
         History history;
         std::vector<Share> shares;  ///< of the member's elements
@@ -250,12 +198,6 @@ private:
         bool held = false, may_jump = false;
         StepFactor over = {};  ///< where its history may jump within a step
     };
-    /// A member's axes, and the way from its first to its second end, m.
-    struct Chord {
-        Mat3 axes;
-        Vec3 span;
-    };
-
     const std::vector<MemberLoad>& declared() const {
         return w_.structure.model().declared<MemberLoad>(member_loads_effect);
     }
@@ -264,18 +206,14 @@ private:
         const Element& e = w_.structure.elements()[first];
         const int n = end - first;
         const double length = n * e.length;
-        Loaded l{first, load.axes == LoadAxes::local, load.history, {}, {}, {}};
+        Loaded l{{first, n}, load.axes == LoadAxes::local, load.history, {}, {}, {}};
         l.held = load.held;
         l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
-        const Clamped clamped(w_.structure, first, end);
-        // bending about x deflects along -y where it rotates, bending about y along x
-        const double phi[2] = {12 * e.rigidity.EIx / (e.rigidity.GAy * length * length),
-                               12 * e.rigidity.EIy / (e.rigidity.GAx * length * length)};
-        const double sign[2] = {-1, 1};
+        const ClampedMember clamped(w_.structure, first, end);
         for (const Portion& p : portions(load, n, length, e.chord.normalized())) {
             const double lever[2] = {1 - p.eta, p.eta};
             for (int i : {0, 1}) {
@@ -289,9 +227,8 @@ private:
                         return lever[0] * clamped.arrives(p.element, direction, to) +
                                lever[1] * clamped.arrives(p.element + 1, direction, to);
                     };
-                    l.of_force[of][plane] +=
-                        (sign[plane] * length * deflection(of, p.xi, phi[plane]) - passed_on(1 - plane)) * p.force;
-                    l.of_moment[of][plane] += (rotation(of, p.xi, phi[plane]) - passed_on(3 + plane)) * p.moment;
+                    l.of_force[of][plane] += (clamped.of_force(of, plane, p.xi) - passed_on(1 - plane)) * p.force;
+                    l.of_moment[of][plane] += (clamped.of_moment(of, plane, p.xi) - passed_on(3 + plane)) * p.moment;
                 }
         }
         return l;
@@ -305,22 +242,6 @@ private:
         for (Loaded& l : loads_) l.factor = l.may_jump ? l.over.*of_step : l.history ? l.history(time) : 1;
     }
 
-    bool whole(const Loaded& l) const {
-        for (std::size_t i = 0; i < l.shares.size(); ++i)
-            if (w_.state.broken[l.first + i]) return false;
-        return true;
-    }
-    Chord chord_of(const Loaded& l, const Places& at) const {
-        const Structure& s = w_.structure;
-        const Element &a = s.elements()[l.first], &b = s.elements()[l.first + l.shares.size() - 1];
-        Vec3 span = double(l.shares.size()) * a.chord;
-        if (!s.large()) return {a.axes.toRotationMatrix(), span};
-        span += at.displacement[b.node[1]] - at.displacement[a.node[0]];
-        const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-        return {axes_of(beam::place<double>({span.x(), span.y(), span.z()}, quad(at.rotation[a.node[0]]),
-                                            quad(at.rotation[b.node[1]]), quad(a.axes))),
-                span};
-    }
     /// The correction at an end, in the member's axes; `axes`: those.
     Vec3 end_moment(const Loaded& l, int end, const Mat3& axes) const {
         Vec3 m = Vec3::Zero();
@@ -337,7 +258,7 @@ private:
         const auto& elements = w_.structure.elements();
         bool broken = false;
         for (std::size_t i = 0; i < l.shares.size(); ++i) {
-            const int element = l.first + int(i);
+            const int element = l.ends.first + int(i);
             if (w_.state.broken[element]) {
                 broken = true;
                 continue;
@@ -352,15 +273,10 @@ private:
             }
         }
         if (broken) return;
-        const Chord chord = chord_of(l, at);
+        const MemberEnds::Chord chord = l.ends.chord(w_.structure, at);
         Vec3 m[2];
         for (int end : {0, 1}) m[end] = factor * (chord.axes * end_moment(l, end, chord.axes));
-        const Vec3 shear = chord.span.cross(m[0] + m[1]) / chord.span.squaredNorm();
-        Vec6 f;
-        f << -shear, m[0];
-        add(elements[l.first].node[0], f);
-        f << shear, m[1];
-        add(elements[l.first + l.shares.size() - 1].node[1], f);
+        l.ends.pass_on(w_.structure, chord.span, m, add);
     }
 
     /// On each of nodes_, now.

@@ -52,6 +52,9 @@ enum class MassShape : std::uint8_t { linear, cubic };
 /// between its ends (beam/beam_column.h).
 enum class PDelta : std::uint8_t { chord, member };
 
+/// Where the weight of members acts: along them, as a load of the same size does, or at the nodes of their elements.
+enum class Weight : std::uint8_t { nodes, members };
+
 /// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
 /// stays that of the Gauss points and the pair stays exact. `whole`: elastic and plastic together, as the paper prints
 /// it.
@@ -122,6 +125,7 @@ struct ModelOptions {
     Shift shift = Shift::plastic;
     MassShape mass = MassShape::linear;
     PDelta p_delta = PDelta::member;
+    Weight weight = Weight::members;
     bool plasticity = true;
     int elements_per_member = 2;
     bool automatic_elements = false;  ///< elements_per_member = "auto"

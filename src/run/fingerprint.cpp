@@ -68,7 +68,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_contact), bool(r.on_release));
     }));
     parts.push_back(part("options of the model", std::vector{model.options()}, [](Sum& a, const ModelOptions& o) {
-        a(o.formulation, o.displacement, o.shift, o.mass, o.p_delta, o.plasticity, o.elements_per_member);
+        a(o.formulation, o.displacement, o.shift, o.mass, o.p_delta, o.weight, o.plasticity, o.elements_per_member);
     }));
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));

@@ -83,7 +83,11 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     if (structure_->large()) modes_at_start_ = most_modes_ = most_free_modes_ = effective_->negative_modes();
     const bool moments =
         std::any_of(model.loads().begin(), model.loads().end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
-    if ((moments || loads_follow_) && structure_->large()) {
+    // What weight does along members turns with them, but by next to nothing beside their stiffness.
+    const bool turns = std::any_of(effects_.begin(), effects_.end(), [&](const auto& e) {
+        return e->loads_follow() && (!e->has_potential() || !state_.offset_mass.empty());
+    });
+    if ((moments || turns) && structure_->large()) {
         effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
         effective_->set_held(held_);
         built_ = false;

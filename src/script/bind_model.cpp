@@ -71,6 +71,7 @@ int model(lua_State* L) {
         o.complain(
             "p_delta", "'member'",
             "needs formulation 'asi-gauss', displacement 'large' and shift 'plastic'; without them it is 'chord'");
+    m.weight = o.word("weight", {"members", "nodes"}, "members") == "nodes" ? Weight::nodes : Weight::members;
     if (m.shift == Shift::whole && m.formulation == Formulation::conventional)
         o.complain("shift", "'whole'",
                    "has no meaning with formulation 'conventional', whose points stay in the middle; leave it out");

@@ -14,7 +14,7 @@ namespace hinge::script {
 namespace {
 
 constexpr int most_elements = 16;
-/// In the solution. Weights act on nodes: the moment at a clamped end is 37 % too small with two elements, 9 % with
+/// In the solution. With weight = "nodes" the moment at a clamped end is 37 % too small with two elements, 9 % with
 /// four. That of loads on members is exact, and is looked at in eighths of the length.
 constexpr int of_heavy_members = 4, of_loaded_members = 8;
 

@@ -38,7 +38,7 @@ local function energy_error(run) return run.energy.remainder / run.energy.initia
 -- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
 local function case_one(options, rule, breaks, p_delta)
   local q = impact.parameters { dt = 1e-5 }
-  local model = hinge.model { p_delta = p_delta or "chord" } -- as in the paper
+  local model = hinge.model { p_delta = p_delta or "chord", weight = "nodes" } -- as in the paper
   local _, plane = impact.add(model, q)
   if rule then model:contact(rule) end
   if breaks then model:fracture(breaks) end

@@ -187,6 +187,30 @@ TEST_CASE("loads: functions of the state act from where a run begins", "[loads]"
     }
 }
 
+TEST_CASE("loads: weight along a clamped member has the moments of w L^2/12 and w L^2/24, with both masses",
+          "[loads]") {
+    for (const MassShape mass : {MassShape::linear, MassShape::cubic})
+        for (const int elements : {2, 4}) {
+            INFO(elements << " elements, mass " << int(mass));
+            ModelOptions options = small_displacement();
+            options.mass = mass, options.elements_per_member = elements;
+            Frame frame(options);
+            frame.member(frame.foot(0, 0, 0), frame.foot(1, 0, 0));
+            frame.model->set_gravity({0, 0, -9.80665});
+            const auto run = statics(frame.build());
+            const Element& e = run->structure().elements()[0];
+            const double wL2 = e.rigidity.rhoA * 9.80665;
+            const auto at = [&](int k, double side) {
+                const SectionForces f = run->section_forces(k, side);
+                return std::hypot(f.Mx, f.My);
+            };
+            CHECK_FIGURE("moment at the end", off(at(0, -1), wL2 / 12), 1e-9);
+            CHECK_FIGURE("moment in the middle", off(at(elements / 2 - 1, 1), wL2 / 24), 1e-9);
+            CHECK_FIGURE("moment behind the middle", off(at(elements / 2, -1), wL2 / 24), 1e-9);
+            if (elements == 4) CHECK_FIGURE("moment at a quarter", off(at(0, 1), wL2 / 96), 1e-9);
+        }
+}
+
 TEST_CASE("loads: in statics an elastic member takes half of force times way, and so does gravity", "[loads]") {
     const Vec3 force(40, -30, -500), moment(20, 5, -9);
     for (const int steps : {1, 7})
@@ -209,7 +233,9 @@ TEST_CASE("loads: in statics an elastic member takes half of force times way, an
             CHECK_FIGURE("strain energy against F u / 2", off(run->energy()["elastic"], half), 1e-9);
         }
     {  // gravity let on slowly: what was not there yet was held back, which took half of the way's weight
-        Frame frame(small_displacement());
+        ModelOptions options = small_displacement();
+        options.weight = Weight::nodes;
+        Frame frame(options);
         frame.member(frame.foot(0, 0, 0), frame.node(1, 0, 0));
         frame.model->set_gravity({0, 0, -9.80665});
         const auto structure = frame.build();

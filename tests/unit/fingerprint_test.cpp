@@ -168,6 +168,7 @@ const std::vector<Field> fields = {
     CHANGE("options of the model", "shift", d.options.shift = Shift::whole),
     CHANGE("options of the model", "plasticity", d.options.plasticity = false),
     CHANGE("options of the model", "elements_per_member", d.options.elements_per_member = 4),
+    CHANGE("options of the model", "weight", d.options.weight = Weight::nodes),
     CHANGE("duration", "duration", d.settings.duration = 2e-2),
     CHANGE("dt", "dt", d.settings.dt = 5e-5),
     CHANGE("dt", "automatic", d.settings.automatic = true),

@@ -158,7 +158,7 @@ end
 -- see(run): called when the run has been made and returns a function called after each step. Returns damage and
 -- measures; of a run that ended by itself those up to its end, with verdict "failed" and the reason.
 function impact.simulate(p, see)
-  local model = hinge.model { p_delta = "chord" } -- as in the paper
+  local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
   local frame, plane = impact.add(model, p)
   local loaded = model:static { hold = plane, unstable = p.unstable }
   loaded:finish()

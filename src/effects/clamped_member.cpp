@@ -1,0 +1,84 @@
+#include "effects/clamped_member.h"
+
+#include <cmath>
+
+#include "beam/tangent.h"
+
+namespace hinge {
+namespace {
+
+/// The closed form of a Timoshenko beam that bends in one plane, shear flexibility phi = 12 EI/(GA L^2): where end 1 or
+/// 2 alone rotates by one, the deflection over the length and the section's rotation at xi (0 to 1). By Betti's law
+/// they are the fixed-end moments of a unit force or moment that acts there.
+double deflection(int end, double xi, double phi) {
+    const double bow = 0.5 * phi * (xi - xi * xi);
+    return (end == 0 ? xi * (1 - xi) * (1 - xi) + bow : -xi * xi * (1 - xi) - bow) / (1 + phi);
+}
+double rotation(int end, double xi, double phi) {
+    return (end == 0 ? (1 - xi) * (1 - 3 * xi + phi) : xi * (3 * xi - 2 + phi)) / (1 + phi);
+}
+
+/// Bending about x deflects along -y where it rotates, bending about y along x.
+constexpr double sign[2] = {-1, 1};
+
+}  // namespace
+
+const double gauss_point[3] = {0.5 - 0.5 * std::sqrt(0.6), 0.5, 0.5 + 0.5 * std::sqrt(0.6)};
+const double gauss_weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+std::vector<std::pair<int, int>> elements_of_members(const Structure& s) {
+    std::vector<std::pair<int, int>> of(s.model().members().size());
+    for (int i = 0; i < int(s.elements().size()); ++i) {
+        auto& [first, end] = of[s.elements()[i].member];
+        if (end == 0) first = i;
+        end = i + 1;
+    }
+    return of;
+}
+
+ClampedMember::ClampedMember(const Structure& s, int first, int end) : n_(end - first) {
+    const Element& e = s.elements()[first];
+    length_ = n_ * e.length;
+    phi_[0] = 12 * e.rigidity.EIx / (e.rigidity.GAy * length_ * length_);
+    phi_[1] = 12 * e.rigidity.EIy / (e.rigidity.GAx * length_ * length_);
+    if (n_ < 2) return;
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * (n_ + 1), 6 * (n_ + 1));
+    for (int i = 0; i < n_; ++i) {
+        const Element& part = s.elements()[first + i];
+        K.block<12, 12>(6 * i, 6 * i) += beam::linear_tangent(Mat3::Identity(), part.length, part.stiffness.matrix());
+    }
+    const int inner = 6 * (n_ - 1);
+    Eigen::MatrixXd to_ends(inner, 12);
+    to_ends << K.block(6, 0, inner, 6), K.block(6, 6 * n_, inner, 6);
+    carried_ = -K.block(6, 6, inner, inner).ldlt().solve(to_ends);
+}
+
+double ClampedMember::of_force(int end, int plane, double xi) const {
+    return sign[plane] * length_ * deflection(end, xi, phi_[plane]);
+}
+double ClampedMember::of_moment(int end, int plane, double xi) const { return rotation(end, xi, phi_[plane]); }
+
+MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const {
+    const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
+    Vec3 span = double(count) * a.chord;
+    if (!s.large()) return {a.axes.toRotationMatrix(), span};
+    span += at.displacement[b.node[1]] - at.displacement[a.node[0]];
+    const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
+    return {axes_of(beam::place<double>({span.x(), span.y(), span.z()}, quad(at.rotation[a.node[0]]),
+                                        quad(at.rotation[b.node[1]]), quad(a.axes))),
+            span};
+}
+
+void MemberEnds::add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const {
+    const double xi = double(element - first + end) / count;
+    const Vec3 there = (1 - xi) * m[0] - xi * m[1], sum = (m[0] + m[1]) / length;
+    forces.Mx += there.x(), forces.My += there.y();
+    forces.Qx += sum.y(), forces.Qy -= sum.x();
+}
+
+void add_share(double side, const Vec3& force, const Vec3& moment, SectionForces& forces) {
+    forces.Qx -= side * force.x(), forces.Qy -= side * force.y(), forces.N -= side * force.z();
+    forces.Mx -= side * moment.x(), forces.My -= side * moment.y(), forces.Mz -= side * moment.z();
+}
+
+}  // namespace hinge

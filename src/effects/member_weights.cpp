@@ -1,0 +1,131 @@
+#include "effects/member_weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "effects/connectors.h"
+
+namespace hinge {
+
+MemberWeights::MemberWeights(const Structure& s) {
+    std::map<std::tuple<const void*, double, int>, int> known;  // members that are alike
+    for (const auto& [first, end] : elements_of_members(s)) {
+        const Element& e = s.elements()[first];
+        ends_.push_back({first, end - first});
+        const auto [at, is_new] = known.try_emplace({&e.rigidity, e.length, end - first}, int(kinds_.size()));
+        if (is_new) kinds_.push_back(kind_of(s, ends_.back()));
+        kind_.push_back(at->second);
+    }
+}
+
+bool MemberWeights::Kind::round() const { return std::abs(c[0] + c[1]) <= 1e-12 * std::abs(c[0]); }
+
+MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds& ends) {
+    const int n = ends.count;
+    const Element& e = s.elements()[ends.first];
+    const double length = n * e.length, per_length = e.rigidity.rhoA;
+    const ClampedMember clamped(s, ends.first, ends.first + n);
+    std::vector<double> at_node(n + 1, 0.0);
+    for (int i = 0; i < n; ++i)
+        for (int end : {0, 1}) at_node[i + end] += s.inertia(ends.first + i).weight(end);
+    Kind kind;
+    for (int plane : {0, 1}) {
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < 3; ++k)
+                kind.c[plane] +=
+                    gauss_weight[k] * e.length * per_length * clamped.of_force(0, plane, (i + gauss_point[k]) / n);
+        for (int k = 0; k <= n; ++k) kind.c[plane] -= at_node[k] * clamped.arrives(k, 1 - plane, 3 + plane);
+    }
+    kind.bow.assign(n + 1, 0.0);
+    for (int k = 1; k < n; ++k) {
+        const double z = k * e.length;
+        kind.bow[k] = 0.5 * per_length * z * (length - z);
+        for (int j = 1; j < n; ++j) kind.bow[k] -= at_node[j] * std::min(j, k) * (n - std::max(j, k)) * e.length / n;
+    }
+    return kind;
+}
+
+void MemberWeights::choose(const Structure& s, const std::vector<int>& members) {
+    chosen_.assign(ends_.size(), 0);
+    list_.clear();
+    joints_.clear();
+    std::vector<int> place(s.position().size(), -1);
+    for (const int m : members) {
+        chosen_[m] = 1;
+        const MemberEnds& ends = ends_[m];
+        const Element &a = s.elements()[ends.first], &b = s.elements()[ends.first + ends.count - 1];
+        const Kind& kind = kinds_[kind_[m]];
+        Chosen c{{a.node[0], b.node[1]}, {}, m, double(ends.count) * a.chord, kind.c[0], kind.round()};
+        for (int end : {0, 1}) {
+            int& at = place[c.node[end]];
+            if (at < 0) at = int(joints_.size()), joints_.push_back(c.node[end]);
+            c.joint[end] = at;
+        }
+        list_.push_back(c);
+    }
+}
+
+void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, std::vector<Vec3>& out) const {
+    out.assign(joints_.size(), Vec3::Zero());
+    const bool large = s.large();
+    for (const Chosen& c : list_) {
+        Vec3 m;
+        if (c.round) {  // c (ex (ey . g) - ey (ex . g))
+            Vec3 span = c.span;
+            if (large) span += at.displacement[c.node[1]] - at.displacement[c.node[0]];
+            m = (c.c / std::sqrt(span.squaredNorm())) * g.cross(span);
+        } else {
+            const Mat3 axes = ends_[c.member].chord(s, at).axes;
+            m = axes * first_moment(c.member, axes, g);
+        }
+        out[c.joint[0]] += m;
+        out[c.joint[1]] -= m;
+    }
+}
+
+void MemberWeights::add_section_forces(const Structure& s, const State& state, const Vec3& g, int element, double side,
+                                       SectionForces& forces) const {
+    const int member = s.elements()[element].member, end = side < 0 ? 0 : 1;
+    const MemberEnds& ends = ends_[member];
+    const Mat3 to_local = axes_of(place_element(s, element, state)).transpose();
+    add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
+    const MemberEnds::Chord chord = ends.chord(s, state);
+    const double bow = kinds_[kind_[member]].bow[element - ends.first + end];
+    forces.Mx -= bow * chord.axes.col(1).dot(g), forces.My += bow * chord.axes.col(0).dot(g);
+    const Vec3 first = first_moment(member, chord.axes, g), m[2] = {first, -first};
+    ends.add_section_forces(element, end, chord.span.norm(), m, forces);
+}
+
+std::vector<char> carried_members(const Structure& s, const State& state, const MemberWeights& weights, const Vec3& g) {
+    const Bodies bodies = find_bodies(s, state);
+    std::vector<char> carried(bodies.count, 0);
+    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
+        for (int c : {0, 1, 2})
+            if (bodies.of_node[n] >= 0 && g[c] != 0 && state.held[n] >> c & 1) carried[bodies.of_node[n]] = 1;
+    const auto& connectors = s.model().declared<Connector>(connectors_effect);
+    for (bool more = true; more;) {
+        more = false;
+        for (const Connector& joint : connectors) {
+            // a node without elements carries where it is held
+            const auto carries = [&](int node) {
+                return node < 0 ||
+                       (bodies.of_node[node] >= 0 ? carried[bodies.of_node[node]] != 0 : state.held[node] != 0);
+            };
+            for (const auto& [by, what] : {std::pair{joint.a, joint.b}, std::pair{joint.b, joint.a}}) {
+                if (what < 0 || bodies.of_node[what] < 0 || carried[bodies.of_node[what]] || !carries(by)) continue;
+                carried[bodies.of_node[what]] = 1;
+                more = true;
+            }
+        }
+    }
+    std::vector<char> of(weights.count(), 0);
+    for (int m = 0; m < weights.count(); ++m) {
+        const MemberEnds& ends = weights.ends(m);
+        const int body = bodies.of_node[s.elements()[ends.first].node[0]];
+        of[m] = body >= 0 && carried[body] && ends.whole(state);
+    }
+    return of;
+}
+
+}  // namespace hinge

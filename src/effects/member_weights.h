@@ -1,0 +1,63 @@
+// What the weight of a member does between its nodes (weight = "members").
+//
+// Weights act at the nodes of the elements. Here is what they miss of an even load along the member: the correction at
+// its two end nodes (clamped_member.h), and the part of the section forces that balances the load itself. Both are
+// linear in gravity, so that they are kept as masses. A member is alike from both ends: the correction is two opposite
+// moments, without shear forces.
+#pragma once
+
+#include "effects/clamped_member.h"
+
+namespace hinge {
+
+class MemberWeights {
+public:
+    MemberWeights() = default;
+    explicit MemberWeights(const Structure& structure);
+
+    int count() const { return int(ends_.size()); }
+    const MemberEnds& ends(int member) const { return ends_[member]; }
+
+    /// These members have it, and no others; rising.
+    void choose(const Structure& structure, const std::vector<int>& members);
+    bool has(int member) const { return member < int(chosen_.size()) && chosen_[member]; }
+    const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
+    /// The moment on each of the joints, N m, in space.
+    void find_moments(const Structure& structure, const Vec3& g, const Places& at, std::vector<Vec3>& moments) const;
+    void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
+                            SectionForces& forces) const;
+
+private:
+    struct Kind {
+        double c[2] = {};         ///< at the first end about x by gravity along y, about y by gravity along x, kg m
+        std::vector<double> bow;  ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
+        bool round() const;       ///< alike about both axes, so that the chord says it all
+    };
+    /// A chosen member.
+    struct Chosen {
+        int node[2], joint[2], member;
+        Vec3 span;  ///< from its first to its second end at the start, m
+        double c;   ///< kg m; of one that is alike about both axes
+        bool round;
+    };
+    Vec3 first_moment(int member, const Mat3& axes, const Vec3& g) const {
+        const double* c = kinds_[kind_[member]].c;
+        return {c[0] * axes.col(1).dot(g), c[1] * axes.col(0).dot(g), 0};
+    }
+    static Kind kind_of(const Structure& s, const MemberEnds& ends);
+
+    std::vector<Kind> kinds_;
+    std::vector<int> kind_;         ///< of each member
+    std::vector<MemberEnds> ends_;  ///< likewise
+    std::vector<char> chosen_;      ///< likewise
+    std::vector<Chosen> list_;
+    std::vector<int> joints_;
+};
+
+/// Of each member, whether it is whole and its body is carried: a support holds one of the body's nodes in a direction
+/// in which gravity acts, or a connector joins it to the ground or to a body that is carried. What nothing carries
+/// falls, and its weight bends it no more than its inertia does.
+std::vector<char> carried_members(const Structure& structure, const State& state, const MemberWeights& weights,
+                                  const Vec3& g);
+
+}  // namespace hinge
