@@ -19,8 +19,6 @@ MemberWeights::MemberWeights(const Structure& s) {
     }
 }
 
-bool MemberWeights::Kind::round() const { return std::abs(c[0] + c[1]) <= 1e-12 * std::abs(c[0]); }
-
 MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds& ends) {
     const int n = ends.count;
     const Element& e = s.elements()[ends.first];
@@ -30,13 +28,10 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
     for (int i = 0; i < n; ++i)
         for (int end : {0, 1}) at_node[i + end] += s.inertia(ends.first + i).weight(end);
     Kind kind;
-    for (int plane : {0, 1}) {
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < 3; ++k)
-                kind.c[plane] +=
-                    gauss_weight[k] * e.length * per_length * clamped.of_force(0, plane, (i + gauss_point[k]) / n);
-        for (int k = 0; k <= n; ++k) kind.c[plane] -= at_node[k] * clamped.arrives(k, 1 - plane, 3 + plane);
-    }
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k)
+            kind.c += gauss_weight[k] * e.length * per_length * clamped.of_force(0, 0, (i + gauss_point[k]) / n);
+    for (int k = 0; k <= n; ++k) kind.c -= at_node[k] * clamped.arrives(k, 1, 3);
     kind.bow.assign(n + 1, 0.0);
     for (int k = 1; k < n; ++k) {
         const double z = k * e.length;
@@ -55,8 +50,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         chosen_[m] = 1;
         const MemberEnds& ends = ends_[m];
         const Element &a = s.elements()[ends.first], &b = s.elements()[ends.first + ends.count - 1];
-        const Kind& kind = kinds_[kind_[m]];
-        Chosen c{{a.node[0], b.node[1]}, {}, m, double(ends.count) * a.chord, kind.c[0], kind.round()};
+        Chosen c{{a.node[0], b.node[1]}, {}, double(ends.count) * a.chord, kinds_[kind_[m]].c};
         for (int end : {0, 1}) {
             int& at = place[c.node[end]];
             if (at < 0) at = int(joints_.size()), joints_.push_back(c.node[end]);
@@ -70,15 +64,9 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places
     out.assign(joints_.size(), Vec3::Zero());
     const bool large = s.large();
     for (const Chosen& c : list_) {
-        Vec3 m;
-        if (c.round) {  // c (ex (ey . g) - ey (ex . g))
-            Vec3 span = c.span;
-            if (large) span += at.displacement[c.node[1]] - at.displacement[c.node[0]];
-            m = (c.c / std::sqrt(span.squaredNorm())) * g.cross(span);
-        } else {
-            const Mat3 axes = ends_[c.member].chord(s, at).axes;
-            m = axes * first_moment(c.member, axes, g);
-        }
+        Vec3 span = c.span;
+        if (large) span += at.displacement[c.node[1]] - at.displacement[c.node[0]];
+        const Vec3 m = (c.c / span.norm()) * g.cross(span);
         out[c.joint[0]] += m;
         out[c.joint[1]] -= m;
     }
@@ -91,9 +79,11 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     const Mat3 to_local = axes_of(place_element(s, element, state)).transpose();
     add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
     const MemberEnds::Chord chord = ends.chord(s, state);
-    const double bow = kinds_[kind_[member]].bow[element - ends.first + end];
-    forces.Mx -= bow * chord.axes.col(1).dot(g), forces.My += bow * chord.axes.col(0).dot(g);
-    const Vec3 first = first_moment(member, chord.axes, g), m[2] = {first, -first};
+    const Kind& kind = kinds_[kind_[member]];
+    const double bow = kind.bow[element - ends.first + end], gx = chord.axes.col(0).dot(g),
+                 gy = chord.axes.col(1).dot(g);
+    forces.Mx -= bow * gy, forces.My += bow * gx;
+    const Vec3 first(kind.c * gy, -kind.c * gx, 0), m[2] = {first, -first};
     ends.add_section_forces(element, end, chord.span.norm(), m, forces);
 }
 

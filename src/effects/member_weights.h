@@ -3,7 +3,8 @@
 // Weights act at the nodes of the elements. Here is what they miss of an even load along the member: the correction at
 // its two end nodes (clamped_member.h), and the part of the section forces that balances the load itself. Both are
 // linear in gravity, so that they are kept as masses. A member is alike from both ends: the correction is two opposite
-// moments, without shear forces.
+// moments, without shear forces. That the moments along it turn its ends by nothing gives them whatever its stiffness
+// is, so they are across gravity and the chord, in all directions alike.
 #pragma once
 
 #include "effects/clamped_member.h"
@@ -29,21 +30,15 @@ public:
 
 private:
     struct Kind {
-        double c[2] = {};         ///< at the first end about x by gravity along y, about y by gravity along x, kg m
+        double c = 0;             ///< moment at the first end about x by gravity along y, kg m
         std::vector<double> bow;  ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
-        bool round() const;       ///< alike about both axes, so that the chord says it all
     };
     /// A chosen member.
     struct Chosen {
-        int node[2], joint[2], member;
+        int node[2], joint[2];
         Vec3 span;  ///< from its first to its second end at the start, m
-        double c;   ///< kg m; of one that is alike about both axes
-        bool round;
+        double c;   ///< kg m
     };
-    Vec3 first_moment(int member, const Mat3& axes, const Vec3& g) const {
-        const double* c = kinds_[kind_[member]].c;
-        return {c[0] * axes.col(1).dot(g), c[1] * axes.col(0).dot(g), 0};
-    }
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 
     std::vector<Kind> kinds_;
