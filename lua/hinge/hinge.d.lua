@@ -68,11 +68,11 @@ function hinge.model(options) end
 ---nodes, too. End forces and displacements of joints are then those of a load `q` of the same size: exact in elastic
 ---members with two elements in small displacement. nodes: at the nodes alone, as in the paper. The end moments of a
 ---clamped member of two elements are then 0.63 of w L^2 / 12, with four 0.91, and the shear forces at its ends 1/2 and
----3/4 of w L / 2. With mass cubic the nodes' weights give the end moments by themselves. In dynamics
----weight acts along the members of bodies that are carried: a support holds one of the body's nodes in a direction in
----which gravity acts, or a connector (broken or not) joins it to the ground or to such a body. What falls, and what
----lies on others or on model:ground, has weight at nodes alone: there inertia bends a member as little as weight does.
----So has a member with a broken element
+---3/4 of w L / 2. With mass cubic the nodes' weights give the end moments by themselves. In dynamics weight acts along
+---the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
+---or a connector (broken or not) joins it to the ground or to such a body. What falls, and what lies on others or on
+---model:ground, has weight at nodes alone: there inertia bends a member as little as weight does. So has a member with
+---a broken element, and one whose weight would be too much for it between clamped ends (f_y above 1 there)
 ---@field weight? "members"|"nodes"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,

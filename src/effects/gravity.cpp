@@ -93,7 +93,7 @@ private:
         std::vector<int> list;
         for (int m = 0; m < members_.count(); ++m)
             if (w_.kind.dynamic ? carried[m] : members_.ends(m).whole(w_.state)) list.push_back(m);
-        members_.choose(w_.structure, list);
+        members_.choose(w_.structure, g_, list);
         members_.find_moments(w_.structure, g_, w_.state, now_);
         before_ = now_;
     }

@@ -19,8 +19,9 @@ public:
     int count() const { return int(ends_.size()); }
     const MemberEnds& ends(int member) const { return ends_[member]; }
 
-    /// These members have it, and no others; rising.
-    void choose(const Structure& structure, const std::vector<int>& members);
+    /// Of these members those have it that could carry their weight between clamped ends without yielding. A correction
+    /// beyond what plastic hinges carry would spin the joints between them.
+    void choose(const Structure& structure, const Vec3& g, const std::vector<int>& members);
     bool has(int member) const { return member < int(chosen_.size()) && chosen_[member]; }
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
@@ -39,6 +40,7 @@ private:
         Vec3 span;  ///< from its first to its second end at the start, m
         double c;   ///< kg m
     };
+    bool carries_itself(const Structure& s, const Vec3& g, int member) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 
     std::vector<Kind> kinds_;

@@ -293,6 +293,19 @@ for _, how in ipairs { integrators[1], integrators[2] } do
     how[1] .. ", break: as in a run from there", how[1] == "newmark" and 1e-6 or 1e-3)
 end
 
+-- Members that their own weight would bring to yield between clamped ends have it at nodes.
+for _, part in ipairs { 0.99, 1.01 } do
+  local model = hinge.model { displacement = "small" }
+  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  model:fix { a, b }
+  local m = model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.2 }, up = { 0, 0, 1 },
+    material = hinge.material { E = E, density = rho, yield_stress = 1e6 } }
+  model:gravity { 0, 0, -part * 12 * (0.1 * 0.2 ^ 2 / 4 * 1e6) / L ^ 2 / (rho * 0.02) }
+  local x = m:forces(solve { model = model })
+  close(math.abs(x.Mx), part * 1e3 * (part < 1 and 1 or 0.6339745962), ("end moment of %g M_p"):format(part),
+    1e-8)
+end
+
 for _, wrong in ipairs { "node", "lumped" } do
   local ok, message = pcall(hinge.model, { weight = wrong })
   expect(not ok and tostring(message):find("weight", 1, true), "weight = %s: %s", wrong, message)
