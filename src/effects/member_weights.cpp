@@ -92,7 +92,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     const Kind& kind = kinds_[kind_[member]];
     const double bow = kind.bow[element - ends.first + end], gx = chord.axes.col(0).dot(g),
                  gy = chord.axes.col(1).dot(g);
-    forces.Mx -= bow * gy, forces.My += bow * gx;
+    forces.Mx += bow * gy, forces.My -= bow * gx;
     const Vec3 first(kind.c * gy, -kind.c * gx, 0), m[2] = {first, -first};
     ends.add_section_forces(element, end, chord.span.norm(), m, forces);
 }

@@ -193,8 +193,9 @@ TEST_CASE("loads: weight along a clamped member has the moments of w L^2/12 and 
         for (const int elements : {2, 4}) {
             INFO(elements << " elements, mass " << int(mass));
             ModelOptions options = small_displacement();
-            options.mass = mass, options.elements_per_member = elements;
+            options.mass = mass;
             Frame frame(options);
+            frame.elements = elements;
             frame.member(frame.foot(0, 0, 0), frame.foot(1, 0, 0));
             frame.model->set_gravity({0, 0, -9.80665});
             const auto run = statics(frame.build());

@@ -230,7 +230,7 @@ do
   close(math.abs((s.member[1]:forces(run)).Mx), w * L ^ 2 / 12, "on springs: moment", 1e-3)
 end
 
--- A beam that is let go at one end swings far: the energy balance closes, as the one of weights at nodes does.
+-- A beam that is released at one end swings far: the energy balance closes, as the one of weights at nodes does.
 for _, how in ipairs { { "newmark", { dt = 5e-4 }, 2e-6 },
   { "explicit", { dt = "auto", integrator = "explicit" }, 2e-6 },
   { "energy-momentum", { dt = 2e-3, integrator = "energy-momentum" }, 1e-9 } } do
