@@ -574,8 +574,10 @@ function model:move(options) end
 
 ---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
 ---says, and a clamped member of two elements has end moments of w L^2 / 12. Yield and fracture go by the forces that
----its elements have, as with loads `q`: at clamped ends of two elements 0.63 of that, with four 0.91. Called again, the
----last call counts, for runs made after it; it is an error to call it for another load case.
+---its elements have, as with loads `q`: with two elements 0.072 w L^2 in the middle of a clamped member, more than at
+---its ends, and 0.156 w L^2 in the middle of a pinned one, where weight = "nodes" has the exact 0.125. Four elements
+---are nearer. Called again, the last call counts, for runs made after it; it is an error to call it for another load
+---case.
 ---```lua
 ---model:gravity { 0, 0, -9.80665 }
 ---local rest = model:static():finish()
