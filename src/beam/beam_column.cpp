@@ -131,12 +131,15 @@ void no_softer(const PairKind<double>& k, const Modes& y, double N, const Stiffn
 
 void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
                        const YieldSurface* const (&w)[2], const double* sections, int n, Flow (&flow)[2],
-                       double tolerance) {
+                       double tolerance, const FixedEnd* fixed_end) {
     // In rounds: each element returns by itself, from the forces that the elastic deformations of the round before give
     // the pair. Far beyond the surface they begin where the elements would be without their partner. Where rounds are
     // slow (slender elements, bent far), Newton's method goes on.
     constexpr double far = 4, near = 0.9, slow = 0.3;
     Stiffness alone[2];
+    const auto f_y = [&](const Vec6& p, int i, int s) {
+        return yield_function(Vec6(p + fixed_end[i].at(sections[s])), sections[s], *w[i]);
+    };
     struct Trial {
         Vec6 elastic[2], p[2], off[2];  ///< `off`: what the return leaves less `elastic`
         Flow flow[2];
@@ -153,8 +156,8 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
         double change = 0, whole = 0;
         for (int i : {0, 1}) {
             if (flows[i]) {
-                t.flow[i] =
-                    return_to_surface(t.p[i] + alone[i].times(d[i] - t.elastic[i]), alone[i], *w[i], sections, n);
+                t.flow[i] = return_to_surface(t.p[i] + alone[i].times(d[i] - t.elastic[i]), alone[i], *w[i], sections,
+                                              n, fixed_end[i]);
             } else {
                 t.flow[i] = {};
                 t.flow[i].p = t.p[i];
@@ -169,14 +172,15 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
     double N = forces(now), worst = 0;
     for (int i : {0, 1}) {
         double f = 0;
-        for (int s = 0; s < n; ++s) f = std::max(f, yield_function(now.p[i], sections[s], *w[i]));
+        for (int s = 0; s < n; ++s) f = std::max(f, f_y(now.p[i], i, s));
         flows[i] = !(f <= near);  // an element that is nowhere near its surface keeps its deformation
         worst = f <= worst ? worst : f;
     }
     if (!(worst < far)) {
         flows[0] = flows[1] = true;
         for (int i : {0, 1})
-            now.elastic[i] = d[i] - return_to_surface(of[i].times(d[i]), of[i], *w[i], sections, n).plastic;
+            now.elastic[i] =
+                d[i] - return_to_surface(of[i].times(d[i]), of[i], *w[i], sections, n, fixed_end[i]).plastic;
         N = forces(now);
     }
     no_softer(k, modes_of(now.elastic[0], now.elastic[1]), N, of, alone);
@@ -187,7 +191,7 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
             bool more = false;  // a partner that turned out to flow as well
             for (int i : {0, 1})
                 for (int s = 0; s < n && !flows[i]; ++s)
-                    if (yield_function(now.p[i], sections[s], *w[i]) > 1) flows[i] = more = true;
+                    if (f_y(now.p[i], i, s) > 1) flows[i] = more = true;
             if (!more) break;
         }
         Vec12 step;
@@ -200,7 +204,8 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
                 const bool active[2] = {now.flow[i].lambda[0] > 0, now.flow[i].lambda[1] > 0};
                 if (!active[0] && !active[1]) continue;
                 const Mat6 F = alone[i].matrix().inverse(),
-                           D = plastic_tangent(now.flow[i].p, alone[i], *w[i], sections, now.flow[i].lambda, active, n);
+                           D = plastic_tangent(now.flow[i].p, alone[i], *w[i], sections, now.flow[i].lambda, active, n,
+                                               fixed_end[i]);
                 J.block<6, 12>(6 * i, 0) -= (F - F * D * F) * H.block<6, 12>(6 * i, 0);
             }
             const Vec12 newton = J.partialPivLu().solve(-step);
@@ -224,7 +229,7 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
 
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
                         const YieldSurface* const (&w)[2], const double* sections, int n,
-                        const Flow* const (&flow)[2]) {
+                        const Flow* const (&flow)[2], const FixedEnd* fixed_end) {
     PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
     for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
     if (!flow[0] && !flow[1]) return H;
@@ -236,7 +241,8 @@ PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], con
             F.block<6, 6>(6 * i, 6 * i) += 2 * flow[i]->lambda[s] * yield_matrix(sections[s], *w[i]);
             a.conservativeResize(12, a.cols() + 1);
             a.rightCols<1>().setZero();
-            a.rightCols<1>().segment<6>(6 * i) = yield_gradient(flow[i]->p, sections[s], *w[i]);
+            a.rightCols<1>().segment<6>(6 * i) =
+                yield_gradient(flow[i]->p + fixed_end[i].at(sections[s]), sections[s], *w[i]);
         }
     const PairMatrix X = F.inverse();  // eq 10a, of the pair
     if (a.cols() == 0) return X;

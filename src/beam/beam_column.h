@@ -201,16 +201,19 @@ double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
 Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
 PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
 
+inline const FixedEnd no_fixed_ends[2];
+
 /// The return to the yield surfaces of a pair whose elastic deformations would be d[0] and d[1]: forces that are dU/dd
 /// where the flow has left it, none of them beyond its surface. `tolerance`: what the forces may miss of dU/dd, in the
-/// energy norm.
+/// energy norm. `fixed_end`: of the two elements.
 void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
                        const YieldSurface* const (&w)[2], const double* sections, int n, Flow (&flow)[2],
-                       double tolerance = 1e-5);
+                       double tolerance = 1e-5, const FixedEnd* fixed_end = no_fixed_ends);
 
 /// d(forces)/dd of a pair, 12 x 12, consistent with that return. `elastic`: what the flow has left; `flow`: null of an
 /// element that does not flow.
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const double* sections, int n, const Flow* const (&flow)[2]);
+                        const YieldSurface* const (&w)[2], const double* sections, int n, const Flow* const (&flow)[2],
+                        const FixedEnd* fixed_end = no_fixed_ends);
 
 }  // namespace hinge::beam

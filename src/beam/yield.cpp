@@ -60,16 +60,18 @@ Vec6 solve_in_blocks(const Mat6& S, const Vec6& d) {
     return p;
 }
 
-/// p for given multipliers: (F + 2 sum lambda A) p = F trial.
-Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const double* lambda, int n) {
-    return solve_in_blocks(softened(F, A, lambda, n), d_trial);
+/// p for given multipliers, s: the fixed-end part: (F + 2 sum lambda A) p = F trial - 2 sum lambda A s.
+Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const Vec6* s, const double* lambda, int n) {
+    Vec6 right = d_trial;
+    for (int i = 0; i < n; ++i) right -= 2 * lambda[i] * (A[i] * s[i]);
+    return solve_in_blocks(softened(F, A, lambda, n), right);
 }
 
 /// Both ends at once: the multipliers maximise the concave dual
-///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p) - 1),  l >= 0,  dg/dl_i = f_i - 1,
+///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p + s_i) - 1),  l >= 0,  dg/dl_i = f_i - 1,
 /// by Newton's method on those that are free to move, each step shortened until g rises.
 void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
-                     double* lambda) {
+                     const Vec6* s, double* lambda) {
     const Mat6 F = k.flexibility();
     const Vec6 d_trial = F * trial;
     const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
@@ -79,10 +81,13 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
     };
     const auto at = [&](const double* l) {
         At x;
-        x.p = relaxed(d_trial, F, A, l, 2);
+        x.p = relaxed(d_trial, F, A, s, l, 2);
         const Vec6 away = x.p - trial;
         x.g = 0.5 * away.dot(F * away);
-        for (int i = 0; i < 2; ++i) x.f[i] = x.p.dot(A[i] * x.p) - 1, x.g += l[i] * x.f[i];
+        for (int i = 0; i < 2; ++i) {
+            const Vec6 whole = x.p + s[i];
+            x.f[i] = whole.dot(A[i] * whole) - 1, x.g += l[i] * x.f[i];
+        }
         return x;
     };
     At now = at(lambda);
@@ -92,7 +97,7 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
         const Mat6 S = softened(F, A, lambda, 2);
         Vec6 a[2], Sa[2];
         for (int i = 0; i < 2; ++i) {
-            a[i] = 2 * A[i] * now.p;
+            a[i] = 2 * A[i] * (now.p + s[i]);
             Sa[i] = solve_in_blocks(S, a[i]);
         }
         const double h00 = a[0].dot(Sa[0]), h11 = a[1].dot(Sa[1]), h01 = a[0].dot(Sa[1]), det = h00 * h11 - h01 * h01;
@@ -130,41 +135,56 @@ Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w) {
     return (Vec6() << n1 * mx, n2 * mx, n1 * my, n2 * my, 2 * w.n * p[4], 2 * w.z * p[5]).finished();
 }
 
-Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n) {
+Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n,
+                       const FixedEnd& fixed_end) {
     Flow flow;
     flow.p = trial;
+    Vec6 s[2];
+    for (int i = 0; i < n; ++i) s[i] = fixed_end.at(sections[i]);
+    const auto f_at = [&](const Vec6& p, int i) { return yield_function(Vec6(p + s[i]), sections[i], w); };
     int worst = 0;
-    double f = yield_function(trial, sections[0], w);
+    double f = f_at(trial, 0);
     for (int i = 1; i < n; ++i)
-        if (const double other = yield_function(trial, sections[i], w); other > f) f = other, worst = i;
+        if (const double other = f_at(trial, i); other > f) f = other, worst = i;
     if (f <= 1) return flow;  // eq 4; beyond it eq 10c
-    flow.lambda[worst] = one_multiplier(trial, k, sections[worst], w);
+    flow.lambda[worst] = one_multiplier(trial + s[worst], k, sections[worst], w);
     const auto settle = [&] {
         Mat6 A[2];
         for (int i = 0; i < n; ++i) A[i] = yield_matrix(sections[i], w);
         const Mat6 F = k.flexibility();
-        flow.p = relaxed(F * trial, F, A, flow.lambda, n);
+        flow.p = relaxed(F * trial, F, A, s, flow.lambda, n);
     };
     settle();
-    if (n == 2 && yield_function(flow.p, sections[1 - worst], w) > 1 + 1e-13) {
-        two_multipliers(trial, k, w, sections, flow.lambda);
+    if (n == 2 && f_at(flow.p, 1 - worst) > 1 + 1e-13) {
+        two_multipliers(trial, k, w, sections, s, flow.lambda);
         settle();
     }
     for (int i = 0; i < n; ++i)
-        if (flow.lambda[i] > 0) flow.plastic += flow.lambda[i] * yield_gradient(flow.p, sections[i], w);
-    flow.dissipation = flow.p.dot(flow.plastic);
+        if (flow.lambda[i] > 0) flow.plastic += flow.lambda[i] * yield_gradient(flow.p + s[i], sections[i], w);
+    flow.dissipation = flow.p.dot(flow.plastic) + work_of(fixed_end, flow, w, sections, n, fixed_end);
     return flow;
 }
 
+double work_of(const FixedEnd& part, const Flow& flow, const YieldSurface& w, const double* sections, int n,
+               const FixedEnd& fixed_end) {
+    double work = 0;
+    for (int i = 0; i < n; ++i) {
+        if (!(flow.lambda[i] > 0)) continue;
+        const Vec6 gradient = yield_gradient(flow.p + fixed_end.at(sections[i]), sections[i], w);
+        work += flow.lambda[i] * part.at(sections[i]).dot(gradient);
+    }
+    return work;
+}
+
 Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
-                     const double* lambda, const bool* active, int n) {
+                     const double* lambda, const bool* active, int n, const FixedEnd& fixed_end) {
     Mat6 S = k.flexibility();
     Eigen::Matrix<double, 6, 2> a;
     int count = 0;
     for (int i = 0; i < n; ++i) {
         if (!active[i]) continue;
         S += 2 * lambda[i] * yield_matrix(sections[i], w);
-        a.col(count++) = yield_gradient(p, sections[i], w);
+        a.col(count++) = yield_gradient(p + fixed_end.at(sections[i]), sections[i], w);
     }
     // eq 10a: D_p = X - X a (a^T X a)^-1 a^T X
     Mat6 X = Mat6::Zero();  // S^-1: bending about x, about y, N and Mz do not mix

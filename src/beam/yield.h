@@ -18,6 +18,37 @@ inline auto yield_function(const P& p, double r, const YieldSurface& w) {
     return w.x * mx * mx + w.y * my * my + w.n * p[4] * p[4] + w.z * p[5] * p[5];
 }
 
+/// The fixed-end part of the resultants at an element's two ends, N and N m: what loads between its nodes add there to
+/// its own p. Yield goes by the sum.
+struct FixedEnd {
+    double moment[4] = {0, 0, 0, 0};  ///< in the places of p: -Mx at node 1, Mx at node 2, -My at node 1, My at node 2
+    double N[2] = {0, 0}, Mz[2] = {0, 0};  ///< at node 1 and at node 2
+
+    /// In the places of p, for section r.
+    Vec6 at(double r) const {
+        const double n1 = (1 - r) / 2, n2 = (1 + r) / 2;
+        return (Vec6() << moment[0], moment[1], moment[2], moment[3], n1 * N[0] + n2 * N[1], n1 * Mz[0] + n2 * Mz[1])
+            .finished();
+    }
+    /// Of end 0 or 1; signs of the section's resultants.
+    void add(int end, double Mx, double My, double N_there, double Mz_there) {
+        const double side = end == 0 ? -1 : 1;
+        moment[end] += side * Mx, moment[2 + end] += side * My;
+        N[end] += N_there, Mz[end] += Mz_there;
+    }
+    FixedEnd& operator+=(const FixedEnd& other) {
+        for (int i = 0; i < 4; ++i) moment[i] += other.moment[i];
+        for (int i : {0, 1}) N[i] += other.N[i], Mz[i] += other.Mz[i];
+        return *this;
+    }
+    friend FixedEnd operator-(FixedEnd a, const FixedEnd& b) {
+        for (int i = 0; i < 4; ++i) a.moment[i] -= b.moment[i];
+        for (int i : {0, 1}) a.N[i] -= b.N[i], a.Mz[i] -= b.Mz[i];
+        return a;
+    }
+};
+inline const FixedEnd no_fixed_end;
+
 /// A with f_y = p^T A p, 6 x 6.
 Mat6 yield_matrix(double r, const YieldSurface& w);
 
@@ -28,7 +59,7 @@ struct Flow {
     Vec6 p;                       ///< forces on the surface
     Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
     double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
-    double dissipation = 0;       ///< p . plastic, J, >= 0
+    double dissipation = 0;       ///< (p and its fixed-end part) . plastic, J, >= 0
     /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
 
@@ -43,10 +74,16 @@ struct Flow {
 ///   trial     forces if the step were elastic
 ///   k         the element's elastic stiffness
 ///   sections  positions r that can yield (two ends; the middle alone for the conventional element), n of them
-Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n);
+/// The flow is that of p and its fixed-end part; Flow::p is without.
+Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n,
+                       const FixedEnd& fixed_end = no_fixed_end);
+
+/// The work of `part`, which is all or some of the fixed-end part, on what flows at the n sections, J.
+double work_of(const FixedEnd& part, const Flow& flow, const YieldSurface& w, const double* sections, int n,
+               const FixedEnd& fixed_end);
 
 /// dp/dd consistent with return_to_surface: D_p of eq 10 when lambda is infinitesimal. `active`: sections that flow.
 Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
-                     const double* lambda, const bool* active, int n);
+                     const double* lambda, const bool* active, int n, const FixedEnd& fixed_end = no_fixed_end);
 
 }  // namespace hinge::beam

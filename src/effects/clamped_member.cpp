@@ -70,10 +70,14 @@ MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const 
 }
 
 void MemberEnds::add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const {
-    const double xi = double(element - first + end) / count;
-    const Vec3 there = (1 - xi) * m[0] - xi * m[1], sum = (m[0] + m[1]) / length;
+    const Vec3 there = moment_at(element, end, m), sum = (m[0] + m[1]) / length;
     forces.Mx += there.x(), forces.My += there.y();
     forces.Qx += sum.y(), forces.Qy -= sum.x();
+}
+
+Vec3 direction_of(const Structure& s, int element, const Places& at) {
+    const Element& e = s.elements()[element];
+    return (s.large() ? chord_of(e, at.displacement) : e.chord).normalized();
 }
 
 void add_share(double side, const Vec3& force, const Vec3& moment, SectionForces& forces) {

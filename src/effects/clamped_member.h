@@ -70,9 +70,17 @@ struct MemberEnds {
         f << shear, m[1];
         add(structure.elements()[first + count - 1].node[1], f);
     }
+    /// The moment that such moments, in the member's axes, are in a section at an end (0, 1) of an element.
+    Vec3 moment_at(int element, int end, const Vec3 m[2]) const {
+        const double xi = double(element - first + end) / count;
+        return (1 - xi) * m[0] - xi * m[1];
+    }
     /// What such moments, in the member's axes, are in the forces of a section at an end (0, 1) of an element.
     void add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const;
 };
+
+/// Of an element, along its chord.
+Vec3 direction_of(const Structure& structure, int element, const Places& at);
 
 /// The forces of a section at an end of an element balance what its node got of the load: in the element's axes.
 void add_share(double side, const Vec3& force, const Vec3& moment, SectionForces& forces);

@@ -13,6 +13,13 @@ double ImpulseResponse::factor_for(double work) const {
     return std::abs(exact - 1) < 0.5 ? exact : 1;
 }
 
+double Effect::work_on_flow(const Yielding& of, const beam::FixedEnd& part) const {
+    double section[2];
+    const int n = w_.sweep.sections(section);
+    return beam::work_of(part, of.flow, w_.structure.elements()[of.element].yield, section, n,
+                         w_.sweep.fixed_end(of.element));
+}
+
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {
     w_.state.accumulated["work"] += x * response.by_supports;
     for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];

@@ -55,6 +55,7 @@ struct Workspace {
     RunKind kind;
     Scheme scheme;
     Pose trial;                                 ///< where the step is tried to end
+    double factor = 0;                          ///< statics: the load factor that is tried
     std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
                                                 ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
     std::vector<Vec6> external;                 ///< F of eq 15
@@ -180,6 +181,14 @@ public:
         (void)element, (void)side, (void)forces;
     }
 
+    /// The part of those that yield and fracture go by, of all elements where the nodes are: whether there is one just
+    /// now, and adds it. `factor`: the load factor of statics. What an element's own forces do on its flow is less than
+    /// the whole by work_on_flow, which is not work of the load: the load's account has that.
+    virtual bool has_fixed_ends() const { return false; }
+    virtual void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const {
+        (void)at, (void)factor, (void)all;
+    }
+
     // ---- a step of dynamics, in this order ------------------------------------------------------------------------
     /// F at the end of the step, and what is prescribed there. Functions of the script are asked.
     virtual void begin(const Step& step) { (void)step; }
@@ -270,6 +279,9 @@ public:
 protected:
     /// Adds x times what an impulse does to the velocities of the trial; the supports' work is counted.
     void add_to_trial(double x, const ImpulseResponse& response);
+
+    /// The work of a fixed-end part on what an element flows in the step, J.
+    double work_on_flow(const Yielding& of, const beam::FixedEnd& part) const;
 
     /// save and restore of a class that tells its fields once.
     template <class Self>

@@ -114,6 +114,11 @@ private:
     Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::Flow* flow) const;
     Vec6 deformation_before(int element) const;
     int weaker_end(int element, const beam::Flow* flow) const;
+    /// Resultants in the places of p, with those of loads between the nodes; f_y of them.
+    Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.sweep.fixed_end(element).at(r); }
+    double yield_at(int element, double r) const {
+        return beam::yield_function(resultants_at(element, r), r, w_.structure.elements()[element].yield);
+    }
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow);
     void ask_sections();
     void ask_batch(int rule);
@@ -242,9 +247,8 @@ void Fracture::decide(Step& step) {
 
 /// The section that flows, else the one nearer to it.
 int Fracture::weaker_end(int index, const beam::Flow* flow) const {
-    const Element& e = w_.structure.elements()[index];
-    const Vec6& p = w_.force[index];
-    const double f1 = beam::yield_function(p, -1, e.yield), f2 = beam::yield_function(p, 1, e.yield);
+    const Vec6 p = resultants_at(index, 0);
+    const double f1 = yield_at(index, -1), f2 = yield_at(index, 1);
     const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
     if (flow && !w_.structure.conventional() && flow->lambda[0] != flow->lambda[1])
         return flow->lambda[0] > flow->lambda[1] ? 1 : 2;
@@ -292,11 +296,12 @@ void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
 
 void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
     const Element& e = w_.structure.elements()[index];
-    const Vec6 &p = w_.force[index], before = deformation_before(index);
+    const Vec6 before = deformation_before(index);
     const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
                                 stays = beam::fracture_strains(plastic, e.length),
                                 rate = beam::fracture_strains((elastic + plastic - before) / step_->dt, e.length);
     const double r = side == 1 ? -1 : 1;
+    const Vec6 p = resultants_at(index, r);
     SectionView& v = asked_.emplace_back();
     v.time = step_->end(), v.dt = step_->dt, v.step = double(w_.state.step + 1);
     v.member = e.member, v.element = index, v.end = side, v.node = joint_at(w_.structure, e, side);
@@ -306,7 +311,7 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     v.curvature_rate_x = rate.curvature_x, v.curvature_rate_y = rate.curvature_y, v.axial_strain_rate = rate.axial,
     v.twist_rate = rate.twist;
     v.Mx = beam::moment_at(p[0], p[1], r), v.My = beam::moment_at(p[2], p[3], r), v.N = p[4], v.Mz = p[5];
-    v.f_y = beam::yield_function(p, r, e.yield);
+    v.f_y = yield_at(index, r);
     v.plastic_work = w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
     if (w_.structure.model().fracture()[e.fracture].keep.empty()) return;
     v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
@@ -391,7 +396,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
     for (int index : elements_) {
         const beam::Flow* flow = flows.of(index);
         const Element& e = of_.w_.structure.elements()[index];
-        const Vec6& p = of_.w_.force[index];
+        const Vec6 p = of_.resultants_at(index, r);
         const bool broken = of_.w_.state.broken[index];
         const auto value = [&]() -> double {
             switch (field) {
@@ -415,7 +420,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
                 case SectionField::Mz: return p[5];
                 case SectionField::plastic:
                     return flow && (of_.w_.structure.conventional() || flow->lambda[end - 1] > 0);
-                default: return beam::yield_function(p, r, e.yield);
+                default: return of_.yield_at(index, r);
             }
         };
         *out++ = value();

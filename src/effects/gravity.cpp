@@ -51,10 +51,24 @@ public:
     }
     void restart_ends() override { before_ = now_; }
 
+    bool has_fixed_ends() const override { return !members_.joints().empty(); }
+    void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+        members_.add_fixed_ends(w_.structure, g_at(factor), at, all);
+    }
+
     /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.
     void add_up(const Step&, Accounts& sums) const override {
         const std::vector<int>& joints = members_.joints();
         if (joints.empty()) return;
+        for (const Yielding& y : w_.yielding) {
+            if (!members_.has(w_.structure.elements()[y.element].member)) continue;
+            const auto on_flow = [&](const Vec3& g) {
+                return work_on_flow(y, members_.fixed_end(w_.structure, g, w_.trial, y.element));
+            };
+            const double whole = on_flow(g_);
+            sums["gravity"] -= whole;
+            if (!w_.kind.dynamic) sums["work"] += on_flow(g_at(w_.factor)) - whole;  // what is not there yet
+        }
         std::vector<Vec3> end;
         if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, end);
         double work = 0;
@@ -66,9 +80,7 @@ public:
 
     void add_section_forces(int element, double side, SectionForces& forces) const override {
         if (!members_.has(w_.structure.elements()[element].member)) return;
-        const Vec3 held = w_.structure.model().held_gravity(),
-                   g = w_.kind.dynamic ? g_ : Vec3(held + w_.state.factor * (g_ - held));
-        members_.add_section_forces(w_.structure, w_.state, g, element, side, forces);
+        members_.add_section_forces(w_.structure, w_.state, g_at(w_.state.factor), element, side, forces);
     }
 
     /// Zero where the run starts.
@@ -101,6 +113,12 @@ private:
         std::vector<Vec3> moments;
         members_.find_moments(w_.structure, g, at, moments);
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];
+    }
+
+    /// What acts; `factor`: the load factor of statics.
+    Vec3 g_at(double factor) const {
+        const Vec3 held = w_.structure.model().held_gravity();
+        return w_.kind.dynamic ? g_ : Vec3(held + factor * (g_ - held));
     }
 
     double potential(const State& state) const {

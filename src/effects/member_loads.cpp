@@ -103,8 +103,31 @@ public:
             });
     }
 
-    /// By the trapezium rule.
+    bool has_fixed_ends() const override { return true; }
+    void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+        for (const Loaded& l : loads_) {
+            Vec3 m[2];
+            const double now = factor_now(l, factor);
+            find_moments(l, now, at, m);
+            for (int i = l.ends.first; i < l.ends.first + l.ends.count; ++i)
+                if (!w_.state.broken[i]) add_fixed_end(l, i, now, at, m, all[i]);
+        }
+    }
+
+    /// By the trapezium rule; of the fixed-end part on what flows, with that which it flowed by.
     void add_up(const Step&, Accounts& sums) const override {
+        for (const Yielding& y : w_.yielding) {
+            const auto on = on_member_.find(w_.structure.elements()[y.element].member);
+            if (on == on_member_.end()) continue;
+            beam::FixedEnd part;
+            for (const int i : on->second) {
+                Vec3 m[2];
+                const double now = factor_now(loads_[i], w_.factor);
+                find_moments(loads_[i], now, w_.trial, m);
+                add_fixed_end(loads_[i], y.element, now, w_.trial, m, part);
+            }
+            sums["work"] += work_on_flow(y, part);
+        }
         if (!w_.kind.dynamic) return;
         const std::vector<Vec6> now = acting(w_.trial);
         double work = 0;
@@ -128,7 +151,7 @@ public:
         if (on == on_member_.end()) return;
         for (const int i : on->second) {
             const Loaded& l = loads_[i];
-            const double factor = w_.kind.dynamic ? l.kept_factor : (l.held ? 1 : w_.state.factor * static_factor(l));
+            const double factor = w_.kind.dynamic ? l.kept_factor : factor_now(l, w_.state.factor);
             const int end = side < 0 ? 0 : 1;
             const Share& share = l.shares[element - l.ends.first];
             Vec3 force = share.force[end], moment = share.moment[end];
@@ -240,6 +263,34 @@ private:
     }
     void factors_at(double time, double StepFactor::*of_step) {
         for (Loaded& l : loads_) l.factor = l.may_jump ? l.over.*of_step : l.history ? l.history(time) : 1;
+    }
+
+    /// `of_statics`: the load factor.
+    double factor_now(const Loaded& l, double of_statics) const {
+        return w_.kind.dynamic ? l.factor : l.held ? 1 : of_statics * static_factor(l);
+    }
+    /// The corrections at the member's ends, in its axes; none where it is not whole.
+    void find_moments(const Loaded& l, double factor, const Places& at, Vec3 m[2]) const {
+        m[0].setZero(), m[1].setZero();
+        if (!l.ends.whole(w_.state)) return;
+        const Mat3 axes = l.ends.chord(w_.structure, at).axes;
+        for (int end : {0, 1}) m[end] = factor * end_moment(l, end, axes);
+    }
+    /// What a load adds to the resultants of an element, with the corrections m at its member's ends.
+    void add_fixed_end(const Loaded& l, int element, double factor, const Places& at, const Vec3 m[2],
+                       beam::FixedEnd& to) const {
+        const Share& share = l.shares[element - l.ends.first];
+        const Vec3 along = l.local ? Vec3(0, 0, 1) : direction_of(w_.structure, element, at);
+        const bool twists = !share.moment[0].isZero(0) || !share.moment[1].isZero(0);
+        const Mat3 to_element = l.local || !twists
+                                    ? Mat3(Mat3::Identity())
+                                    : Mat3(axes_of(place_element(w_.structure, element, at)).transpose());
+        for (int end : {0, 1}) {
+            const double side = end == 0 ? 1 : -1;  // the section balances what its node got
+            const Vec3 there = l.ends.moment_at(element, end, m),
+                       own = twists ? Vec3(side * factor * (to_element * share.moment[end])) : Vec3(Vec3::Zero());
+            to.add(end, there.x() + own.x(), there.y() + own.y(), side * factor * along.dot(share.force[end]), own.z());
+        }
     }
 
     /// The correction at an end, in the member's axes; `axes`: those.

@@ -82,6 +82,33 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places
     }
 }
 
+/// `axes`: the member's.
+beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, int element, const Mat3& axes) const {
+    const int member = s.elements()[element].member, place = element - ends_[member].first;
+    const Kind& kind = kinds_[kind_[member]];
+    const beam::Inertia inertia = s.inertia(element);
+    const double gx = axes.col(0).dot(g), gy = axes.col(1).dot(g), gz = axes.col(2).dot(g);
+    beam::FixedEnd part;
+    for (int end : {0, 1}) {
+        const double moment = kind.c + kind.bow[place + end], side = end == 0 ? 1 : -1;
+        part.add(end, moment * gy, -moment * gx, side * inertia.weight(end) * gz, 0);
+    }
+    return part;
+}
+
+beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at, int element) const {
+    return fixed_end(s, g, element, ends_[s.elements()[element].member].chord(s, at).axes);
+}
+
+void MemberWeights::add_fixed_ends(const Structure& s, const Vec3& g, const Places& at,
+                                   std::vector<beam::FixedEnd>& all) const {
+    for (std::size_t m = 0; m < ends_.size(); ++m) {
+        if (!has(int(m))) continue;
+        const Mat3 axes = ends_[m].chord(s, at).axes;
+        for (int i = ends_[m].first; i < ends_[m].first + ends_[m].count; ++i) all[i] += fixed_end(s, g, i, axes);
+    }
+}
+
 void MemberWeights::add_section_forces(const Structure& s, const State& state, const Vec3& g, int element, double side,
                                        SectionForces& forces) const {
     const int member = s.elements()[element].member, end = side < 0 ? 0 : 1;

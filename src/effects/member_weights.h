@@ -26,6 +26,9 @@ public:
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
     void find_moments(const Structure& structure, const Vec3& g, const Places& at, std::vector<Vec3>& moments) const;
+    void add_fixed_ends(const Structure& structure, const Vec3& g, const Places& at,
+                        std::vector<beam::FixedEnd>& all) const;
+    beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Places& at, int element) const;
     void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
                             SectionForces& forces) const;
 
@@ -40,6 +43,7 @@ private:
         Vec3 span;  ///< from its first to its second end at the start, m
         double c;   ///< kg m
     };
+    beam::FixedEnd fixed_end(const Structure& s, const Vec3& g, int element, const Mat3& axes) const;
     bool carries_itself(const Structure& s, const Vec3& g, int member) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 

@@ -178,6 +178,7 @@ void Dynamics::restart() {
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
+    find_fixed_ends(1);
     sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
     for (const auto& e : effects_) e->add_forces(time, w_.resisting);

@@ -426,7 +426,14 @@ bool EnergyMomentum::correct(Step& step) {
 }
 
 void EnergyMomentum::recovered_last() {
-    for (Yielding& y : w_.yielding) y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic);
+    double section[2];
+    const int n = w_.sweep.sections(section);
+    for (Yielding& y : w_.yielding) {
+        const beam::FixedEnd& fixed = w_.sweep.fixed_end(y.element);
+        y.flow.dissipation =
+            0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
+            beam::work_of(fixed, y.flow, w_.structure.elements()[y.element].yield, section, n, fixed);
+    }
 }
 
 /// The mean acceleration over the step: what the method has of it.

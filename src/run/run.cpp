@@ -21,7 +21,7 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
       state_(std::move(start)),
       pool_(threads),
       sweep_(*structure_, pool_, inertia),
-      w_{*structure_, state_,    pool_, sweep_, kind, {},   pose_of(state_), {}, {}, {}, state_.force, {},
+      w_{*structure_, state_,    pool_, sweep_, kind, {},   pose_of(state_), 0, {}, {}, {}, state_.force, {},
          {},          reaction_, {},    {},     {},   false},
       effects_(effects_of(w_, *this)),
       accounts_(accounts_of(effects_)),
@@ -114,12 +114,30 @@ Eigen::Vector2d Run::largest_moment(int element) const {
     return {std::max(std::abs(a.Mx), std::abs(b.Mx)), std::max(std::abs(a.My), std::abs(b.My))};
 }
 
-double Run::yield_value(int element) const {
+double Run::yield_value(int element, double r) const {
     if (state_.broken[element]) return 0;
-    const Element& e = structure_->elements()[element];
-    if (structure_->conventional()) return beam::yield_function(state_.force[element], 0, e.yield);
-    return std::max(beam::yield_function(state_.force[element], -1, e.yield),
-                    beam::yield_function(state_.force[element], 1, e.yield));
+    beam::FixedEnd fixed;
+    for (int end : {0, 1}) {
+        SectionForces there;
+        for (const auto& effect : effects_) effect->add_section_forces(element, end == 0 ? -1 : 1, there);
+        fixed.add(end, there.Mx, there.My, there.N, there.Mz);
+    }
+    return beam::yield_function(Vec6(state_.force[element] + fixed.at(r)), r, structure_->elements()[element].yield);
+}
+
+double Run::yield_value(int element) const {
+    if (structure_->conventional()) return yield_value(element, 0);
+    return std::max(yield_value(element, -1), yield_value(element, 1));
+}
+
+void Run::find_fixed_ends(double factor) {
+    std::vector<beam::FixedEnd>& all = sweep_.fixed_ends();
+    const bool asked = structure_->can_yield() || !structure_->model().fracture().empty();
+    if (!asked || std::none_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->has_fixed_ends(); }))
+        return all.clear();
+    all.assign(structure_->elements().size(), {});
+    for (const auto& e : effects_)
+        if (e->has_fixed_ends()) e->add_fixed_ends(w_.trial, factor, all);
 }
 
 Run::Counts Run::count_members(int group) const {

@@ -66,6 +66,7 @@ public:
     /// At an end of an element, side -1 or 1; zero in a broken one. Loads between its nodes are in them.
     SectionForces section_forces(int element, double side) const;
     double yield_value(int element) const;  ///< f_y of eq 14, the larger of its sections; 0 when broken
+    double yield_value(int element, double r) const;  ///< at r: -1 node 1, 1 node 2, 0 between
 
     struct Counts {
         long yielded = 0, broken = 0, elastic = 0, touched = 0;
@@ -80,6 +81,8 @@ protected:
     Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
     Blocks blocks_at(const Places& at, double of_damping) const;
+    /// Where the nodes are tried to be, for the sweep. `factor`: the load factor of statics.
+    void find_fixed_ends(double factor);
 
     // Host: what a static run has no use for does nothing.
     void stiffness_changed(int) override {}

@@ -123,10 +123,31 @@ Vec6 Statics::load_at(std::size_t node, double factor) const {
 void Statics::recover() {
     stages_.timed(recover_stage_, [&] {
         for (Vec6& n : w_.resisting) n.setZero();
+        w_.factor = trial_factor_;
+        find_fixed_ends(trial_factor_);
         sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
         for (const auto& e : effects_) e->add_forces(0, w_.resisting);
         if (loads_follow_) find_loads();
     });
+}
+
+/// What elements that flow resist with as the load factor grows, by what loads between their nodes do there.
+void Statics::find_flow_by_load(const std::vector<GivenTangent>& given) {
+    flow_by_load_.clear();
+    if (sweep_.fixed_ends().empty() || given.empty()) return;
+    const std::vector<beam::FixedEnd> now = sweep_.fixed_ends();
+    find_fixed_ends(trial_factor_ + 1);
+    std::vector<beam::FixedEnd> change = std::move(sweep_.fixed_ends());
+    for (std::size_t i = 0; i < now.size(); ++i) change[i] = change[i] - now[i];
+    sweep_.fixed_ends() = now;
+    flow_by_load_.assign(w_.external.size(), Vec6::Zero());
+    add_response(*structure_, state_, w_.trial, given, change, flow_by_load_);
+}
+
+/// What the load asks of a node per unit of its factor.
+Vec6 Statics::unit_load(std::size_t node) const {
+    if (flow_by_load_.empty()) return w_.external[node];
+    return w_.external[node] - flow_by_load_[node];
 }
 
 /// `off_balance`: what is out of balance, as a part of the forces at work.
@@ -145,6 +166,7 @@ bool Statics::renew_and_factorise(double off_balance) {
         was_yielding_.clear();
         const double share = std::max(hinge_regularisation(off_balance), stiffening_);
         std::vector<GivenTangent> given = given_tangents(*structure_, state_, w_.trial, sweep_, list, w_.yielding);
+        find_flow_by_load(given);
         std::size_t next = 0;
         for (const Yielding& y : w_.yielding) {
             const Element& e = structure_->elements()[y.element];
@@ -325,15 +347,15 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
             right_[i] = load_at(i, trial_factor_) - w_.resisting[i];
             for (int c = 0; c < 6; ++c)
                 if (held_[i] >> c & 1) right_[i][c] = 0;
-            response_[i] = w_.external[i];
+            response_[i] = unit_load(i);
             for (int c = 0; c < 6; ++c)
                 if (held_[i] >> c & 1) response_[i][c] = 0;
         }
         SolverSettings direct;
         direct.direct = true;
-        const std::vector<Vec6> unit_load = response_;
+        const std::vector<Vec6> asked = response_;
         if (!effective_->solve(right_, change_, direct).converged ||
-            !effective_->solve(unit_load, response_, direct).converged)
+            !effective_->solve(asked, response_, direct).converged)
             return Outcome::diverged;
         if (first_softness_ == 0) first_softness_ = softness();
 
@@ -452,10 +474,12 @@ void Statics::commit(double before) {
 /// what it drives: it takes one away beyond a limit load, where what is driven moves on as the load falls.
 int Statics::modes_under_control() {
     if (settings_.control != Control::displacement || modes_ <= modes_at_start_) return modes_;
-    std::vector<Vec6> load = w_.external;
-    for (std::size_t i = 0; i < load.size(); ++i)
+    std::vector<Vec6> load(w_.external.size());
+    for (std::size_t i = 0; i < load.size(); ++i) {
+        load[i] = unit_load(i);
         for (int c = 0; c < 6; ++c)
             if (held_[i] >> c & 1) load[i][c] = 0;
+    }
     SolverSettings direct;
     direct.direct = true;
     if (!effective_->solve(load, response_, direct).converged) return modes_;

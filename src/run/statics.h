@@ -71,6 +71,8 @@ private:
     Vec6 load_at(std::size_t node, double factor) const;
     void recover();
     bool renew_and_factorise(double off_balance);
+    void find_flow_by_load(const std::vector<GivenTangent>& given);
+    Vec6 unit_load(std::size_t node) const;
     double out_of_balance(double& scale) const;
     void move(double factor, const std::vector<Vec6>& by);
     enum class Found { nothing, stable, unstable };
@@ -122,6 +124,7 @@ private:
     std::optional<Instability> instability_;
     std::vector<Vec6> potential_;       ///< the part of F that has a potential energy in an account of its own
     std::vector<Vec6> held_loads_;      ///< beside w_.external, in full from the start on; empty for none
+    std::vector<Vec6> flow_by_load_;    ///< find_flow_by_load; empty for none
     std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for
     std::vector<Vec6> response_;        ///< the move that F at factor 1 asks for
     std::vector<Vec6> last_move_;

@@ -1,6 +1,8 @@
 // The tangents of elements that flow, [D_p] of eq 10a, for statics and Newmark's method.
 #pragma once
 
+#include <Eigen/LU>
+
 #include "algebra/effective_stiffness.h"
 #include "state/hinges.h"
 
@@ -12,7 +14,8 @@ inline Mat6 yield_tangent(const Structure& structure, const State& state, const 
     const int n = sweep.sections(section);
     const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
     return beam::plastic_tangent(y.flow.p, stiffness_now(structure, state, y.element),
-                                 structure.elements()[y.element].yield, section, y.flow.lambda, active, n);
+                                 structure.elements()[y.element].yield, section, y.flow.lambda, active, n,
+                                 sweep.fixed_end(y.element));
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from
@@ -39,6 +42,29 @@ inline std::vector<GivenTangent> given_tangents(const Structure& structure, cons
         done = first + 1;
     }
     return given;
+}
+
+/// What elements that flow resist with where their fixed-end parts change by `change`, and the nodes do not move, on
+/// their nodes: an element and its fixed-end part together yield as if it were deformed by what makes that elastically.
+/// `given`: their tangents. Sections have the mean of N and Mz at the two ends.
+inline void add_response(const Structure& structure, const State& state, const Pose& pose,
+                         const std::vector<GivenTangent>& given, const std::vector<beam::FixedEnd>& change,
+                         std::vector<Vec6>& resisting) {
+    for (const GivenTangent& g : given) {
+        const Vec6 own = change[g.element].at(0);
+        Vec6 p = -own;
+        if (in_pair(structure, state, g.element)) {
+            const int first = g.element & ~1, i = g.element - first;
+            Vec12 both;
+            both << change[first].at(0), change[first + 1].at(0);
+            const Vec12 d = elastic_pair_tangent(structure, state, pose, first).partialPivLu().solve(both);
+            p += g.own * d.segment<6>(6 * i) + g.partner * d.segment<6>(6 - 6 * i);
+        } else {
+            p += g.own * stiffness_now(structure, state, g.element).solve(own);
+        }
+        const Vec12 f = forces_at_nodes(place_element(structure, g.element, pose)) * p;
+        for (int end : {0, 1}) resisting[structure.elements()[g.element].node[end]] += f.segment<6>(6 * end);
+    }
 }
 
 /// What flowed at the end of a step flows on when the next one begins: its [D_p] is that of a beginning.

@@ -156,9 +156,7 @@ const std::vector<std::string> resultants = {"N", "Mx", "My", "Mz", "Qx", "Qy", 
 std::array<double, 7> resultants_at(const Run& run, int element, double side) {
     if (run.state().broken[element]) return {};
     const SectionForces f = run.section_forces(element, side);
-    const double yield =
-        beam::yield_function(run.state().force[element], side, run.structure().elements()[element].yield);
-    return {f.N, f.Mx, f.My, f.Mz, f.Qx, f.Qy, yield};
+    return {f.N, f.Mx, f.My, f.Mz, f.Qx, f.Qy, run.yield_value(element, side)};
 }
 
 template <class Self>

@@ -32,7 +32,8 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
     elastic_deformations(structure, state, pose, first, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
-    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, section, n, flow);
+    const beam::FixedEnd fixed[2] = {sweep.fixed_end(first), sweep.fixed_end(first + 1)};
+    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, section, n, flow, fixed);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first) {

@@ -329,6 +329,22 @@ void Sweep::keep_twist(State& state) const {
     p[4] += beyond.N;
 }
 
+/// f_y at each section anew, of the eight elements from `element` on, with what loads between the nodes do there.
+[[gnu::noinline]] void Sweep::add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const {
+    static_assert(sizeof(beam::FixedEnd) == 8 * sizeof(double));
+    Lanes fixed[lane_count];
+    transpose_rows<8>(fixed_ends_[element].moment, std::min(lane_count, int(fixed_ends_.size()) - element), fixed);
+    double section[2];
+    const int section_count = sections(section);
+    for (int s = 0; s < section_count; ++s) {
+        const double n1 = (1 - section[s]) / 2, n2 = (1 + section[s]) / 2;
+        const Lanes mx = n2 * (p[1] + fixed[1]) - n1 * (p[0] + fixed[0]),
+                    my = n2 * (p[3] + fixed[3]) - n1 * (p[2] + fixed[2]), n = p[4] + n1 * fixed[4] + n2 * fixed[5],
+                    mz = p[5] + n1 * fixed[6] + n2 * fixed[7];
+        f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + kind.yield[2] * n * n + kind.yield[3] * mz * mz;
+    }
+}
+
 /// The return to the yield surface of a pair, the first of which is lane i.
 [[gnu::noinline]] void Sweep::return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6],
                                           Found& found) const {
@@ -344,8 +360,9 @@ void Sweep::keep_twist(State& state) const {
         surface[j] = &structure_.elements()[element + at].yield;
     }
     beam::Flow flow[2];
+    const beam::FixedEnd* fixed = fixed_ends_.empty() ? beam::no_fixed_ends : &fixed_ends_[element + i];
     beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic, surface, section,
-                            section_count, flow);
+                            section_count, flow, 1e-5, fixed);
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
         if (flow[j].lambda[0] > 0 || flow[j].lambda[1] > 0) found.yielding.push_back({element + i + j, flow[j]});
@@ -409,6 +426,7 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                             my = (section[s] - 1) / 2 * p[2] + (section[s] + 1) / 2 * p[3];
                 f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
             }
+            if (!fixed_ends_.empty()) add_fixed_ends(element, kind, p, f);
             if (any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
                 for (int i = 0; i < lane_count; ++i) {
                     if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
@@ -421,8 +439,9 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                         i |= 1;
                         continue;
                     }
-                    found.yielding.push_back({element + i, beam::return_to_surface(trial, kind.stiffness(i), e.yield,
-                                                                                   section, section_count)});
+                    found.yielding.push_back(
+                        {element + i, beam::return_to_surface(trial, kind.stiffness(i), e.yield, section, section_count,
+                                                              fixed_end(element + i))});
                     for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
                 }
         }

@@ -42,6 +42,13 @@ public:
     void run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
              std::vector<Yielding>& yielding);
 
+    /// What loads between the nodes do at the ends of each element, as of the pose that run is asked for next; empty
+    /// where there are none.
+    std::vector<beam::FixedEnd>& fixed_ends() { return fixed_ends_; }
+    const beam::FixedEnd& fixed_end(int element) const {
+        return fixed_ends_.empty() ? beam::no_fixed_end : fixed_ends_[element];
+    }
+
     /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked, or, where bending
     /// follows the axial force, that have bent by more. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
@@ -79,6 +86,7 @@ private:
     unsigned find_wound(const Block& b, int element, const Lanes& rotated, const State&, const Pose&,
                         Found& found) const;
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
+    void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
     void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
     template <bool large, bool inertia, bool cubic, bool p_delta>
     void run_blocks(int first, int end, const State&, const Pose&, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
@@ -93,6 +101,7 @@ private:
     bool inertia_;
     std::vector<Block> blocks_;
     std::deque<Kind> kinds_;
+    std::vector<beam::FixedEnd> fixed_ends_;
     std::vector<Found> found_;
     // several threads: what elements of several pieces do to one node is left in `left_` and added up afterwards
     struct Shared {
