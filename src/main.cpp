@@ -22,6 +22,7 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out, code, search, within, budget, quantity;
     std::vector<std::string> overrides, folders;
+    std::map<std::string, std::string> study;  ///< options of hinge study, as text
     bool sandbox = false, effects = false, resume = false, quiet = false, json = false, out_given = false;
     hinge::script::Limits limits;
 };
@@ -49,8 +50,60 @@ void add_sandbox(CLI::App& verb, Request& request) {
         ->type_name("NUMBER");
 }
 
+/// hinge study and its options.
+CLI::App* add_study(CLI::App& app, Request& request) {
+    auto* study_verb = app.add_subcommand(
+        "study", "Run a script with many values of its parameters, each case in a process of its own");
+    study_verb->add_option("script", request.script, "Lua script")->required();
+    study_verb->add_option(
+        "settings", request.overrides,
+        "What varies: key=a,b,c, key=first:last:step, or drawn at random: key~normal(mean,deviation), "
+        "key~lognormal(median,deviation of the logarithm), key~uniform(lowest,highest), "
+        "key~triangular(lowest,likeliest,highest), key~weibull(scale,shape). Cases are the product of all values");
+    const auto study_option = [&](const char* flags, const char* name, const char* help) {
+        return study_verb->add_option_function<std::string>(
+            flags, [&request, name](const std::string& text) { request.study[name] = text; }, help);
+    };
+    study_option("--cases", "cases", "The scenario's cases: all, or names such as I,III");
+    study_option("-j,--jobs", "jobs", "Cases at a time (default: as many as there are cores)");
+    study_option("--table", "table", "CSV file: names in its first line, a combination of values a row");
+    study_option("--samples", "samples", "How many draws (default 100)");
+    study_option("--method", "method", "How to draw: lhs (Latin hypercube, the default), sobol, plain");
+    study_option("--seed", "seed", "A whole number; the same one gives the same draws (default 1)");
+    study_option("--propose", "propose", "One of the scenario's proposals, a function that gives the next case");
+    study_option("--timeout", "timeout", "Most time a case may take, such as 60s, 5min or 1h");
+    study_option("--memory", "memory", "Most memory a case may take, such as 500M or 2G");
+    study_verb->add_option("--out", request.out,
+                           "Folder for results.csv, summary.json, pictures and the cases' own folders (default "
+                           "out/SCRIPT-study)");
+    study_verb->add_flag("--resume", request.resume, "Keep the cases that are finished, and run the others");
+    study_verb->add_flag_callback(
+        "--restart", [&] { request.study["restart"] = "yes"; }, "Run all cases anew, also those that are finished");
+    study_verb->add_flag("-q,--quiet", request.quiet, "Print the last lines only");
+    study_verb->add_flag_callback(
+        "--list", [&] { request.study["list"] = "yes"; },
+        "Print all cases, a line each: number, case, parameters; runs nothing");
+    study_option("--case", "number",
+                 "Run this case alone, by its number, or several as 3-7: for GNU parallel or any other queue. Finished "
+                 "ones are left alone; --collect gathers");
+    study_verb->add_flag_callback(
+        "--collect", [&] { request.study["collect"] = "yes"; },
+        "Gather what --case and --slurm have finished so far, also while they run");
+    study_verb->add_flag_callback(
+        "--slurm", [&] { request.study["slurm"] = "yes"; }, "Submit the study to Slurm as a job array");
+    study_option("--per-task", "per_task", "With --slurm: cases a task of the array (default 1)");
+    study_option("--sbatch", "sbatch", "With --slurm: options for sbatch, such as '--partition=long --time=2:00:00'");
+    study_verb->add_flag_callback(
+        "--dry-run", [&] { request.study["dry_run"] = "yes"; },
+        "With --slurm: print what would be submitted, and submit nothing");
+    study_verb->footer(
+        "Exit status: 0 all cases have an answer; 1 some of them failed; 2 the script or its input is wrong; 3 "
+        "interrupted, the same command with --resume goes on.");
+    return study_verb;
+}
+
 /// Calls require("hinge.<module>").<function>(table) and returns its status.
-int call_library(lua_State* L, const char* module, const char* function, const Request& request) {
+int call_library(lua_State* L, const char* module, const char* function, Request& request) {
     lua_getglobal(L, "require");
     lua_pushstring(L, module);
     if (lua_pcall(L, 1, 1, 0) != LUA_OK) return std::cerr << "hinge: " << lua_tostring(L, -1) << "\n", 2;
@@ -71,6 +124,16 @@ int call_library(lua_State* L, const char* module, const char* function, const R
     set("budget", request.budget);
     set("quantity", request.quantity);
     if (request.effects) set("effects", "all");
+    if (request.quiet) set("quiet", "yes");
+    if (request.resume) set("resume", "yes");
+    for (const auto& [name, value] : request.study) set(name.c_str(), value);
+    if (request.verb == "study") {
+        lua_newtable(L);
+        for (std::size_t i = 0; i < request.overrides.size(); ++i)
+            lua_pushstring(L, request.overrides[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+        lua_setfield(L, -2, "words");
+        request.overrides.clear();
+    }
     if (request.verb == "prompt") {
         hinge::stop_on_interrupt(L);
         hinge::push_line_reader(L), lua_setfield(L, -2, "read");
@@ -118,7 +181,8 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     const auto context = hinge::script::prepare(L);
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
-    if (request.verb != "cost") context->out_dir = request.out;  // runs that are only compared leave nothing
+    const bool one_run = request.verb != "cost" && request.verb != "study";
+    if (one_run) context->out_dir = request.out;  // runs that are only compared leave nothing
     context->progress = progress && !request.quiet && !request.json;
     context->warns = context->progress;
     context->tells_failures = false;  // the verdict is told by itself
@@ -126,11 +190,12 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     if (request.json) context->events = events_alone_on_stdout();
     context->sandbox = request.sandbox;
     context->resume = request.resume;
-    if (request.verb == "run") end_on_signals(*context);
+    const bool ends_on_signals = request.verb == "run" || request.verb == "study";
+    if (ends_on_signals) end_on_signals(*context);
     if (request.sandbox) hinge::script::confine(L, request.limits);
     const int status = call_library(L, module, function, request);
     if (request.verb == "run") request.out = context->out_dir;  // its name may tell the parameters
-    if (request.verb == "run")
+    if (ends_on_signals)
         for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
     return status;
 }
@@ -144,7 +209,7 @@ bool are_settings(const std::vector<std::string>& words) {
 }
 
 int run(Request request, bool named, const std::vector<std::string>& verbs) {
-    if ((named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
+    if (request.verb != "study" && (named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
         return std::cerr << "hinge: there is no verb and no script '" << request.script << "'"
                          << hinge::script::did_you_mean(request.script, verbs) << "; hinge --help lists the verbs\n",
@@ -155,10 +220,12 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
     if (!request.out_given)
         request.out = (fs::path("out") / fs::path(request.script).stem()).string() +
                       (request.case_name.empty() ? "" : "-" + request.case_name) +
-                      (request.verb != "cost" ? ""
-                       : request.effects      ? "-effects"
-                                              : "-cost");
+                      (request.verb == "study"  ? "-study"
+                       : request.verb != "cost" ? ""
+                       : request.effects        ? "-effects"
+                                                : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
+    if (request.verb == "study") return with_lua(request, "hinge.study.program", "main", false);
     const int status = with_lua(request, "hinge.runner", "main", true);
     if (status <= 1 && !request.quiet && !request.json && fs::exists(fs::path(request.out) / "summary.json"))
         std::cout << "written to " << request.out << "\n";
@@ -232,6 +299,7 @@ int main(int argc, char** argv) {
         "Folder for cost.csv, cost.png, summary.json and what is finished (default out/SCRIPT[-CASE]-cost with the "
         "settings given, such as out/frame-cost-speed=100; with --effects effects.csv and summary.json, "
         "out/SCRIPT[-CASE]-effects)");
+    auto* study_verb = add_study(app, request);
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
     auto* history_verb = app.add_subcommand(
@@ -303,6 +371,7 @@ int main(int argc, char** argv) {
         if (!are_settings(request.overrides)) return 2;
         return with_lua(request, "hinge.prompt", *do_verb ? "line" : "main", bool(*prompt_verb));
     }
-    if (*plan_verb || *check_verb || *cost_verb) request.verb = *plan_verb ? "plan" : *check_verb ? "check" : "cost";
+    for (const CLI::App* verb : {plan_verb, check_verb, cost_verb, study_verb})
+        if (*verb) request.verb = verb->get_name();
     return run(std::move(request), named, verbs);
 }

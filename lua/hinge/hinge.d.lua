@@ -1361,6 +1361,9 @@ function hinge.scenario(options) end
 ---@field cases? table<string, table> named sets of changes for --case
 ---settings that trade accuracy for time, each a list whose first item is the default
 ---@field accuracy? table<string, any[]>
+---named functions for `hinge study --propose NAME`: each gets the cases that have ended and returns the parameters of
+---the next, as `propose` of hinge.study
+---@field proposals? table<string, fun(cases: hinge.study_case[]): table|nil>
 ---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
 
 ---@class hinge.scenario
@@ -1409,6 +1412,76 @@ function hinge.plot(plot, filename) end
 ---```
 ---@param text string printed, and kept in summary.json
 function hinge.note(text) end
+
+-- Studies ------------------------------------------------------------------------------------------------------------
+
+---Runs a scenario with many values of its parameters. Each case runs in a process of its own, `jobs` at a time: a crash,
+---a hang or too much memory costs one case. `hinge study SCRIPT` does the same from the command line. Cases are the
+---product of all values, the first name in alphabetical order varying slowest; draws are the same for each combination
+---of the others. Writes results.csv, times.csv, summary.json, pictures, and a folder a case into `out`. Linux only.
+---```lua
+---local pushed = hinge.scenario { parameters = { force = 1000 }, run = function(p)
+---  model:load { node = tip, force = { 0, 0, -p.force } }
+---  local run = model:static():finish()
+---  return { tip_mm = 1000 * select(3, tip:displacement(run)) }
+---end }
+---local study = hinge.study(pushed, { vary = { force = { 1000, 2000, 3000 } }, pictures = false, restart = true })
+---for _, case in ipairs(study.cases) do print(case.parameters.force, case.results.tip_mm) end
+---```
+---@param scenario hinge.scenario
+---@param options? hinge.study_options
+---@return hinge.study_result
+function hinge.study(scenario, options) end
+
+---@class hinge.study_options
+---what varies, by name: a list of values; { from =, to =, by = }; or a distribution as text: "normal(mean,deviation)",
+---"lognormal(median,deviation of the logarithm)", "uniform(lowest,highest)", "triangular(lowest,likeliest,highest)",
+---"weibull(scale,shape)". A single value holds for all cases
+---@field vary? table<string, any>
+---@field cases? string[] names of the scenario's cases, each with all values
+---@field case? string the one case of the scenario that all cases of the study start from
+---@field table? string CSV file with names in its first line, and a combination of values a row
+---@field samples? integer how many draws, default 100
+---"lhs" (default): a Latin hypercube; "sobol": Sobol's sequence with a random digital shift, up to 21 parameters;
+---"plain": independent draws
+---@field method? "lhs"|"sobol"|"plain"
+---@field seed? integer the same one gives the same draws on every machine; default 1
+---proposes what runs next: gets the cases that have ended, in order; returns a table of parameters, a list of such
+---tables, or nil at the end. It is asked when all that it proposed before has ended
+---@field propose? fun(cases: hinge.study_case[]): table|nil
+---@field jobs? integer cases at a time; default: the cores that there are
+---@field timeout? number s, the most that a case may take
+---@field memory? number bytes, the most that a case may take beyond what the script has when the study begins
+---@field out? string folder, default out/study
+---@field resume? boolean keep finished cases whose script, modules, data files and engine are the same; default false
+---@field restart? boolean run all again, also what the folder holds; default false: an error where it holds cases
+---@field progress? boolean a line on stderr, default false
+---@field pictures? boolean default true
+
+---@class hinge.study_case
+---@field number integer its place in the study, from 1
+---@field case? string the scenario's case
+---@field parameters table<string, any> those that the study set
+---"completed", "stopped" by the script, "failed", "wrong" (an error of the script or of its input), "crashed",
+---"timed out", "out of memory"
+---@field verdict string
+---@field reason? string
+---@field results table<string, number|string|boolean> what the scenario returned, names in tables joined by dots
+---@field energy_error? number of the last run, as a part of its largest energy
+---@field steps? integer of the last run
+---@field seconds number from start to end
+---@field memory number bytes, the most that its process held
+---@field folder string its folder, within the study's
+
+---@class hinge.study_result
+---@field cases hinge.study_case[] in order
+---@field varied string[] names that vary, as in results.csv
+---@field folder string
+---@field pictures string[] their file names in the folder
+---@field fragility? { quantity: string, parameter: string, median: number, dispersion: number, of_logarithm: boolean }[]
+---@field correlations? { quantity: string, parameter: string, correlation: number, cases: integer }[]
+---@field notes? string[]
+---@field interrupted boolean
 
 -- What accuracy costs -------------------------------------------------------------------------------------------------
 

@@ -16,5 +16,6 @@ return check.strict({
   plot = free.plot,
   note = free.note,
   scenario = require "hinge.scenario".new,
+  study = function(...) return require "hinge.study".run(...) end,
   cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for
 }, "hinge")

@@ -46,7 +46,7 @@ function scenario.new(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, {
     parameters = { "table", default = {} }, cases = { "table", default = {} },
-    accuracy = { "table", default = {} }, run = { "function" },
+    accuracy = { "table", default = {} }, proposals = { "table", default = {} }, run = { "function" },
   })
   each_parameter(o.parameters)
   local parameters = {}
@@ -71,7 +71,13 @@ function scenario.new(options, ...)
       same_type(("case %s: %s"):format(case, name), value, parameters[name])
     end
   end
-  return setmetatable({ parameters = parameters, cases = o.cases, accuracy = o.accuracy, run = o.run }, Scenario)
+  for name, propose in pairs(o.proposals) do
+    if type(name) ~= "string" or type(propose) ~= "function" then
+      check.fail("%s: proposals holds %s; each is written name = function(cases)", where, check.show(propose))
+    end
+  end
+  return setmetatable({ parameters = parameters, cases = o.cases, accuracy = o.accuracy, proposals = o.proposals,
+    run = o.run }, Scenario)
 end
 
 function scenario.is(value) return getmetatable(value) == Scenario end

@@ -489,7 +489,7 @@ int own_output(lua_State* L) {
 int whole_path(lua_State* L) {
     const char* path = luaL_checkstring(L, 1);
     std::error_code none;
-    const auto whole = std::filesystem::weakly_canonical(path, none);
+    const auto whole = std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
     return lua_pushstring(L, none ? path : whole.c_str()), 1;
 }
 

@@ -4,6 +4,7 @@
 #include "script/checkpoint.h"
 #include "script/module.h"
 #include "script/places.h"
+#include "script/processes.h"
 
 namespace hinge::script {
 namespace {
@@ -52,6 +53,7 @@ int open_core(lua_State* L) {
     open_checkpoint(L, module);
     open_output(L, module);
     open_measure(L, module);
+    open_processes(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
                                          {"error_kind", guarded<error_kind>},
                                          {"did_you_mean", guarded<suggest>},

@@ -1,0 +1,178 @@
+-- Pictures of a study: each quantity against one or two parameters, fragility curves of truths against parameters that
+-- were drawn, and the rank correlation of each quantity with each parameter.
+local core = require "hinge.core"
+local fit = require "hinge.study.fit"
+local tables = require "hinge.study.table"
+
+local pictures = {}
+local most = 24 -- pictures of one study
+
+-- Parameters that are numbers and take more than one value: { name =, values = sorted }.
+local function numeric(of)
+  local list = {}
+  for _, name in ipairs(of.varied) do
+    local seen, sorted, good = {}, {}, true
+    for _, c in ipairs(of.cases) do
+      local value = c.parameters[name]
+      good = good and type(value) == "number"
+      if good and not seen[value] then seen[value], sorted[#sorted + 1] = true, value end
+    end
+    if good and #sorted > 1 then
+      table.sort(sorted)
+      list[#list + 1] = { name = name, values = sorted }
+    end
+  end
+  return list
+end
+
+local function number_of(value)
+  if type(value) == "boolean" then return value and 1 or 0 end
+  return type(value) == "number" and value or nil
+end
+
+-- What distinguishes cases beside the parameter on the axis: "II, mass 12000".
+local function label(of, c, without)
+  local parts = {}
+  if of.has_cases then parts[1] = c.case end
+  for _, name in ipairs(of.varied) do
+    if name ~= without then
+      local value = c.parameters[name]
+      parts[#parts + 1] = ("%s %s"):format(name, type(value) == "number" and ("%.5g"):format(value) or tostring(value))
+    end
+  end
+  return table.concat(parts, ", ")
+end
+
+-- A line for each combination of the other parameters, in the order of the cases; points alone where there are more
+-- than eight.
+local function against(of, quantity, axis)
+  local groups, order = {}, {}
+  for _, c in ipairs(of.cases) do
+    local y = number_of(c.results[quantity])
+    if y then
+      local name = label(of, c, axis.name)
+      if not groups[name] then groups[name], order[#order + 1] = {}, name end
+      table.insert(groups[name], { c.parameters[axis.name], y })
+    end
+  end
+  if #order == 0 then return nil end
+  local series = {}
+  if #order > 8 then
+    local x, y = {}, {}
+    for _, name in ipairs(order) do
+      for _, point in ipairs(groups[name]) do x[#x + 1], y[#y + 1] = point[1], point[2] end
+    end
+    series[1] = { x = x, y = y, style = "points" }
+  else
+    for _, name in ipairs(order) do
+      table.sort(groups[name], function(a, b) return a[1] < b[1] end)
+      local x, y = {}, {}
+      for i, point in ipairs(groups[name]) do x[i], y[i] = point[1], point[2] end
+      series[#series + 1] = { name = #order > 1 and name or nil, x = x, y = y }
+    end
+  end
+  return { x_label = axis.name, y_label = quantity, series = series }
+end
+
+-- A fragility curve with its band and the cases as points; nil and why not.
+local function fragility(of, quantity, axis)
+  local x, y, positive = {}, {}, true
+  for _, c in ipairs(of.cases) do
+    local value = number_of(c.results[quantity])
+    if value then
+      x[#x + 1], y[#y + 1] = c.parameters[axis.name], value
+      positive = positive and x[#x] > 0
+    end
+  end
+  local curve, why = fit.fragility(x, y, positive)
+  if not curve then return nil, why end
+  local line, low, high = { x = {}, y = {} }, { x = {}, y = {}, dashed = true }, { x = {}, y = {}, dashed = true }
+  local first, last = axis.values[1], axis.values[#axis.values]
+  for i = 0, 200 do
+    local at = first + (last - first) * i / 200
+    local p, below, above = curve.at(at)
+    for _, one in ipairs { { line, p }, { low, below }, { high, above } } do
+      table.insert(one[1].x, at)
+      table.insert(one[1].y, one[2])
+    end
+  end
+  line.name = ("median %.4g, dispersion %.3g"):format(curve.median, curve.dispersion)
+  low.name = "95 % band"
+  local median = { quantity = quantity, parameter = axis.name, median = curve.median, dispersion = curve.dispersion,
+    of_logarithm = curve.log }
+  return { title = ("chance of %s"):format(quantity), x_label = axis.name, y_label = "chance",
+    series = { line, low, high, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
+end
+
+--- Rank correlations: { { quantity =, parameter =, correlation = }, ... } of all numbers with all numeric parameters.
+function pictures.correlations(of)
+  local list = {}
+  for _, quantity in ipairs(tables.quantities(of.cases)) do
+    for _, axis in ipairs(numeric(of)) do
+      local x, y = {}, {}
+      for _, c in ipairs(of.cases) do
+        local value = number_of(c.results[quantity])
+        if value then x[#x + 1], y[#y + 1] = c.parameters[axis.name], value end
+      end
+      local r = #x > 2 and fit.rank_correlation(x, y)
+      if r then list[#list + 1] = { quantity = quantity, parameter = axis.name, correlation = r, cases = #x } end
+    end
+  end
+  return list
+end
+
+-- Bars from zero, one a parameter, of the correlations of one quantity, the strongest on top.
+local function sensitivity(quantity, list)
+  table.sort(list, function(a, b)
+    local p, q = math.abs(a.correlation), math.abs(b.correlation)
+    return p < q or p == q and a.parameter < b.parameter
+  end)
+  local series = { { x = { 0, 0 }, y = { 0.5, #list + 0.5 }, dashed = true } }
+  for i, one in ipairs(list) do
+    series[#series + 1] = { name = ("%s %+.2f"):format(one.parameter, one.correlation),
+      x = { 0, one.correlation, one.correlation, 0 }, y = { i - 0.2, i - 0.2, i + 0.2, i + 0.2 } }
+  end
+  return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", y_label = "parameter", series = series }
+end
+
+local function file_name(text) return (text:gsub("[^%w_.-]", "_")) end
+
+--- Draws the pictures into the study's folder and returns their names; what cannot be drawn is said in of.notes.
+function pictures.draw(of)
+  local axes, names = numeric(of), {}
+  of.notes, of.fragility = of.notes or {}, {}
+  local function draw(plot, name)
+    if not plot or #names >= most then return end
+    local good, problem = pcall(core.write_plot, plot, of.folder .. "/" .. name)
+    if good then names[#names + 1] = name
+    else of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem)) end
+  end
+  for _, quantity in ipairs(tables.quantities(of.cases)) do
+    local truth = false
+    for _, c in ipairs(of.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
+    for _, axis in ipairs(axes) do
+      if truth and #of.cases >= 8 and #axis.values >= 5 then
+        local plot, why, curve = fragility(of, quantity, axis)
+        if curve then of.fragility[#of.fragility + 1] = curve end
+        if why then of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity, axis.name, why) end
+        draw(plot, file_name(("chance_of_%s-%s.png"):format(quantity, axis.name)))
+      else
+        draw(against(of, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name)))
+      end
+    end
+  end
+  if #axes > 1 and #of.cases >= 8 then
+    local by = {}
+    of.correlations = pictures.correlations(of)
+    for _, one in ipairs(of.correlations) do
+      by[one.quantity] = by[one.quantity] or {}
+      table.insert(by[one.quantity], one)
+    end
+    for _, quantity in ipairs(tables.quantities(of.cases)) do
+      if by[quantity] then draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png")) end
+    end
+  end
+  return names
+end
+
+return pictures

@@ -1,0 +1,171 @@
+-- hinge study: reads the command line, runs the cases, prints and writes.
+local core = require "hinge.core"
+local check = require "hinge.check"
+local runner = require "hinge.runner"
+local study = require "hinge.study"
+local tables = require "hinge.study.table"
+local vary = require "hinge.study.vary"
+
+local program = {}
+
+-- "60s", "5min", "2h", "1500" as a number.
+local function quantity(option, text, units, allowed)
+  if not text then return nil end
+  local number, unit = text:match "^%s*([%d.]+)%s*(%a*)%s*$"
+  number = tonumber(number)
+  if not number or not units[unit] or number <= 0 then check.fail("%s %s: must be %s", option, text, allowed) end
+  return number * units[unit]
+end
+
+local function whole(option, text, least)
+  local number = text and math.tointeger(tonumber(text))
+  if text and (not number or number < least) then
+    check.fail("%s %s: must be a whole number of at least %d", option, text, least)
+  end
+  return number
+end
+
+local times = { [""] = 1, s = 1, min = 60, h = 3600 }
+local sizes = { [""] = 1, K = 2 ^ 10, M = 2 ^ 20, G = 2 ^ 30, T = 2 ^ 40 }
+
+-- The scenario's cases that --cases names.
+local function chosen_cases(text, scenario, script)
+  if not text then return nil end
+  if not scenario then check.fail("--cases %s: %s has no cases; it does not return a hinge.scenario", text, script) end
+  local all = check.keys(scenario.cases)
+  if text == "all" then
+    if #all == 0 then check.fail("--cases all: %s has no cases", script) end
+    return all
+  end
+  local list = {}
+  for name in text:gmatch "[^,]+" do
+    if not scenario.cases[name] then check.unknown("--cases", "case", name, all) end
+    list[#list + 1] = name
+  end
+  return list
+end
+
+--- What the command line says, for study.go.
+function program.read(options)
+  local scenario = runner.load(options.script, {})
+  if not scenario and options.propose then
+    check.fail("--propose %s: %s does not return a hinge.scenario", options.propose, options.script)
+  end
+  local list = vary.from_words(options.words)
+  local plan = { list = list, cases = chosen_cases(options.cases, scenario, options.script),
+    samples = whole("--samples", options.samples, 1), seed = whole("--seed", options.seed, 0), method = options.method,
+    said = table.concat(options.words, " ") .. (options.cases and " --cases " .. options.cases or "")
+      .. (options.table and " --table " .. options.table or "") .. (options.propose and " --propose " .. options.propose
+      or "") .. (options.samples and " --samples " .. options.samples or "")
+      .. (options.method and " --method " .. options.method or "") .. (options.seed and " --seed " .. options.seed or "") }
+  if options.table then plan.rows, plan.row_names = vary.rows(options.table) end
+  local propose, fixed
+  if options.propose then
+    propose = scenario.proposals[options.propose]
+    if not propose then check.unknown("--propose", "proposal", options.propose, check.keys(scenario.proposals)) end
+    fixed = {}
+    for _, one in ipairs(list) do
+      if not one.values or #one.values > 1 then
+        check.fail("--propose %s: %s has several values; the function proposes them", options.propose, one.name)
+      end
+      fixed[one.name] = one.values[1]
+    end
+  end
+  return {
+    scenario = scenario, script = options.script, plan = plan, propose = propose, fixed = fixed,
+    jobs = whole("-j", options.jobs, 1) or core.cores(),
+    timeout = quantity("--timeout", options.timeout, times, "a time above 0, such as 60s, 5min or 1h"),
+    memory = quantity("--memory", options.memory, sizes, "a size above 0, such as 500M or 2G"),
+    out = options.out, out_given = options.out_given ~= nil, resume = options.resume ~= nil,
+    restart = options.restart ~= nil, progress = options.quiet == nil,
+  }
+end
+
+-- "3" or "3-7" as a set, the first and the last of them.
+local function numbers(text)
+  if not text then return nil end
+  local first, last = text:match "^(%d+)%-?(%d*)$"
+  first, last = math.tointeger(tonumber(first)), math.tointeger(tonumber(last)) or math.tointeger(tonumber(first))
+  if not first or first < 1 or last < first then
+    check.fail("--case %s: must be the number of a case, as --list has them, or several as 3-7", text)
+  end
+  local set = {}
+  for number = first, last do set[number] = true end
+  return set, first, last
+end
+
+-- The cases, a line each: number, case, parameters.
+local function print_list(all)
+  for _, one in ipairs(all) do
+    local parts = { tostring(one.number) }
+    if one.case then parts[2] = "case=" .. one.case end
+    for _, name in ipairs(check.keys(one.parameters)) do
+      parts[#parts + 1] = name .. "=" .. require "hinge.study.case".text(one.parameters[name])
+    end
+    print(table.concat(parts, "\t"))
+  end
+end
+
+-- What is printed at the end.
+local function show(of, options)
+  local width = core.width() or 120
+  if #of.cases <= 24 and options.quiet == nil then
+    local lines, left_out = tables.lines(of, width)
+    for _, line in ipairs(lines) do print(line) end
+    if left_out > 0 then print(("  and %s more: results.csv"):format(check.count(left_out, "column"))) end
+  end
+  local parts = {}
+  local counts = study.describe(of.cases)
+  for _, verdict in ipairs(check.keys(counts)) do parts[#parts + 1] = ("%d %s"):format(counts[verdict], verdict) end
+  print(("%s: %s"):format(check.count(#of.cases, "case"), table.concat(parts, ", ")))
+  for _, curve in ipairs(of.fragility or {}) do
+    print(("%s: half of the cases at %s = %.5g"):format(curve.quantity, curve.parameter, curve.median))
+  end
+  for _, note in ipairs(of.notes or {}) do print("note: " .. note) end
+  print("written to " .. of.folder)
+end
+
+-- 0 if all cases have an answer, 1 if some have not, 3 after an interruption.
+local function status_of(of)
+  if of.interrupted then
+    io.stderr:write("hinge: interrupted; the same command with --resume goes on\n")
+    return 3
+  end
+  for _, c in ipairs(of.cases) do
+    if not require "hinge.study.case".finished(c.verdict) then return 1 end
+  end
+  return 0
+end
+
+--- options: script, words, and the options of the command line as text. Returns the program's exit status: 0 all cases
+-- ended, 1 some of them without an answer, 2 the script or its input is wrong, 3 interrupted.
+function program.main(options)
+  return runner.guard(function()
+    local what = program.read(options)
+    local only, first, last = numbers(options.number)
+    what.list = options.list ~= nil or options.slurm ~= nil
+    what.collect = options.collect ~= nil
+    what.resume = what.resume or what.collect or only ~= nil
+    if what.propose and (what.list or what.collect or only) then
+      check.fail("--propose %s: the next case follows from the results so far; there is no list of cases for --list, "
+        .. "--case, --collect and --slurm", options.propose)
+    end
+    if only then
+      what.only, what.journal = only, first == last and ("cases-%d.jsonl"):format(first)
+        or ("cases-%d-%d.jsonl"):format(first, last)
+    end
+    local of, all = study.go(what)
+    if options.slurm then return require "hinge.study.slurm".submit(options, #all) end
+    if what.list then return print_list(all) or 0 end
+    if only then return status_of(of) end
+    of.pictures = require "hinge.study.pictures".draw(of)
+    study.write(of)
+    show(of, options)
+    if what.collect and of.planned > #of.cases then
+      print(("%s not ended yet"):format(check.count(of.planned - #of.cases, "case")))
+    end
+    return status_of(of)
+  end)
+end
+
+return program

@@ -1,0 +1,253 @@
+-- hinge study and hinge.study: the cases of a study, what it writes, what a sick case costs, how it goes on after an end.
+--
+-- Run: lua5.4 tests/script/study_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local draws = require "hinge.study.draws"
+local fit = require "hinge.study.fit"
+local checks = support.checks "study"
+local quote, expect, equal, near = support.quote, checks.expect, checks.equal, checks.near
+local program = quote(arg[1] .. "/hinge")
+
+local folder = support.temporary_folder()
+support.write(folder .. "/bar.lua", [[
+return function(p)
+  local hinge = require "hinge"
+  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { p.length, 0, 0 }
+  model:fix(wall, "all")
+  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = steel }
+  model:load { node = tip, force = { 0, 0, -p.load } }
+  local run = model:static { steps = 1 }:finish()
+  local uz = select(3, run:displacement(tip))
+  return { tip = { mm = -1000 * uz }, down = -uz > 0.01, list = { 1, 2 } }
+end
+]])
+support.write(folder .. "/s.lua", [[
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local hinge = require "hinge"
+return hinge.scenario {
+  parameters = { load = 1000, length = 1, sick = "", wait = 0 },
+  cases = { long = { length = 2 }, short = { length = 0.5 } },
+  proposals = { half = function(cases)
+    local low, high = 0, 10000
+    for _, c in ipairs(cases) do
+      if c.results.down then high = c.parameters.load else low = c.parameters.load end
+    end
+    if high - low > 100 then return { load = 0.5 * (low + high) } end
+  end },
+  run = function(p)
+    if p.sick == "crash" then os.execute "kill -SEGV $PPID" end
+    if p.sick == "hang" then while true do end end
+    if p.sick == "memory" then local t = {} for i = 1, 1e9 do t[i] = { i } end end
+    if p.sick == "wrong" then error "no such thing" end
+    local until_then = os.clock() + p.wait
+    while os.clock() < until_then do end
+    return require "bar" (p)
+  end,
+}
+]])
+
+local function study(words, before)
+  return support.run(("cd %s && %s %s study %s"):format(folder, before or "", program, words))
+end
+local function results(name)
+  local rows, names = {}, nil
+  for line in (support.read(folder .. "/" .. name .. "/results.csv") or ""):gmatch "[^\n]+" do
+    local items = {}
+    for item in (line .. ","):gmatch "([^,]*)," do items[#items + 1] = item end
+    if not names then names = items else
+      local row = {}
+      for i, key in ipairs(names) do row[key] = items[i] end
+      rows[#rows + 1] = row
+    end
+  end
+  return rows, names
+end
+local function tip(load, length) -- P L^3 / 3 E I + P L / k G A, mm
+  local I, A, G = 0.05 ^ 4 / 12, 0.05 ^ 2, 206e9 / 2.6
+  return 1000 * load * (length ^ 3 / (3 * 206e9 * I) + length / (5 / 6 * G * A))
+end
+
+-- The product of all values, the first one slowest; a row a case; the numbers of the script itself.
+local status, printed, complaint = study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 2 --out a"
+equal(status, 0, "exit status: " .. complaint)
+local rows, names = results "a"
+equal(table.concat(names, " "), "number case load length verdict down tip.mm energy_error steps reason", "columns")
+equal(#rows, 12, "cases")
+for i, row in ipairs(rows) do
+  equal(tonumber(row.number), i, "order")
+  equal(row.case, i <= 6 and "long" or "short", "case of row " .. i)
+  equal(tonumber(row.load), (i - 1) // 3 % 2 == 0 and 1000 or 2000, "load of row " .. i)
+  equal(tonumber(row.length), 1 + 0.5 * ((i - 1) % 3), "length of row " .. i)
+  near(tonumber(row["tip.mm"]) / tip(tonumber(row.load), tonumber(row.length)), 1, 1e-9, "tip of row " .. i)
+  equal(row.verdict, "completed", "verdict of row " .. i)
+end
+expect(printed:find "12 cases: 12 completed", "the last lines: %s", printed)
+local summary = support.json(support.read(folder .. "/a/summary.json"))
+equal(summary.verdicts.completed, 12, "summary.json: verdicts")
+for _, name in ipairs { "tip.mm-load.png", "tip.mm-length.png" } do
+  expect((support.read(folder .. "/a/" .. name) or ""):find "^\137PNG", "there is no %s", name)
+end
+equal(support.json(support.read(folder .. "/a/cases/00005/summary.json")).parameters.length, 1.5, "a case's own folder")
+
+-- One process at a time, or eight: the same files, byte for byte.
+study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 1 --out b"
+study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 8 --out c"
+for _, name in ipairs { "results.csv", "summary.json" } do
+  local b, c = support.read(folder .. "/b/" .. name), support.read(folder .. "/c/" .. name)
+  expect(b and b == c, "%s differs between one process and eight", name)
+end
+
+-- A case that crashes, hangs, takes too much memory or is wrong costs itself.
+status = study "s.lua sick=fine,crash,hang,memory,wrong,well --timeout 3s --memory 100M -j 3 --out sick"
+equal(status, 1, "exit status with sick cases")
+local verdicts = {}
+for _, row in ipairs(results "sick") do verdicts[#verdicts + 1] = row.verdict end
+equal(table.concat(verdicts, ", "), "completed, crashed, timed out, out of memory, wrong, completed", "verdicts")
+expect((results "sick")[5].reason:find "no such thing", "reason: %s", (results "sick")[5].reason)
+
+-- A second study does not take the place of the first by mistake. --resume runs what has no answer, and no more.
+status, _, complaint = study "s.lua sick=fine,crash,hang,memory,wrong,well --out sick"
+equal(status, 2, "exit status without --resume")
+expect(complaint:find "holds 6 cases of a study; %-%-resume", "message: %s", complaint)
+local function written(name) -- when each case's own summary was written
+  return support.output(("cd %s/%s/cases && stat -c '%%n %%y' */summary.json 2>/dev/null"):format(folder, name))
+end
+local before = written "sick"
+study "s.lua sick=fine,crash,hang,memory,wrong,well --timeout 3s --memory 100M -j 3 --out sick --resume"
+equal(written "sick", before, "finished cases, which are kept")
+
+-- A module that has changed is noticed: its cases run again.
+support.write(folder .. "/bar.lua", (support.read(folder .. "/bar.lua"):gsub("%-1000 %* uz }", "-2000 * uz }")))
+status, _, complaint = study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short --out b --resume"
+equal(status, 0, "exit status after a change")
+expect(complaint:find "bar%.lua has changed: 12 cases run again", "message: %s", complaint)
+near(tonumber((results "b")[1]["tip.mm"]) / tip(1000, 1), 2, 1e-9, "the changed module's answer")
+
+-- kill -9 of the runner: its workers end with it, and all that was finished is kept.
+for round = 1, 3 do
+  local name = "killed" .. round
+  study(("s.lua load=1:40:1 wait=0.02 -j 4 --out %s"):format(name), ("timeout -s KILL %g"):format(0.12 + 0.1 * round))
+  local workers
+  for _ = 1, 20 do -- the system takes a moment to end them
+    workers = tonumber((support.output("pgrep -f '[s]tudy s.lua load=1:40:1' | wc -l")))
+    if workers == 0 then break end
+    os.execute "sleep 0.1"
+  end
+  equal(workers, 0, "workers left after a kill")
+  local journal = support.read(folder .. "/" .. name .. "/cases.jsonl") or ""
+  local _, kept = journal:gsub("\n", "\n")
+  local old = written(name)
+  status = study(("s.lua load=1:40:1 wait=0.02 -j 4 --out %s --resume"):format(name))
+  equal(status, 0, "exit status of --resume after a kill")
+  equal(#results(name), 40, "cases after --resume")
+  local new, same = written(name), 0
+  for line in old:gmatch "[^\n]+" do if new:find(line, 1, true) then same = same + 1 end end
+  expect(same >= kept, "%d cases were finished before the kill, %d were kept", kept, same)
+end
+-- A journal whose last line was cut off, as a full disk leaves it.
+local path = folder .. "/killed1/cases.jsonl"
+support.write(path, support.read(path):sub(1, -20))
+status = study "s.lua load=1:40:1 wait=0.02 -j 4 --out killed1 --resume"
+equal(status, 0, "exit status with a cut journal")
+equal(#results "killed1", 40, "cases with a cut journal")
+
+-- Proposals: each asked with what has ended. The tip comes down by 10 mm at 10 / tip(1, 1) N (here twice as much).
+status = study "s.lua --propose half --out half"
+equal(status, 0, "exit status of proposals")
+rows = results "half"
+near(tonumber(rows[#rows].load), 10 / tip(1, 1), 100, "load at which the bar is down")
+
+-- Rows of a table.
+support.write(folder .. "/t.csv", "load,length\n1000,1\n3000,\"2\"\r\n\n# a remark\n500,0.5\n")
+study "s.lua --table t.csv --out table"
+rows = results "table"
+equal(#rows, 3, "rows of the table")
+equal(rows[2].length .. " " .. rows[3].load, "2 500", "values of the table")
+
+-- Wrong input is refused before anything runs.
+for words, message in pairs {
+  ["s.lua laod=3"] = "unknown parameter 'laod' %(did you mean 'load'%?%)",
+  ["s.lua load=1:2"] = "must be a number",
+  ["s.lua load=1:2:-1"] = "no value lies between",
+  ["s.lua load~norml(1,2)"] = "did you mean 'normal'",
+  ["s.lua load~normal(1)"] = "normal takes mean, standard deviation",
+  ["s.lua load=1 load=2"] = "load is given twice",
+  ["s.lua --cases thin"] = "unknown case 'thin'",
+  ["s.lua load=1 --samples 3"] = "nothing is drawn",
+  ["s.lua load=1 --timeout soon"] = "must be a time above 0",
+  ["s.lua --table none.csv"] = "none.csv",
+  ["s.lua --propose none"] = "unknown proposal 'none'",
+} do
+  status, _, complaint = study((words:gsub("[~()]", "\\%0")) .. " --out wrong")
+  equal(status, 2, words .. ": exit status")
+  expect(complaint:find(message), "%s: message: %s", words, complaint)
+  expect(not support.is_there(folder .. "/wrong"), "%s: a folder was made", words)
+end
+
+-- From Lua, with functions that no file holds: the same numbers.
+local slope = 3
+local scenario = hinge.scenario { parameters = { x = 1, y = 1 }, run = function(p)
+  return { z = slope * p.x + p.y, above = slope * p.x + p.y > 10 }
+end }
+local result = hinge.study(scenario, { vary = { x = { 1, 2, 3 }, y = { from = 0, to = 10, by = 5 } },
+  out = folder .. "/lua", jobs = 3, pictures = false })
+equal(#result.cases, 9, "cases of hinge.study")
+for _, c in ipairs(result.cases) do
+  equal(c.results.z, 3 * c.parameters.x + c.parameters.y, "result of case " .. c.number)
+  equal(c.results.above, c.results.z > 10, "truth of case " .. c.number)
+end
+expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }), "an unknown parameter is taken")
+expect(not pcall(hinge.study, {}, {}), "something else than a scenario is taken")
+
+-- Draws: of each stratum of a Latin hypercube one; Sobol's points fill each half, quarter and eighth alike; quantiles.
+for d = 1, 3 do
+  local seen = {}
+  for _, point in ipairs(draws.points("lhs", 3, 64, 7)) do seen[math.floor(64 * point[d])] = true end
+  local n = 0
+  for _ in pairs(seen) do n = n + 1 end
+  equal(n, 64, "strata of a Latin hypercube, dimension " .. d)
+end
+for d = 1, 21 do
+  local count = {}
+  for _, point in ipairs(draws.points("sobol", 21, 64, 7)) do
+    local cell = math.floor(8 * point[d])
+    count[cell] = (count[cell] or 0) + 1
+  end
+  for cell = 0, 7 do equal(count[cell], 8, ("Sobol's points in cell %d of dimension %d"):format(cell, d)) end
+end
+for a = 1, 5 do -- pairs of dimensions: a net of four by four
+  local count = {}
+  for _, point in ipairs(draws.points("sobol", 6, 256, 7)) do
+    local cell = math.floor(4 * point[a]) * 4 + math.floor(4 * point[a + 1])
+    count[cell] = (count[cell] or 0) + 1
+  end
+  for cell = 0, 15 do equal(count[cell], 16, ("Sobol's points in cell %d of dimensions %d and %d"):format(cell, a, a + 1)) end
+end
+expect(draws.points("plain", 1, 1, 1)[1][1] ~= draws.points("plain", 1, 1, 2)[1][1], "seeds give the same draws")
+near(draws.normal_quantile(0.975), 1.959963984540054, 1e-12, "normal distribution, 97.5 %")
+near(draws.normal_quantile(1e-6), -4.753424308822899, 1e-11, "normal distribution, 1e-6")
+local quantile = draws.distribution("lognormal(100,0.5)", "test").quantile
+near(quantile(0.5), 100, 1e-9, "median of a lognormal distribution")
+near(draws.distribution("weibull(10,2)", "test").quantile(1 - math.exp(-1)), 10, 1e-9, "scale of a Weibull distribution")
+near(draws.distribution("triangular(0,1,2)", "test").quantile(0.125), 0.5, 1e-12, "a triangular distribution")
+
+-- A fragility curve that the cases were drawn from is found again; its band holds it.
+local random, x, y = draws.generator(3), {}, {}
+for i = 1, 4000 do
+  x[i] = 50 + 100 * random.part()
+  y[i] = random.part() < draws.normal_part(math.log(x[i] / 100) / 0.2) and 1 or 0
+end
+local curve = fit.fragility(x, y, true)
+near(curve.median, 100, 1.5, "median of a fragility curve")
+near(curve.dispersion, 0.2, 0.015, "dispersion of a fragility curve")
+local at, low, high = curve.at(90)
+expect(low < at and at < high and high - low < 0.06, "band %g to %g around %g", low, high, at)
+expect(fit.fragility({ 1, 2, 3 }, { 1, 1, 1 }) == nil, "a curve without a change")
+expect(fit.fragility({ 1, 2, 3, 4 }, { 0, 0, 1, 1 }) == nil, "a curve of a step")
+near(fit.rank_correlation({ 1, 2, 3, 4 }, { 10, 30, 20, 40 }), 0.8, 1e-12, "rank correlation")
+equal(fit.rank_correlation({ 1, 1 }, { 1, 2 }), nil, "rank correlation with what does not vary")
+checks.done()
