@@ -200,6 +200,18 @@ for _, c in ipairs(result.cases) do
   equal(c.results.z, 3 * c.parameters.x + c.parameters.y, "result of case " .. c.number)
   equal(c.results.above, c.results.z > 10, "truth of case " .. c.number)
 end
+-- A case that failed may have returned something: it is in the table, and in nothing that is drawn from all cases.
+local failing = hinge.scenario { parameters = { x = 1, y = 1 }, run = function(p, job)
+  job:verdict(p.x == 1 and "failed" or "completed", "it fell over")
+  return { z = p.x == 1 and -1000 or p.x + p.y, above = p.x == 1 or p.x + 2 * p.y > 12 }
+end }
+result = hinge.study(failing, { vary = { x = { 1, 2, 3, 4, 5, 6 }, y = { 1, 2, 3, 4, 5 } }, out = folder .. "/failing" })
+equal(result.cases[1].verdict .. " " .. result.cases[1].results.z, "failed -1000", "a case that failed")
+for _, one in ipairs(result.correlations) do equal(one.cases, 25, "cases that have an answer, for " .. one.parameter) end
+near(result.correlations[#result.correlations - 1].correlation, result.correlations[#result.correlations].correlation,
+  1e-9, "correlation of a sum with its parts")
+expect(table.concat(result.notes, ";"):find "5 cases without an answer left out", "notes: %s",
+  table.concat(result.notes, "; "))
 expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }), "an unknown parameter is taken")
 expect(not pcall(hinge.study, {}, {}), "something else than a scenario is taken")
 

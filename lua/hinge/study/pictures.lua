@@ -1,6 +1,8 @@
 -- Pictures of a study: each quantity against one or two parameters, fragility curves of truths against parameters that
 -- were drawn, and the rank correlation of each quantity with each parameter.
 local core = require "hinge.core"
+local case = require "hinge.study.case"
+local check = require "hinge.check"
 local fit = require "hinge.study.fit"
 local tables = require "hinge.study.table"
 
@@ -86,7 +88,7 @@ local function fragility(of, quantity, axis)
   end
   local curve, why = fit.fragility(x, y, positive)
   if not curve then return nil, why end
-  local line, low, high = { x = {}, y = {} }, { x = {}, y = {}, dashed = true }, { x = {}, y = {}, dashed = true }
+  local line, low, high = { x = {}, y = {} }, { x = {}, y = {}, dashed = true }, { x = {}, y = {} }
   local first, last = axis.values[1], axis.values[#axis.values]
   for i = 0, 200 do
     local at = first + (last - first) * i / 200
@@ -98,10 +100,23 @@ local function fragility(of, quantity, axis)
   end
   line.name = ("median %.4g, dispersion %.3g"):format(curve.median, curve.dispersion)
   low.name = "95 % band"
+  table.insert(low.x, 0 / 0) -- a gap between its two sides
+  table.insert(low.y, 0 / 0)
+  table.move(high.x, 1, #high.x, #low.x + 1, low.x)
+  table.move(high.y, 1, #high.y, #low.y + 1, low.y)
   local median = { quantity = quantity, parameter = axis.name, median = curve.median, dispersion = curve.dispersion,
     of_logarithm = curve.log }
   return { title = ("chance of %s"):format(quantity), x_label = axis.name, y_label = "chance",
-    series = { line, low, high, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
+    series = { line, low, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
+end
+
+-- The study with those cases alone that have an answer, and how many have none.
+local function answered(of)
+  local good = {}
+  for _, c in ipairs(of.cases) do
+    if case.finished(c.verdict) then good[#good + 1] = c end
+  end
+  return setmetatable({ cases = good }, { __index = of }), #of.cases - #good
 end
 
 --- Rank correlations: { { quantity =, parameter =, correlation = }, ... } of all numbers with all numeric parameters.
@@ -129,8 +144,12 @@ local function sensitivity(quantity, list)
   end)
   local series = { { x = { 0, 0 }, y = { 0.5, #list + 0.5 }, dashed = true } }
   for i, one in ipairs(list) do
-    series[#series + 1] = { name = ("%s %+.2f"):format(one.parameter, one.correlation),
-      x = { 0, one.correlation, one.correlation, 0 }, y = { i - 0.2, i - 0.2, i + 0.2, i + 0.2 } }
+    local bar = { name = ("%s %+.2f"):format(one.parameter, one.correlation), x = {}, y = {} }
+    for k = 0, 100 do -- to and fro, so close that it is filled
+      bar.x[#bar.x + 1], bar.y[#bar.y + 1] = k % 2 * one.correlation, i - 0.2 + 0.004 * k
+      bar.x[#bar.x + 1], bar.y[#bar.y + 1] = (1 - k % 2) * one.correlation, i - 0.2 + 0.004 * k
+    end
+    series[#series + 1] = bar
   end
   return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", y_label = "parameter", series = series }
 end
@@ -139,36 +158,41 @@ local function file_name(text) return (text:gsub("[^%w_.-]", "_")) end
 
 --- Draws the pictures into the study's folder and returns their names; what cannot be drawn is said in of.notes.
 function pictures.draw(of)
-  local axes, names = numeric(of), {}
+  local known, left_out = answered(of)
+  local axes, names = numeric(known), {}
   of.notes, of.fragility = of.notes or {}, {}
+  if left_out > 0 then
+    of.notes[#of.notes + 1] = check.count(left_out, "case")
+      .. " without an answer left out of pictures, fragility curves and correlations"
+  end
   local function draw(plot, name)
     if not plot or #names >= most then return end
     local good, problem = pcall(core.write_plot, plot, of.folder .. "/" .. name)
     if good then names[#names + 1] = name
     else of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem)) end
   end
-  for _, quantity in ipairs(tables.quantities(of.cases)) do
+  for _, quantity in ipairs(tables.quantities(known.cases)) do
     local truth = false
-    for _, c in ipairs(of.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
+    for _, c in ipairs(known.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
     for _, axis in ipairs(axes) do
-      if truth and #of.cases >= 8 and #axis.values >= 5 then
-        local plot, why, curve = fragility(of, quantity, axis)
+      if truth and #known.cases >= 8 and #axis.values >= 5 then
+        local plot, why, curve = fragility(known, quantity, axis)
         if curve then of.fragility[#of.fragility + 1] = curve end
         if why then of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity, axis.name, why) end
         draw(plot, file_name(("chance_of_%s-%s.png"):format(quantity, axis.name)))
       else
-        draw(against(of, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name)))
+        draw(against(known, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name)))
       end
     end
   end
-  if #axes > 1 and #of.cases >= 8 then
+  if #axes > 1 and #known.cases >= 8 then
     local by = {}
-    of.correlations = pictures.correlations(of)
+    of.correlations = pictures.correlations(known)
     for _, one in ipairs(of.correlations) do
       by[one.quantity] = by[one.quantity] or {}
       table.insert(by[one.quantity], one)
     end
-    for _, quantity in ipairs(tables.quantities(of.cases)) do
+    for _, quantity in ipairs(tables.quantities(known.cases)) do
       if by[quantity] then draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png")) end
     end
   end
