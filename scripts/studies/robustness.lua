@@ -1,10 +1,19 @@
--- Which columns may a building lose? Each is taken away at once, in the manner of the alternate path method (UFC 4-023-03,
--- GSA 2016): the frame is at rest under its floors, then the column breaks. One case a column.
+-- Which columns may a building lose? Each is taken away at once, in the manner of the alternate path method
+-- (UFC 4-023-03, GSA 2016): the frame is at rest under its floors, then the column breaks. One case a column.
 --
 -- Run     hinge study scripts/studies/robustness.lua x=1:4:1 y=1:3:1 storey=1:4:1 -j 2
 --         hinge run scripts/studies/show.lua robustness=out/robustness-study      (the map and the table)
 -- Shows   a steel frame of 3 by 2 bays and 4 storeys, whose columns have little to spare: 48 columns
--- Expect  HEAD
+-- Expect  case 1, a corner of the ground floor: holds, dynamic_factor = 2.136 within 0.02
+--         case 19, inside, storey 3: local collapse, largest_drop = 4.34 within 0.1 m
+--         all: 30 columns hold, 6 local and 12 full collapses; columns at mirrored places agree
+--
+-- A joint has fallen once it was lower by a tenth of a bay, 0.7 m, than at rest, within 1.25 s.
+--   holds           no joint has fallen
+--   local collapse  joints have fallen, all of them above the lost column
+--   full collapse   joints of other columns have fallen as well
+-- The limit of 0.1 rad at which a beam breaks is chosen for the example. There is no contact and no ground: what falls
+-- does not strike the floor below. UFC and GSA have loads, limits and rules of their own, which are not in here.
 local hinge = require "hinge"
 
 local g, bay, height, bays, storeys = 9.80665, 7, 4, { 3, 2 }, 4
@@ -80,7 +89,6 @@ return hinge.scenario {
       end
     end
 
-    -- A joint has fallen once it was lower by a tenth of a bay. Local: only joints above the lost column have.
     local r = { fallen = 0, elsewhere = 0, yielded = run:count { state = "yielded" },
       broken = run:count { group = "beams", state = "broken" } }
     for i, one in ipairs(joints) do
@@ -97,7 +105,7 @@ return hinge.scenario {
       r.static_drop = z(above, rest) - z(joint, still)
       if r.outcome == "holds" then r.dynamic_factor = r.drop / r.static_drop end
     end
-    if p.picture then job:picture(run, { width = 1000, height = 700 }, "frame.png") end
+    if p.picture then job:picture(run, { width = 800, height = 560 }, "frame.png") end
     return r
   end,
 }

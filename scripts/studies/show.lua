@@ -54,8 +54,8 @@ local function robustness(folder)
     print(("%6d %7d %16d %15d"):format(storey, count[storey .. "holds"] or 0, count[storey .. "local collapse"] or 0,
       count[storey .. "full collapse"] or 0))
   end
-  print(("where it holds, the dynamic drop is %.2f to %.2f times the static one"):format(math.min(table.unpack(factors)),
-    math.max(table.unpack(factors))))
+  print(("where it holds, the dynamic drop is %.2f to %.2f times the static one")
+    :format(math.min(table.unpack(factors)), math.max(table.unpack(factors))))
   for i = #found, 1, -1 do
     if #found[i].x == 0 then table.remove(found, i) end
   end
@@ -101,8 +101,8 @@ local function aircraft(folder)
       print(("%6.4g" .. ("  %22s"):rep(#cells)):format(size, table.unpack(cells)))
     end
     series[#series + 1] = points
-    hinge.plot({ title = "equal kinetic energy, 112 MJ", x_label = "size of the aircraft, m", y_label = title, width = 1000,
-      height = 640, series = series }, file)
+    hinge.plot({ title = "equal kinetic energy, 112 MJ", x_label = "size of the aircraft, m", y_label = title,
+      width = 1000, height = 640, series = series }, file)
   end
 end
 
