@@ -150,4 +150,21 @@ for _, name in ipairs { "frame", "picture", "strip", "plot", "note" } do
   end
 end
 
-return { new = new, quiet = quiet, use = use, free = free }
+local output -- folder and owner, as own_output had them last
+
+--- core.own_output, and what it was given is kept, so that a study within a run can give the run its folder back.
+local function own_output(folder, owner, given)
+  folder = core.own_output(folder, owner, given)
+  output = { folder, owner }
+  return folder
+end
+
+--- Where this program's run writes now, for restore_output.
+local function current_output()
+  return output or { core.out_dir() == "." and "" or core.out_dir(), {} }
+end
+
+local function restore_output(before) own_output(before[1], before[2], true) end
+
+return { new = new, quiet = quiet, use = use, free = free, own_output = own_output, current_output = current_output,
+  restore_output = restore_output }

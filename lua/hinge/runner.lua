@@ -120,7 +120,7 @@ local function own_output(options, used, changed)
   if not options.out then return core.out_dir() end
   local owner = { script = core.whole_path(options.script), case = options.case, parameters = used,
     changed = changed }
-  return core.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
+  return job.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
 end
 
 --- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.

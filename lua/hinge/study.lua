@@ -44,7 +44,7 @@ end
 -- The folder of a study: whose it is, what is in it already.
 local function open_folder(options, plan)
   local owner = { script = options.script and core.whole_path(options.script), study = plan.said }
-  local folder = core.own_output(options.out, owner, options.out_given)
+  local folder = job.own_output(options.out, owner, options.out_given)
   local found = journal.read(folder)
   local n = #check.keys(found)
   if n > 0 and not options.resume and not options.restart then
@@ -234,12 +234,15 @@ function study.run(scenario, options, ...)
   local plan = { list = vary.from_table(o.vary), cases = o.cases, case = o.case, samples = o.samples, seed = o.seed,
     method = o.method, said = core.to_json(o.vary) }
   if o.table then plan.rows, plan.row_names = vary.rows(o.table) end
-  local before = job.use(nil)
+  local before, output = job.use(nil), job.current_output()
+  local _ <close> = setmetatable({}, { __close = function() -- also after an error: the run has its folder back
+    job.use(before)
+    job.restore_output(output)
+  end })
   local source = debug.getinfo(scenario.run, "S").source:match "^@(.*)$"
   local of = study.go { scenario = scenario, script = source, plan = plan, propose = o.propose,
     jobs = o.jobs or core.cores(), timeout = o.timeout, memory = o.memory, out = o.out, out_given = true,
     resume = o.resume, restart = o.restart, progress = o.progress }
-  job.use(before)
   if o.pictures then of.pictures = require "hinge.study.pictures".draw(of) end
   study.write(of)
   return of

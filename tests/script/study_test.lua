@@ -212,6 +212,24 @@ near(result.correlations[#result.correlations - 1].correlation, result.correlati
   1e-9, "correlation of a sum with its parts")
 expect(table.concat(result.notes, ";"):find "5 cases without an answer left out", "notes: %s",
   table.concat(result.notes, "; "))
+-- A study within a run leaves the run its folder: each has a summary.json of its own.
+support.write(folder .. "/within.lua", [[
+local hinge = require "hinge"
+local scenario = hinge.scenario { parameters = { x = 1 }, run = function(p) return { twice = 2 * p.x } end }
+return hinge.scenario { parameters = { n = 2 }, run = function(p, job)
+  local found = hinge.study(scenario, { vary = { x = { 1, 2, 3 } }, out = job.out .. "/runs", pictures = false })
+  return { sum = p.n * found.cases[3].results.twice }
+end }
+]])
+for words, at in pairs { ["run within.lua --out within"] = "within", ["study within.lua n=2,3 -q --out outer"]
+    = "outer/cases/00001" } do
+  local code, _, why = support.run(("cd %s && %s %s"):format(folder, program, words))
+  equal(code, 0, words .. ": exit status: " .. why)
+  for path, wanted in pairs { [at] = "results", [at .. "/runs"] = "verdicts" } do
+    local text = support.read(("%s/%s/summary.json"):format(folder, path))
+    expect(text and support.json(text)[wanted], "%s: %s/summary.json holds no %s", words, path, wanted)
+  end
+end
 expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }), "an unknown parameter is taken")
 expect(not pcall(hinge.study, {}, {}), "something else than a scenario is taken")
 

@@ -35,7 +35,7 @@ end
 --- Runs one case into `folder` and writes case.json there. what: scenario (or nil, and script: a path), case,
 -- overrides ({ { name, text } }), values (those of hinge.study, by name). Returns the process's exit status.
 function case.run(what, folder)
-  core.own_output(folder, { script = what.script, case = what.case, parameters = what.parameters }, true)
+  job.own_output(folder, { script = what.script, case = what.case, parameters = what.parameters }, true)
   local this = job.new(folder, what.case)
   job.use(this)
   local kept = {}
