@@ -325,21 +325,20 @@ function impact.damage(run, frame) end
 ---@return impact.result
 function impact.simulate(p, see) end
 
----Calls one(task, job) for each task, half of them in a second process; nil in that process. half = 1
----in `p`: in this process alone.
+---Calls one(task, job) for each task, each in a process of its own, as many at a time as there are cores: a
+---hinge.study into the folder `runs` of the job's. half = 1 in `p`: in this process alone.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
----local results = impact.side_by_side(job, { half = 1 }, "script.lua", { { force = 1 }, { force = 2 } }, function(task)
+---local results = impact.side_by_side(job, { half = 1 }, { { force = 1 }, { force = 2 } }, function(task)
 ---  return { twice = 2 * task.force }
 ---end)
 ---```
 ---@param job hinge.job
 ---@param p table the script's parameters, half among them
----@param script string its path
----@param tasks table[] p of a task, with dt and duration, tells how long it takes
+---@param tasks table[]
 ---@param one fun(task: table, job: hinge.job): any made of numbers, strings, booleans and tables
----@return any[]? results in the order of the tasks
-function impact.side_by_side(job, p, script, tasks, one) end
+---@return any[] results in the order of the tasks
+function impact.side_by_side(job, p, tasks, one) end
 
 -- require "hinge.paper" -----------------------------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 -- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what
--- is measured of a run, and runs side by side in two processes. Described for editors in library.d.lua.
+-- is measured of a run, and runs side by side in processes of their own. Described for editors in library.d.lua.
 --
 -- Reconstructed, because the paper's figure 16 is lost: where the aircraft hits, and all that ten_storey.lua and
 -- aircraft.lua name so. From the paper: table 1, the limits of fracture, contact with a binding time of 0.5 ms, no
@@ -211,71 +211,38 @@ local function source(value)
   return "{" .. table.concat(items, ",") .. "}"
 end
 
-local function quoted(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
-
--- A parameter as it is written on the command line.
-local function argument(value)
-  if type(value) == "table" then
-    local items = {}
-    for i, item in ipairs(value) do items[i] = argument(item) end
-    return "{" .. table.concat(items, ",") .. "}"
-  end
-  return type(value) == "number" and ("%.17g"):format(value) or tostring(value)
+local function read(path)
+  local file = io.open(path)
+  local text = file and file:read "a"
+  if file then file:close() end
+  return text
 end
 
--- Starts this program again on the same script for the second half of the tasks; nil where that cannot be.
-local function start_second(job, p, script)
-  if core.planning() then return nil end
-  local find = io.popen("readlink /proc/$PPID/exe 2>/dev/null")
-  local program = find and find:read("l")
-  if find then find:close() end
-  if not program or not program:match("hinge$") then return nil end
-  local words = { quoted(program), "run", quoted(script), "--out", quoted(job.out .. "/second") }
-  for name, value in pairs(p) do
-    if name ~= "half" then words[#words + 1] = quoted(name .. "=" .. argument(value)) end
-  end
-  words[#words + 1] = "half=2"
-  words[#words + 1] = "2>/dev/null" -- the first one's progress stands for both; what fails there is done again here
-  return io.popen(table.concat(words, " "), "r")
-end
-
---- Calls one(task, job) for each task of a list, half of them in a second process, and returns what it
--- returned, in order; nil in that second process, whose script then has nothing left to do. `p` holds
--- half = 0, or 1 for one process. What `one` returns must be made of numbers, strings, booleans and tables.
--- Pictures all go to the first one's folder.
-function impact.side_by_side(job, p, script, tasks, one)
-  local results, mark = {}, "\1result "
-  if p.half == 2 then
-    job.out = job.out:gsub("/second$", "")
-    for i = 2, #tasks, 2 do
-      io.write("\n", mark, i, " return ", source(one(tasks[i], job)), "\n")
-      io.flush()
-    end
-    return nil
-  end
-  local second = p.half == 0 and #tasks > 1 and start_second(job, p, script) or nil
-  local function cost(task) return task.p and task.p.duration / task.p.dt or 1 end
-  local stride, since, done, all = second and 2 or 1, os.time(), 0, 0
-  for i = 1, #tasks, stride do all = all + cost(tasks[i]) end
-  for i = 1, #tasks, stride do
-    results[i] = one(tasks[i], job)
-    done = done + cost(tasks[i])
-    local wall = os.time() - since
-    if wall > 2 and done < all then
-      io.stderr:write(("run %d of %d is done, about %.0f s left\n"):format(i, #tasks, wall * (all - done) / done))
+--- Calls one(task, job) for each task of a list and returns what it returned, in order. Each task is a case of a study,
+-- in a process of its own, as many at a time as there are cores; half = 1 in `p`: all in this process. What `one`
+-- returns must be made of numbers, strings, booleans and tables. Pictures all go to the job's own folder.
+function impact.side_by_side(job, p, tasks, one)
+  local results = {}
+  if p.half ~= 1 and #tasks > 1 and not core.planning() then
+    local numbers, out = {}, (job.out == "" and "." or job.out) .. "/runs"
+    for i = 1, #tasks do numbers[i] = i end
+    local scenario = hinge.scenario { parameters = { task = 1 }, run = function(q, own)
+      local noted = #job.notes
+      local text = source(one(tasks[q.task], job))
+      local notes = table.move(job.notes, noted + 1, #job.notes, 1, {})
+      core.write_text(own.out .. "/result.lua", ("return %s, %s\n"):format(text, source(notes)))
+    end }
+    local study = hinge.study(scenario, { vary = { task = numbers }, out = out, restart = true, progress = true,
+      pictures = false })
+    for _, c in ipairs(study.cases) do
+      local text = c.verdict ~= "interrupted" and read(("%s/%s/result.lua"):format(study.folder, c.folder))
+      local load_result, notes = text and load(text, "result", "t", {}), nil
+      if load_result then results[c.number], notes = load_result() end
+      for _, note in ipairs(notes or {}) do job:note(note) end
     end
   end
-  if second then
-    for line in second:lines() do
-      local index, text = line:match("^" .. mark .. "(%d+) (.*)$")
-      if index then
-        results[tonumber(index)] = load(text, "result", "t", {})()
-      elseif line:match("^note:") then
-        print(line)
-      end
-    end
-    second:close()
-    for i = 2, #tasks, 2 do results[i] = results[i] or one(tasks[i], job) end -- what the other one failed to do
+  for i, task in ipairs(tasks) do
+    if results[i] == nil then results[i] = one(task, job) end -- also what another process failed to do
   end
   return results
 end
