@@ -12,5 +12,8 @@ files["lua/hinge/*.d.lua"] = { ignore = { "212", "241", "431" } }
 files["lua/hinge/runner.lua"] = { globals = { "print" } }
 files["lua/hinge/cost/measure.lua"] = { globals = { "print" } }
 
+-- This notes what a script opens.
+files["lua/hinge/study/files.lua"] = { globals = { "io" } }
+
 -- This catches what a test that fails prints, and keeps it from ending the program.
 files["tests/script/support_test.lua"] = { globals = { "print", "io", "os" } }

@@ -187,6 +187,7 @@ local calls = {
   end,
   ["hinge.ground"] = function(x) hinge.ground(with({ dt = 1, acceleration = { 0, 0 } }, x)) end,
   ["hinge.scenario"] = function(x) hinge.scenario(x) end,
+  ["hinge.study"] = function(x) hinge.study(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["model:member"] = function(x) s.model:member(x) end,
   ["model:load"] = function(x) s.model:load(x) end,

@@ -83,7 +83,7 @@ function draws.distribution(text, where)
   return { text = text, quantile = known.make(table.unpack(numbers)) }
 end
 
--- Random numbers: xorshift64* by Vigna (2016), from a seed spread by splitmix64, so that each machine draws the same ----
+-- Random numbers: xorshift64* by Vigna (2016), from a seed spread by splitmix64, so that each machine draws the same --
 
 local function generator(seed)
   local state = seed + 0x9e3779b97f4a7c15
@@ -104,8 +104,8 @@ local function generator(seed)
 end
 draws.generator = generator
 
--- Direction numbers of Sobol's sequence: degree, coefficients and first numbers as Joe and Kuo (SIAM J. Sci. Comput. 30,
--- 2008) have them for the dimensions 2 to 21. The first dimension is van der Corput's.
+-- Direction numbers of Sobol's sequence: degree, coefficients and first numbers as Joe and Kuo (SIAM J. Sci. Comput.
+-- 30, 2008) have them for the dimensions 2 to 21. The first dimension is van der Corput's.
 local joe_kuo = {
   { 1, 0, 1 }, { 2, 1, 1, 3 }, { 3, 1, 1, 3, 1 }, { 3, 2, 1, 1, 1 }, { 4, 1, 1, 1, 3, 3 }, { 4, 4, 1, 3, 5, 13 },
   { 5, 2, 1, 1, 5, 5, 17 }, { 5, 4, 1, 1, 5, 5, 5 }, { 5, 7, 1, 1, 7, 11, 19 }, { 5, 11, 1, 1, 5, 1, 1 },
@@ -133,7 +133,7 @@ local function directions(dimension)
   return v
 end
 
--- Points of Sobol's sequence in Gray code's order, from the second on, each dimension shifted by a random digital shift.
+-- Points of Sobol's sequence in Gray code's order, from the second on, each dimension with a random digital shift.
 local function sobol(dimensions, n, random)
   if dimensions > #joe_kuo + 1 then
     check.fail("method 'sobol' draws at most %d parameters, and %d are random; take 'lhs'", #joe_kuo + 1, dimensions)

@@ -151,7 +151,8 @@ local function sensitivity(quantity, list)
     end
     series[#series + 1] = bar
   end
-  return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", y_label = "parameter", series = series }
+  return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", y_label = "parameter",
+    series = series }
 end
 
 local function file_name(text) return (text:gsub("[^%w_.-]", "_")) end
@@ -178,7 +179,9 @@ function pictures.draw(of)
       if truth and #known.cases >= 8 and #axis.values >= 5 then
         local plot, why, curve = fragility(known, quantity, axis)
         if curve then of.fragility[#of.fragility + 1] = curve end
-        if why then of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity, axis.name, why) end
+        if why then
+          of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity, axis.name, why)
+        end
         draw(plot, file_name(("chance_of_%s-%s.png"):format(quantity, axis.name)))
       else
         draw(against(known, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name)))
@@ -193,7 +196,9 @@ function pictures.draw(of)
       table.insert(by[one.quantity], one)
     end
     for _, quantity in ipairs(tables.quantities(known.cases)) do
-      if by[quantity] then draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png")) end
+      if by[quantity] then
+        draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png"))
+      end
     end
   end
   return names

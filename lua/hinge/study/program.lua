@@ -57,7 +57,8 @@ function program.read(options)
     said = table.concat(options.words, " ") .. (options.cases and " --cases " .. options.cases or "")
       .. (options.table and " --table " .. options.table or "") .. (options.propose and " --propose " .. options.propose
       or "") .. (options.samples and " --samples " .. options.samples or "")
-      .. (options.method and " --method " .. options.method or "") .. (options.seed and " --seed " .. options.seed or "") }
+      .. (options.method and " --method " .. options.method or "")
+      .. (options.seed and " --seed " .. options.seed or "") }
   if options.table then plan.rows, plan.row_names = vary.rows(options.table) end
   local propose, fixed
   if options.propose then

@@ -1,5 +1,5 @@
--- hinge study --slurm: the study as a job array. Each task runs some cases by `hinge study ... --case A-B`, which leaves
--- finished ones alone, so a task that runs again goes on where it ended.
+-- hinge study --slurm: the study as a job array. Each task runs some cases by `hinge study ... --case A-B`, which
+-- leaves finished ones alone, so a task that runs again goes on where it ended.
 local core = require "hinge.core"
 local check = require "hinge.check"
 

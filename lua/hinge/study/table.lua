@@ -30,8 +30,8 @@ function tables.quantities(cases)
   return check.keys(seen)
 end
 
---- results.csv: a row a case, in their order: number, case, what varied, verdict, what was returned, energy error, steps,
--- reason. times.csv has what differs from one computer to another: seconds and memory.
+--- results.csv: a row a case, in their order: number, case, what varied, verdict, what was returned, energy error,
+-- steps, reason. times.csv has what differs from one computer to another: seconds and memory.
 function tables.write(write, study)
   local quantities = tables.quantities(study.cases)
   local head = { "number" }

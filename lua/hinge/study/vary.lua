@@ -58,7 +58,8 @@ function vary.from_words(words)
   return list
 end
 
---- The same from a Lua table: { speed = { 90, 110 }, mass = { from =, to =, by = }, height = "normal(30, 1)", size = 15 }.
+--- The same from a Lua table: { speed = { 90, 110 }, mass = { from =, to =, by = }, size = 15,
+-- height = "normal(30, 1)" }.
 function vary.from_table(given)
   local list = {}
   for _, name in ipairs(check.keys(given)) do
