@@ -37,10 +37,10 @@ local function probit(x, y)
     covariance = { H22 / determinant, -H12 / determinant, H11 / determinant } }
 end
 
---- The chance that `y` (numbers 0 and 1) is 1 as a function of x: a normal distribution's, or that of log x where all
--- x are positive (lognormal), by maximum likelihood. Returns { median =, dispersion =, log =, at = function(x) -> chance,
--- low, high }: a band that holds the curve with 95 % at each x (from the information matrix); nil and why where the
--- cases do not tell.
+--- The chance that `y` (numbers 0 and 1) is 1 as a function of x: a normal distribution's, or that of log x where
+-- all x are positive (lognormal), by maximum likelihood. Returns { median =, dispersion =, log =, at = function(x) ->
+-- chance, low, high }: a band that holds the curve with 95 % at each x (from the information matrix); nil and why where
+-- the cases do not tell.
 function fit.fragility(x, y, as_log)
   local ones = 0
   for i = 1, #y do ones = ones + y[i] end
