@@ -116,7 +116,8 @@ function study.go(options)
   local all, varied = {}, {}
   if not options.propose then all, varied = vary.cases(plan) end
   local of = { cases = {}, entries = {}, varied = varied, said = plan.said, script = options.script,
-    has_cases = plan.cases ~= nil }
+    has_cases = plan.cases ~= nil,
+    proposed = options.propose ~= nil }
   local digits = math.max(5, #tostring(#all))
   function of.name_of(number) return ("%0" .. digits .. "d"):format(number) end
 
@@ -167,10 +168,15 @@ function study.go(options)
     for i, number in ipairs(numbers) do of.cases[i] = of.entries[number] end
   end
 
-  local at, proposed = 0, 0
+  local at, proposed, seen = 0, 0, {}
   local more = options.propose and proposer(options.propose, of, function(one)
     proposed = proposed + 1
     prepare(one, proposed)
+    if seen[one.id] then
+      check.fail("hinge.study: propose returned the parameters of case %d again; a study that would never end",
+        seen[one.id])
+    end
+    seen[one.id] = proposed
     for _, name in ipairs(check.keys(one.parameters)) do
       local known = (options.fixed or {})[name] ~= nil
       for _, other in ipairs(varied) do known = known or other == name end

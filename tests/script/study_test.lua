@@ -161,6 +161,11 @@ equal(status, 0, "exit status of proposals")
 rows = results "half"
 near(tonumber(rows[#rows].load), 10 / tip(1, 1), 100, "load at which the bar is down")
 
+-- One that proposes the same again would never end: it is told of.
+local again = hinge.scenario { parameters = { x = 1 }, run = function(p) return { x = p.x } end }
+local good, message = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
+expect(not good and tostring(message):find "returned the parameters of case 1 again", "the same again: %s", message)
+
 -- Rows of a table.
 support.write(folder .. "/t.csv", "load,length\n1000,1\n3000,\"2\"\r\n\n# a remark\n500,0.5\n")
 study "s.lua --table t.csv --out table"

@@ -104,7 +104,8 @@ local function fragility(of, quantity, axis)
   table.insert(low.y, 0 / 0)
   table.move(high.x, 1, #high.x, #low.x + 1, low.x)
   table.move(high.y, 1, #high.y, #low.y + 1, low.y)
-  local median = { quantity = quantity, parameter = axis.name, median = curve.median, dispersion = curve.dispersion,
+  local inside = curve.median >= first and curve.median <= last -- what no case is near to is no answer
+  local median = inside and { quantity = quantity, parameter = axis.name, median = curve.median, dispersion = curve.dispersion,
     of_logarithm = curve.log }
   return { title = ("chance of %s"):format(quantity), x_label = axis.name, y_label = "chance",
     series = { line, low, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
@@ -166,8 +167,13 @@ function pictures.draw(of)
     of.notes[#of.notes + 1] = check.count(left_out, "case")
       .. " without an answer left out of pictures, fragility curves and correlations"
   end
+  local not_drawn = 0
   local function draw(plot, name)
-    if not plot or #names >= most then return end
+    if not plot then return end
+    if #names >= most then
+      not_drawn = not_drawn + 1
+      return
+    end
     local good, problem = pcall(core.write_plot, plot, of.folder .. "/" .. name)
     if good then names[#names + 1] = name
     else of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem)) end
@@ -176,7 +182,7 @@ function pictures.draw(of)
     local truth = false
     for _, c in ipairs(known.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
     for _, axis in ipairs(axes) do
-      if truth and #known.cases >= 8 and #axis.values >= 5 then
+      if truth and not of.proposed and #known.cases >= 8 and #axis.values >= 5 then
         local plot, why, curve = fragility(known, quantity, axis)
         if curve then of.fragility[#of.fragility + 1] = curve end
         if why then
@@ -200,6 +206,9 @@ function pictures.draw(of)
         draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png"))
       end
     end
+  end
+  if not_drawn > 0 then
+    of.notes[#of.notes + 1] = ("%s more not drawn; a study draws %d"):format(check.count(not_drawn, "picture"), most)
   end
   return names
 end
