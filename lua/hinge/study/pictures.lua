@@ -105,8 +105,8 @@ local function fragility(of, quantity, axis)
   table.move(high.x, 1, #high.x, #low.x + 1, low.x)
   table.move(high.y, 1, #high.y, #low.y + 1, low.y)
   local inside = curve.median >= first and curve.median <= last -- what no case is near to is no answer
-  local median = inside and { quantity = quantity, parameter = axis.name, median = curve.median, dispersion = curve.dispersion,
-    of_logarithm = curve.log }
+  local median = inside and { quantity = quantity, parameter = axis.name, median = curve.median,
+    dispersion = curve.dispersion, of_logarithm = curve.log }
   return { title = ("chance of %s"):format(quantity), x_label = axis.name, y_label = "chance",
     series = { line, low, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
 end
