@@ -98,14 +98,16 @@ public:
     }
 
 private:
-    /// In statics all is held, one way or another.
+    /// In statics all is held, one way or another, and what cannot be carried has its limit load.
     void choose_members() {
         if (members_.count() == 0) return;
         const std::vector<char> carried = carried_members(w_.structure, w_.state, members_, g_);
         std::vector<int> list;
         for (int m = 0; m < members_.count(); ++m)
-            if (w_.kind.dynamic ? carried[m] : members_.ends(m).whole(w_.state)) list.push_back(m);
-        members_.choose(w_.structure, g_, list);
+            if (w_.kind.dynamic ? carried[m] && members_.carries_itself(w_.structure, g_, m)
+                                : members_.ends(m).whole(w_.state))
+                list.push_back(m);
+        members_.choose(w_.structure, list);
         members_.find_moments(w_.structure, g_, w_.state, now_);
         before_ = now_;
     }

@@ -41,22 +41,20 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
     return kind;
 }
 
-/// f_y of eq 14 for end moments of w L^2/12, where the member is at the start.
 bool MemberWeights::carries_itself(const Structure& s, const Vec3& g, int member) const {
     const MemberEnds& ends = ends_[member];
     const Element& e = s.elements()[ends.first];
     const double length = ends.count * e.length;
-    const Vec3 m = e.rigidity.rhoA * length * length / 12 * (e.axes.conjugate() * g);
+    const Vec3 m = e.rigidity.rhoA * length * length / 16 * (e.axes.conjugate() * g);
     return e.yield.x * m.y() * m.y() + e.yield.y * m.x() * m.x() <= 1;
 }
 
-void MemberWeights::choose(const Structure& s, const Vec3& g, const std::vector<int>& members) {
+void MemberWeights::choose(const Structure& s, const std::vector<int>& members) {
     chosen_.assign(ends_.size(), 0);
     list_.clear();
     joints_.clear();
     std::vector<int> place(s.position().size(), -1);
     for (const int m : members) {
-        if (!carries_itself(s, g, m)) continue;
         chosen_[m] = 1;
         const MemberEnds& ends = ends_[m];
         const Element &a = s.elements()[ends.first], &b = s.elements()[ends.first + ends.count - 1];

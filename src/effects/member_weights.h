@@ -19,9 +19,12 @@ public:
     int count() const { return int(ends_.size()); }
     const MemberEnds& ends(int member) const { return ends_[member]; }
 
-    /// Of these members those have it that could carry their weight between clamped ends without yielding. A correction
-    /// beyond what plastic hinges carry would spin the joints between them.
-    void choose(const Structure& structure, const Vec3& g, const std::vector<int>& members);
+    /// Whether a member's plastic limit load between clamped ends is above its weight: f_y of eq 14 for w L^2/16, where
+    /// it is at the start. One that must fall at once does so in steps whose energy error is small against the motion,
+    /// but not against that of its first instants, in which its joints would spin by the correction.
+    bool carries_itself(const Structure& structure, const Vec3& g, int member) const;
+    /// These members have it.
+    void choose(const Structure& structure, const std::vector<int>& members);
     bool has(int member) const { return member < int(chosen_.size()) && chosen_[member]; }
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
@@ -44,7 +47,6 @@ private:
         double c;   ///< kg m
     };
     beam::FixedEnd fixed_end(const Structure& s, const Vec3& g, int element, const Mat3& axes) const;
-    bool carries_itself(const Structure& s, const Vec3& g, int member) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 
     std::vector<Kind> kinds_;
