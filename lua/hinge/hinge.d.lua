@@ -72,7 +72,8 @@ function hinge.model(options) end
 ---the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
 ---or a connector (broken or not) joins it to the ground or to such a body. What falls, and what lies on others or on
 ---model:ground, has weight at nodes alone: there inertia bends a member as little as weight does. So has a member with
----a broken element, and one whose weight would be too much for it between clamped ends (f_y above 1 there)
+---a broken element, and in dynamics one whose weight is beyond its plastic limit load between clamped ends,
+---16 M_p / L^2
 ---@field weight? "members"|"nodes"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
 ---of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
@@ -468,9 +469,10 @@ function model:member(options) end
 ---between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's end nodes get the
 ---fixed-end forces of the whole Timoshenko member, so that end forces in linear statics are exact for any number of
 ---elements, and joint displacements are those of the stiffness (closed form with asi-gauss). run:forces includes the
----load. Yield and fracture use the elements' own forces, as if the load acted on their nodes: in a clamped member
----under a uniform load their end moments are 37 % too small with two elements and 9 % with four, so give such members
----more elements. With large displacement, forces in space keep their direction, those in local axes rotate with each
+---load, and yield and a fracture rule's forces go by the same: plastic limit loads under uniform load are exact with two
+---elements in pinned and clamped members. Hinges stand at nodes: a propped member, whose hinge belongs 0.414 of the
+---length from the prop, carries 12 M_p / L^2 with two or four elements and 11.73 with eight, where 11.66 is right. A
+---fracture rule's strains and limits are those of the elements' own deformation. With large displacement, forces in space keep their direction, those in local axes rotate with each
 ---element, and the fixed-end moments are those in the member's present axes, by its elastic stiffness. An element
 ---that breaks loses its part of the load. Such a load gives no handle; it can be left out, but not removed.
 ---
@@ -573,11 +575,9 @@ function model:move(options) end
 ---@field z? fun(time: number): number|number[][] likewise
 
 ---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
----says, and a clamped member of two elements has end moments of w L^2 / 12. Yield and fracture go by the forces that
----its elements have, as with loads `q`: with two elements 0.072 w L^2 in the middle of a clamped member, more than at
----its ends, and 0.156 w L^2 in the middle of a pinned one, where weight = "nodes" has the exact 0.125. Four elements
----are nearer. Called again, the last call counts, for runs made after it; it is an error to call it for another load
----case.
+---says, and a clamped member of two elements has end moments of w L^2 / 12 and w L^2 / 24 in the middle. Yield goes by
+---these, as with loads `q` (model:load). Called again, the last call counts, for runs made after it; it is an error to
+---call it for another load case.
 ---```lua
 ---model:gravity { 0, 0, -9.80665 }
 ---local rest = model:static():finish()

@@ -228,8 +228,8 @@ void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], cons
 }
 
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const double* sections, int n,
-                        const Flow* const (&flow)[2], const FixedEnd* fixed_end) {
+                        const YieldSurface* const (&w)[2], const double* sections, int n, const Flow* const (&flow)[2],
+                        const FixedEnd* fixed_end) {
     PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
     for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
     if (!flow[0] && !flow[1]) return H;

@@ -69,6 +69,20 @@ MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const 
             span};
 }
 
+Mat3 MemberEnds::axes(const Structure& s, const Places& at) const {
+    const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
+    if (!s.large()) return a.axes.toRotationMatrix();
+    const Vec3 start = a.axes * Vec3::UnitY(),
+               z = (double(count) * a.chord + at.displacement[b.node[1]] - at.displacement[a.node[0]]).normalized();
+    Vec3 y = at.rotation[a.node[0]] * start + at.rotation[b.node[1]] * start;
+    y -= z.dot(y) * z;
+    const double size = y.norm();
+    if (!(size > 0.1)) return chord(s, at).axes;  // ends that point apart
+    Mat3 axes;
+    axes.col(1) = y / size, axes.col(2) = z, axes.col(0) = axes.col(1).cross(z);
+    return axes;
+}
+
 void MemberEnds::add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const {
     const Vec3 there = moment_at(element, end, m), sum = (m[0] + m[1]) / length;
     forces.Mx += there.x(), forces.My += there.y();

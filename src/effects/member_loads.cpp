@@ -273,7 +273,7 @@ private:
     void find_moments(const Loaded& l, double factor, const Places& at, Vec3 m[2]) const {
         m[0].setZero(), m[1].setZero();
         if (!l.ends.whole(w_.state)) return;
-        const Mat3 axes = l.ends.chord(w_.structure, at).axes;
+        const Mat3 axes = l.ends.axes(w_.structure, at);
         for (int end : {0, 1}) m[end] = factor * end_moment(l, end, axes);
     }
     /// What a load adds to the resultants of an element, with the corrections m at its member's ends.

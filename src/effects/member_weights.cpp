@@ -29,6 +29,8 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
         for (int end : {0, 1}) at_node[i + end] += s.inertia(ends.first + i).weight(end);
     Kind kind;
     for (int i = 0; i < n; ++i)
+        for (int end : {0, 1}) kind.share.push_back(s.inertia(ends.first + i).weight(end));
+    for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k)
             kind.c += gauss_weight[k] * e.length * per_length * clamped.of_force(0, 0, (i + gauss_point[k]) / n);
     for (int k = 0; k <= n; ++k) kind.c -= at_node[k] * clamped.arrives(k, 1, 3);
@@ -58,7 +60,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         chosen_[m] = 1;
         const MemberEnds& ends = ends_[m];
         const Element &a = s.elements()[ends.first], &b = s.elements()[ends.first + ends.count - 1];
-        Chosen c{{a.node[0], b.node[1]}, {}, double(ends.count) * a.chord, kinds_[kind_[m]].c};
+        Chosen c{m, {a.node[0], b.node[1]}, {}, double(ends.count) * a.chord, kinds_[kind_[m]].c};
         for (int end : {0, 1}) {
             int& at = place[c.node[end]];
             if (at < 0) at = int(joints_.size()), joints_.push_back(c.node[end]);
@@ -80,31 +82,32 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places
     }
 }
 
-/// `axes`: the member's.
-beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, int element, const Mat3& axes) const {
-    const int member = s.elements()[element].member, place = element - ends_[member].first;
-    const Kind& kind = kinds_[kind_[member]];
-    const beam::Inertia inertia = s.inertia(element);
-    const double gx = axes.col(0).dot(g), gy = axes.col(1).dot(g), gz = axes.col(2).dot(g);
-    beam::FixedEnd part;
+/// `g`: in the member's axes.
+void MemberWeights::add_fixed_end(const Kind& kind, int place, const Vec3& g, beam::FixedEnd& to) {
     for (int end : {0, 1}) {
-        const double moment = kind.c + kind.bow[place + end], side = end == 0 ? 1 : -1;
-        part.add(end, moment * gy, -moment * gx, side * inertia.weight(end) * gz, 0);
+        const double moment = kind.c + kind.bow[place + end], share = kind.share[2 * place + end];
+        to.add(end, moment * g.y(), -moment * g.x(), end == 0 ? share * g.z() : -share * g.z(), 0);
     }
-    return part;
 }
 
 beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at, int element) const {
-    return fixed_end(s, g, element, ends_[s.elements()[element].member].chord(s, at).axes);
+    const int member = s.elements()[element].member;
+    const MemberEnds& ends = ends_[member];
+    beam::FixedEnd part;
+    add_fixed_end(kinds_[kind_[member]], element - ends.first, ends.axes(s, at).transpose() * g, part);
+    return part;
 }
 
-void MemberWeights::add_fixed_ends(const Structure& s, const Vec3& g, const Places& at,
+void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at,
                                    std::vector<beam::FixedEnd>& all) const {
-    for (std::size_t m = 0; m < ends_.size(); ++m) {
-        if (!has(int(m))) continue;
-        const Mat3 axes = ends_[m].chord(s, at).axes;
-        for (int i = ends_[m].first; i < ends_[m].first + ends_[m].count; ++i) all[i] += fixed_end(s, g, i, axes);
-    }
+    pool.share(int(list_.size()), 64, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const MemberEnds& ends = ends_[list_[i].member];
+            const Vec3 local = ends.axes(s, at).transpose() * g;
+            const Kind& kind = kinds_[kind_[list_[i].member]];
+            for (int k = 0; k < ends.count; ++k) add_fixed_end(kind, k, local, all[ends.first + k]);
+        }
+    });
 }
 
 void MemberWeights::add_section_forces(const Structure& s, const State& state, const Vec3& g, int element, double side,

@@ -29,7 +29,7 @@ public:
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
     void find_moments(const Structure& structure, const Vec3& g, const Places& at, std::vector<Vec3>& moments) const;
-    void add_fixed_ends(const Structure& structure, const Vec3& g, const Places& at,
+    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at,
                         std::vector<beam::FixedEnd>& all) const;
     beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Places& at, int element) const;
     void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
@@ -37,16 +37,17 @@ public:
 
 private:
     struct Kind {
-        double c = 0;             ///< moment at the first end about x by gravity along y, kg m
-        std::vector<double> bow;  ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
+        double c = 0;               ///< moment at the first end about x by gravity along y, kg m
+        std::vector<double> bow;    ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
+        std::vector<double> share;  ///< of its elements at their two nodes, kg
     };
     /// A chosen member.
     struct Chosen {
-        int node[2], joint[2];
+        int member, node[2], joint[2];
         Vec3 span;  ///< from its first to its second end at the start, m
         double c;   ///< kg m
     };
-    beam::FixedEnd fixed_end(const Structure& s, const Vec3& g, int element, const Mat3& axes) const;
+    static void add_fixed_end(const Kind& kind, int place, const Vec3& g, beam::FixedEnd& to);
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 
     std::vector<Kind> kinds_;

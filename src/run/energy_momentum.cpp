@@ -430,9 +430,8 @@ void EnergyMomentum::recovered_last() {
     const int n = w_.sweep.sections(section);
     for (Yielding& y : w_.yielding) {
         const beam::FixedEnd& fixed = w_.sweep.fixed_end(y.element);
-        y.flow.dissipation =
-            0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
-            beam::work_of(fixed, y.flow, w_.structure.elements()[y.element].yield, section, n, fixed);
+        y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
+                             beam::work_of(fixed, y.flow, w_.structure.elements()[y.element].yield, section, n, fixed);
     }
 }
 
