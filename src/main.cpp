@@ -92,7 +92,7 @@ CLI::App* add_study(CLI::App& app, Request& request) {
     study_verb->add_flag_callback(
         "--slurm", [&] { request.study["slurm"] = "yes"; }, "Submit the study to Slurm as a job array");
     study_option("--per-task", "per_task", "With --slurm: cases a task of the array (default 1)");
-    study_option("--sbatch", "sbatch", "With --slurm: options for sbatch, such as '--partition=long --time=2:00:00'");
+    study_option("--sbatch", "sbatch", "With --slurm: options for sbatch, such as '-p long -t 2:00:00'");
     study_verb->add_flag_callback(
         "--dry-run", [&] { request.study["dry_run"] = "yes"; },
         "With --slurm: print what would be submitted, and submit nothing");

@@ -469,12 +469,13 @@ function model:member(options) end
 ---between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's end nodes get the
 ---fixed-end forces of the whole Timoshenko member, so that end forces in linear statics are exact for any number of
 ---elements, and joint displacements are those of the stiffness (closed form with asi-gauss). run:forces includes the
----load, and yield and a fracture rule's forces go by the same: plastic limit loads under uniform load are exact with two
----elements in pinned and clamped members. Hinges stand at nodes: a propped member, whose hinge belongs 0.414 of the
+---load, and yield and a fracture rule's forces go by the same: plastic limit loads under uniform load are exact with
+---two elements in pinned and clamped members. Hinges stand at nodes: a propped member, whose hinge belongs 0.414 of the
 ---length from the prop, carries 12 M_p / L^2 with two or four elements and 11.73 with eight, where 11.66 is right. A
----fracture rule's strains and limits are those of the elements' own deformation. With large displacement, forces in space keep their direction, those in local axes rotate with each
----element, and the fixed-end moments are those in the member's present axes, by its elastic stiffness. An element
----that breaks loses its part of the load. Such a load gives no handle; it can be left out, but not removed.
+---fracture rule's strains and limits are those of the elements' own deformation. With large displacement, forces in
+---space keep their direction, those in local axes rotate with each element, and the fixed-end moments are those in the
+---member's present axes, by its elastic stiffness. An element that breaks loses its part of the load. Such a load gives
+---no handle; it can be left out, but not removed.
 ---
 ---A static run takes no load with a history, on nodes or on members, for it has no time; where `loads` of the run names
 ---its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one. A dynamic
@@ -1415,10 +1416,11 @@ function hinge.note(text) end
 
 -- Studies ------------------------------------------------------------------------------------------------------------
 
----Runs a scenario with many values of its parameters. Each case runs in a process of its own, `jobs` at a time: a crash,
----a hang or too much memory costs one case. `hinge study SCRIPT` does the same from the command line. Cases are the
----product of all values, the first name in alphabetical order varying slowest; draws are the same for each combination
----of the others. Writes results.csv, times.csv, summary.json, pictures, and a folder a case into `out`. Linux only.
+---Runs a scenario with many values of its parameters. Each case runs in a process of its own, `jobs` at a time. A
+---crash, a hang or too much memory costs one case. `hinge study SCRIPT` does the same from the command line. Cases are
+---the product of all values, the first name in alphabetical order varying slowest; draws are the same for each
+---combination of the others. Writes results.csv, times.csv, summary.json, pictures, and a folder a case into `out`.
+---Linux only.
 ---```lua
 ---local pushed = hinge.scenario { parameters = { force = 1000 }, run = function(p)
 ---  model:load { node = tip, force = { 0, 0, -p.force } }
@@ -1473,12 +1475,21 @@ function hinge.study(scenario, options) end
 ---@field memory number bytes, the most that its process held
 ---@field folder string its folder, within the study's
 
+---The chance that a result is true, as a normal distribution of a parameter, or of its logarithm where all its values
+---are positive; by maximum likelihood.
+---@class hinge.fragility
+---@field quantity string
+---@field parameter string
+---@field median number half of the cases are true there
+---@field dispersion number standard deviation of the parameter, or of its logarithm
+---@field of_logarithm boolean
+
 ---@class hinge.study_result
 ---@field cases hinge.study_case[] in order
 ---@field varied string[] names that vary, as in results.csv
 ---@field folder string
 ---@field pictures string[] their file names in the folder
----@field fragility? { quantity: string, parameter: string, median: number, dispersion: number, of_logarithm: boolean }[]
+---@field fragility? hinge.fragility[] curves of true and false results, as far as the cases tell
 ---@field correlations? { quantity: string, parameter: string, correlation: number, cases: integer }[]
 ---@field notes? string[]
 ---@field interrupted boolean

@@ -13,12 +13,11 @@ namespace hinge {
 enum class Control : std::uint8_t { load, displacement, arc };
 
 struct StaticSettings {
-    int steps =
-        10;  ///< load control: equal steps to factor 1; arc: at most so many; displacement: equal steps to `target`
+    int steps = 10;  ///< load and displacement control: equal steps to factor 1, to `target`; arc: at most so many
     Control control = Control::load;
     int node = -1, component = 0;  ///< displacement control: what is driven (0..5: ux uy uz rx ry rz)
-    double target = 1;  ///< displacement: its value at the end (Run::displacement), m or rad; arc: the load factor there
-    int iterations = 30;           ///< Newton iterations before a step is halved
+    double target = 1;    ///< at the end: the displacement (Run::displacement), m or rad; of arc length the load factor
+    int iterations = 30;  ///< Newton iterations before a step is halved
     double tolerance =
         1e-9;  ///< out-of-balance force relative to the forces at work (moments over a mean element length)
     std::vector<std::uint8_t> held;  ///< extra supports for this run only (six bits a node), or empty

@@ -1,6 +1,6 @@
--- hinge study on a real Slurm, which this test starts and stops on the loopback address: a job array gives the same files
--- as the same study without it; tasks that are killed and requeued go on from their checkpoints with the same bits.
--- Where Slurm, munge or root are missing only what needs none of them is tested.
+-- hinge study on a real Slurm, which this test starts and stops on the loopback address: a job array gives the same
+-- files as the same study without it; tasks that are killed and requeued go on from their checkpoints with the same
+-- bits. Where Slurm, munge or root are missing only what needs none of them is tested.
 --
 -- Run: lua5.4 tests/script/slurm_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -39,23 +39,28 @@ equal(listed, "1\tspeed=5\tsteps=2000\n2\tspeed=10\tsteps=2000\n3\tspeed=20\tste
 expect(not support.is_there(folder .. "/out"), "--list wrote something")
 hinge_study "s.lua speed=5,10,20 steps=2000 --out whole"
 for _, number in ipairs { "3", "1-2" } do
-  status, _, complaint = hinge_study("s.lua speed=5,10,20 steps=2000 --out parts --case " .. number)
+  status, listed, complaint = hinge_study("s.lua speed=5,10,20 steps=2000 --out parts --case " .. number)
+  equal(listed, "", "what --case prints")
   equal(status, 0, "exit status of --case " .. number .. ": " .. complaint)
   local _, gathered = hinge_study "s.lua speed=5,10,20 steps=2000 --out parts --collect"
   expect(number == "1-2" or gathered:find "2 cases not ended yet", "what --collect says on the way: %s", gathered)
 end
 equal(support.read(folder .. "/parts/results.csv"), support.read(folder .. "/whole/results.csv"), "results of parts")
-status, _, complaint = hinge_study "s.lua speed=5 --case x"
+status, listed, complaint = hinge_study "s.lua speed=5 --case x"
+equal(listed, "", "what is printed where the number is wrong")
 expect(status == 2 and complaint:find "must be the number of a case", "a wrong number: %s", complaint)
 
 -- The job array as text.
-local _, text = hinge_study "s.lua speed=5,10,20 --slurm --dry-run --per-task 2 --sbatch '--time=5' --out 'a b'"
-for _, line in ipairs { "#SBATCH --array=1-2\n", "#SBATCH --requeue\n", "--case \"$first-$last\"", "sbatch --time=5 " } do
+local text = select(2, hinge_study "s.lua speed=5,10,20 --slurm --dry-run --per-task 2 --sbatch '--time=5' --out 'a b'")
+for _, line in ipairs { "#SBATCH --array=1-2\n", "#SBATCH --requeue\n", "--case \"$first-$last\"",
+  "sbatch --time=5 " } do
   expect(text:find(line, 1, true), "the job array lacks %s:\n%s", line, text)
 end
 expect(not support.is_there(folder .. "/a b"), "--dry-run wrote something")
 
-local function installed(name) return support.output("command -v " .. name .. " || ls /usr/sbin/" .. name .. " 2>/dev/null") ~= "" end
+local function installed(name)
+  return support.output(("command -v %s || ls /usr/sbin/%s 2>/dev/null"):format(name, name)) ~= ""
+end
 local lacking
 for _, name in ipairs { "slurmctld", "slurmd", "sbatch", "munged" } do
   if not installed(name) then lacking = name .. " is not installed (apt-get install slurm-wlm munge)" end
@@ -72,7 +77,11 @@ local control = quote(support.root .. "tests/slurm/cluster.sh")
 local conf
 status, conf, complaint = support.run(("%s start %s"):format(control, cluster))
 conf = conf:gsub("%s+$", "")
-local closer <close> = setmetatable({}, { __close = function() support.run(("%s stop %s"):format(control, cluster)) end })
+-- stopped whatever comes
+local stop <close> = setmetatable({}, { __close = function()
+  support.run(("%s stop %s"):format(control, cluster))
+end })
+assert(stop)
 if not expect(status == 0, "the cluster does not start: %s", complaint) then return checks.done() end
 
 local function slurm(words) return support.run(("cd %s && export SLURM_CONF=%s && %s"):format(folder, conf, words)) end
@@ -86,12 +95,14 @@ end
 local function queue() return select(2, slurm "squeue -h -r -o '%A %a %T'") end
 
 -- All cases as a job array, two a task.
-status, listed, complaint = slurm(program .. " study s.lua speed=5,10,20 steps=2000 --slurm --per-task 2 --out array")
+status, listed, complaint = slurm(program
+  .. " study s.lua speed=5,10,20 steps=2000 --slurm --per-task 2 --out array")
 expect(status == 0 and listed:find "Submitted batch job", "submitting: %s%s", listed, complaint)
 expect(wait_for(function() return queue() == "" end, 30), "the array does not end: %s", queue())
 status = slurm(program .. " study s.lua speed=5,10,20 steps=2000 --out array --collect")
 equal(status, 0, "exit status of --collect")
-equal(support.read(folder .. "/array/results.csv"), support.read(folder .. "/whole/results.csv"), "results of the array")
+equal(support.read(folder .. "/array/results.csv"), support.read(folder .. "/whole/results.csv"),
+  "results of the array")
 
 -- Long cases: one task gets the scheduler's signal, one is requeued without a word.
 local words = "s.lua speed=12,15 steps=150000"
@@ -109,7 +120,8 @@ slurm(("scontrol requeue %s_2"):format(job))
 expect(wait_for(function() return queue() == "" end, 90), "the requeued tasks do not end: %s", queue())
 status = slurm(program .. " study " .. words .. " --out requeued --collect")
 equal(status, 0, "exit status of --collect after a requeue")
-equal(support.read(folder .. "/requeued/results.csv"), support.read(folder .. "/long/results.csv"), "results after a requeue")
+equal(support.read(folder .. "/requeued/results.csv"), support.read(folder .. "/long/results.csv"),
+  "results after a requeue")
 for task = 1, 2 do
   local name = ("/cases/0000%d/summary.json"):format(task)
   local resumed, whole = support.json(support.read(folder .. "/requeued" .. name) or "{}"),

@@ -72,8 +72,8 @@ local most_that_holds, least_that_is_lost, cases = -math.huge, math.huge, 0
 local table_of_results = support.read(folder .. "/halving/results.csv") or ""
 for speed, lost in table_of_results:gmatch "\n%d+,([%d.]+),completed,[^\n]-(%a+),[^\n]*" do
   cases = cases + 1
-  if lost == "true" then least_that_is_lost = math.min(least_that_is_lost, tonumber(speed))
-  else most_that_holds = math.max(most_that_holds, tonumber(speed)) end
+  if lost == "true" then least_that_is_lost = support.smallest_of(least_that_is_lost, tonumber(speed))
+  else most_that_holds = support.largest_of(most_that_holds, tonumber(speed)) end
 end
 equal(cases, 10, "cases of halving")
 local speed, within = stated(head, "speed")

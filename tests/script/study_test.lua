@@ -1,4 +1,5 @@
--- hinge study and hinge.study: the cases of a study, what it writes, what a sick case costs, how it goes on after an end.
+-- hinge study and hinge.study: the cases of a study, what it writes, what a sick case costs, how it goes on after an
+-- end.
 --
 -- Run: lua5.4 tests/script/study_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -110,7 +111,8 @@ equal(table.concat(verdicts, ", "), "completed, crashed, timed out, out of memor
 expect((results "sick")[5].reason:find "no such thing", "reason: %s", (results "sick")[5].reason)
 
 -- A second study does not take the place of the first by mistake. --resume runs what has no answer, and no more.
-status, _, complaint = study "s.lua sick=fine,crash,hang,memory,wrong,well --out sick"
+status, printed, complaint = study "s.lua sick=fine,crash,hang,memory,wrong,well --out sick"
+equal(printed, "", "what is printed where nothing runs")
 equal(status, 2, "exit status without --resume")
 expect(complaint:find "holds 6 cases of a study; %-%-resume", "message: %s", complaint)
 local function written(name) -- when each case's own summary was written
@@ -122,7 +124,8 @@ equal(written "sick", before, "finished cases, which are kept")
 
 -- A module that has changed is noticed: its cases run again.
 support.write(folder .. "/bar.lua", (support.read(folder .. "/bar.lua"):gsub("%-1000 %* uz }", "-2000 * uz }")))
-status, _, complaint = study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short --out b --resume"
+status, printed, complaint = study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short --out b --resume"
+expect(printed:find "12 cases: 12 completed", "the last lines after a change: %s", printed)
 equal(status, 0, "exit status after a change")
 expect(complaint:find "bar%.lua has changed: 12 cases run again", "message: %s", complaint)
 near(tonumber((results "b")[1]["tip.mm"]) / tip(1000, 1), 2, 1e-9, "the changed module's answer")
@@ -149,8 +152,8 @@ for round = 1, 3 do
   expect(same >= kept, "%d cases were finished before the kill, %d were kept", kept, same)
 end
 -- A journal whose last line was cut off, as a full disk leaves it.
-local path = folder .. "/killed1/cases.jsonl"
-support.write(path, support.read(path):sub(1, -20))
+local killed = folder .. "/killed1/cases.jsonl"
+support.write(killed, support.read(killed):sub(1, -20))
 status = study "s.lua load=1:40:1 wait=0.02 -j 4 --out killed1 --resume"
 equal(status, 0, "exit status with a cut journal")
 equal(#results "killed1", 40, "cases with a cut journal")
@@ -163,8 +166,8 @@ near(tonumber(rows[#rows].load), 10 / tip(1, 1), 100, "load at which the bar is 
 
 -- One that proposes the same again would never end: it is told of.
 local again = hinge.scenario { parameters = { x = 1 }, run = function(p) return { x = p.x } end }
-local good, message = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
-expect(not good and tostring(message):find "returned the parameters of case 1 again", "the same again: %s", message)
+local good, said = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
+expect(not good and tostring(said):find "returned the parameters of case 1 again", "the same again: %s", said)
 
 -- Rows of a table.
 support.write(folder .. "/t.csv", "load,length\n1000,1\n3000,\"2\"\r\n\n# a remark\n500,0.5\n")
@@ -187,7 +190,8 @@ for words, message in pairs {
   ["s.lua --table none.csv"] = "none.csv",
   ["s.lua --propose none"] = "unknown proposal 'none'",
 } do
-  status, _, complaint = study((words:gsub("[~()]", "\\%0")) .. " --out wrong")
+  status, printed, complaint = study((words:gsub("[~()]", "\\%0")) .. " --out wrong")
+  equal(printed, "", words .. ": what is printed")
   equal(status, 2, words .. ": exit status")
   expect(complaint:find(message), "%s: message: %s", words, complaint)
   expect(not support.is_there(folder .. "/wrong"), "%s: a folder was made", words)
@@ -210,9 +214,12 @@ local failing = hinge.scenario { parameters = { x = 1, y = 1 }, run = function(p
   job:verdict(p.x == 1 and "failed" or "completed", "it fell over")
   return { z = p.x == 1 and -1000 or p.x + p.y, above = p.x == 1 or p.x + 2 * p.y > 12 }
 end }
-result = hinge.study(failing, { vary = { x = { 1, 2, 3, 4, 5, 6 }, y = { 1, 2, 3, 4, 5 } }, out = folder .. "/failing" })
+result = hinge.study(failing, { vary = { x = { 1, 2, 3, 4, 5, 6 }, y = { 1, 2, 3, 4, 5 } },
+  out = folder .. "/failing" })
 equal(result.cases[1].verdict .. " " .. result.cases[1].results.z, "failed -1000", "a case that failed")
-for _, one in ipairs(result.correlations) do equal(one.cases, 25, "cases that have an answer, for " .. one.parameter) end
+for _, one in ipairs(result.correlations) do
+  equal(one.cases, 25, "cases that have an answer, for " .. one.parameter)
+end
 near(result.correlations[#result.correlations - 1].correlation, result.correlations[#result.correlations].correlation,
   1e-9, "correlation of a sum with its parts")
 expect(table.concat(result.notes, ";"):find "5 cases without an answer left out", "notes: %s",
@@ -235,7 +242,8 @@ for words, at in pairs { ["run within.lua --out within"] = "within", ["study wit
     expect(text and support.json(text)[wanted], "%s: %s/summary.json holds no %s", words, path, wanted)
   end
 end
-expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }), "an unknown parameter is taken")
+expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }),
+  "an unknown parameter is taken")
 expect(not pcall(hinge.study, {}, {}), "something else than a scenario is taken")
 
 -- Draws: of each stratum of a Latin hypercube one; Sobol's points fill each half, quarter and eighth alike; quantiles.
@@ -260,14 +268,16 @@ for a = 1, 5 do -- pairs of dimensions: a net of four by four
     local cell = math.floor(4 * point[a]) * 4 + math.floor(4 * point[a + 1])
     count[cell] = (count[cell] or 0) + 1
   end
-  for cell = 0, 15 do equal(count[cell], 16, ("Sobol's points in cell %d of dimensions %d and %d"):format(cell, a, a + 1)) end
+  for cell = 0, 15 do
+    equal(count[cell], 16, ("Sobol's points in cell %d of dimensions %d and %d"):format(cell, a, a + 1))
+  end
 end
 expect(draws.points("plain", 1, 1, 1)[1][1] ~= draws.points("plain", 1, 1, 2)[1][1], "seeds give the same draws")
 near(draws.normal_quantile(0.975), 1.959963984540054, 1e-12, "normal distribution, 97.5 %")
 near(draws.normal_quantile(1e-6), -4.753424308822899, 1e-11, "normal distribution, 1e-6")
 local quantile = draws.distribution("lognormal(100,0.5)", "test").quantile
 near(quantile(0.5), 100, 1e-9, "median of a lognormal distribution")
-near(draws.distribution("weibull(10,2)", "test").quantile(1 - math.exp(-1)), 10, 1e-9, "scale of a Weibull distribution")
+near(draws.distribution("weibull(10,2)", "test").quantile(1 - math.exp(-1)), 10, 1e-9, "a Weibull distribution's scale")
 near(draws.distribution("triangular(0,1,2)", "test").quantile(0.125), 0.5, 1e-12, "a triangular distribution")
 
 -- A fragility curve that the cases were drawn from is found again; its band holds it.
