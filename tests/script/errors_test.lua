@@ -536,8 +536,8 @@ wrong("run:step: called from a function of this very run, in the middle of a ste
 -- Scenarios and models ------------------------------------------------------------------------------------------------
 
 wrong("hinge.scenario: field 'run' is missing; give a function", function() hinge.scenario {} end)
-wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?); there are accuracy, cases, parameters, proposals, run",
-  function() hinge.scenario { case = {}, run = print } end)
+wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?); there are accuracy, cases, parameters, "
+  .. "proposals, run", function() hinge.scenario { case = {}, run = print } end)
 wrong("ten_storey.add: field 'storey' is 0 m; must be a number above 0 m", function(s)
   require "hinge.models.ten_storey".add(s.model, { storey = 0 })
 end)
