@@ -1,25 +1,25 @@
 ---@meta hinge
--- What a script can say, for editors that read LuaLS annotations. Nothing here runs.
+-- Every call that a script can make, for editors that read LuaLS annotations. Nothing in this file runs.
 --
--- Units are SI throughout: m, kg, s, N, Pa, rad. Wrong input raises an error at the script's own line that names the
--- function, the field, the value, its unit and what is allowed. What goes wrong in the physics or the numbers is a
+-- All units are SI: m, kg, s, N, Pa, rad. Wrong input raises an error at the line of the script. The message names the
+-- function, the field, the value, its unit and the allowed values. A failure of the physics or of the numerics is a
 -- result, never an error: see run.verdict. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss
 -- technique. Jobs, models and the report are in library.d.lua.
 --
--- reference.lua makes reference.md from this. What is said of a class, an alias, a function or a field stands in the
--- lines above it, or behind a field where it is short; what is said of a parameter or a result, behind it and in lines
--- below that begin with `---` and two blanks. The fenced Lua above a function is its example: it runs as it stands,
--- after the lines at the top of reference.md; a test runs them all.
+-- reference.lua makes reference.md from this file. The description of a class, an alias, a function or a field stands
+-- in the lines above it; a short description of a field stands after it on the same line. The description of a
+-- parameter or a result stands after it, and goes on in lines below that begin with `---` and two blanks. The Lua code
+-- above a function is its example. It runs after the lines at the top of reference.md, and a test runs every example.
 
 ---@class hinge
 ---@field version string
----@field section hinge.sections the ready shapes, and any other by its properties
+---@field section hinge.sections ready shapes, and any other section by its properties
 local hinge = {}
 
 ---@alias vec3 number[] three numbers { x, y, z }
 ---@alias hinge.component "ux"|"uy"|"uz"|"rx"|"ry"|"rz" displacement (m) or rotation vector (rad), in space
 
----Goes on from a checkpoint: run:resume(file).
+---Continues a run from a checkpoint. It is the same as run:resume(file).
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---swing:step()
@@ -32,7 +32,7 @@ local hinge = {}
 ---@return hinge.run
 function hinge.resume(run, file) end
 
----An empty model.
+---Makes an empty model.
 ---```lua
 ---local frame = hinge.model { elements_per_member = 4 }
 ---local linear = hinge.model { displacement = "small", plasticity = false }
@@ -42,17 +42,18 @@ function hinge.resume(run, file) end
 function hinge.model(options) end
 
 ---@class hinge.model_options
----where the one integration point of an element stands (section 2). asi-gauss (default): at the two Gauss points of a
----pair of elements while elastic, opposite the hinge once one forms; needs an even number of elements in a member. asi:
----in the middle while elastic. conventional: always in the middle
+---position of the one integration point of an element (section 2). asi-gauss (default): the elements of a member work
+---in pairs. While a pair is elastic, its points are the two Gauss points of the pair. When a hinge forms, the point
+---moves opposite the hinge. This needs an even number of elements in each member. asi: in the middle while elastic.
+---conventional: always in the middle
 ---@field formulation? "asi-gauss"|"asi"|"conventional"
----large (default): the geometry follows the motion (the paper's ULF), rotations and twist of any number of turns too.
----small: it stays as it was (TLF)
+---large (default): the geometry follows the motion (updated Lagrangian, the paper's ULF). Rotations and twist may be of
+---any number of turns. small: the geometry stays as declared (total Lagrangian, TLF)
 ---@field displacement? "large"|"small"
----what goes to a hinge. plastic (default): the plastic strain's integration point alone, so the pair of
----elements keeps its exact elastic stiffness and the energy balance closes. whole: as the paper prints it (eqs 6,
----10). The elastic point goes to the hinge too, and its partner's point to the middle; forces stay continuous but the
----elastic energy jumps, which the energy error shows
+---what moves when a hinge forms. plastic (default): only the integration point of the plastic strain moves. The pair of
+---elements keeps its exact elastic stiffness, and the energy balance closes. whole: as the paper prints it (eqs 6, 10).
+---The elastic point moves to the hinge too, and the point of the other element of the pair moves to the middle. Forces
+---stay continuous, but the elastic energy jumps. The energy error shows this jump
 ---@field shift? "plastic"|"whole"
 ---where the axial force of an element acts in large displacement. member (default): on the element's chord, and on the
 ---bending of each pair of elements between its ends, by the stability functions of the exact beam-column
@@ -75,34 +76,36 @@ function hinge.model(options) end
 ---a broken element, and in dynamics one whose weight is beyond its plastic limit load between clamped ends,
 ---16 M_p / L^2
 ---@field weight? "members"|"nodes"
----linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass
----of a pair of asi-gauss elements in the cubic shape that its stiffness stands for; not in the paper,
----equally fast. Sway frequencies of slender frames with two elements a member are within 0.2 %, where linear has 1 to
----4 %; with stocky members they are less exact; a pinned member's own vibration is 5 % off with two elements and 0.2 %
----with four. Newmark's method and statics only, no fracture
+---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass of a pair of
+---asi-gauss elements, for the cubic shape that belongs to its stiffness. It is not in the paper, and it is equally
+---fast. With two elements a member, sway frequencies of slender frames are within 0.2 % with cubic; linear has an error
+---of 1 to 4 %. With stocky members cubic is less exact. The vibration of a pinned member between its ends is 5 % off
+---with two elements, and 0.2 % with four. cubic works with Newmark's method and statics only, and without fracture
 ---@field mass? "linear"|"cubic"
----@field plasticity? boolean default true; false lets nothing yield whatever the materials say
----default 2, the paper's. "auto": 2, and 4, 8 or 16 in members that a scene compresses or that yield between their
----ends. The first run decides, once for all runs of the model, from what is declared by then: one linear solution in
----statics, with all loads and gravity in full (every load case with factor 1; those with a history as at time 0, or in
----full where that is 0). Compression counts by what it takes from the bending stiffness. With p_delta = "member", the
----default, two elements have that exactly, and members from Euler's load on get four. Four go to a member where moments
----between its ends reach the fully plastic one, and to one with loads of its own that yields anywhere. Impacts, motions
----of supports, `hold` of a static run and loads that are functions of the run are not in it, and bodies that model:fix
----does not hold keep two. The solution is a direct one: 0.5 s for a cubic frame of 3400 members, 6 s for 11,000. hinge
----plan and summary.json say how many members got how many, and why. asi-gauss only
+---@field plasticity? boolean default true; false: nothing yields, whatever the materials are
+---default 2, as in the paper. "auto": 2, and 4, 8 or 16 in members that are compressed, or that yield between their
+---ends. The first run decides this once, for all runs of the model. It uses what is declared at that time. It solves
+---one linear static system with all loads and gravity in full: every load case has the factor 1. Loads with a history
+---have their value at time 0, or the full value if that is 0. Compression counts by its effect on the bending
+---stiffness. With p_delta = "member", the default, two elements include this effect exactly; members at Euler's load or
+---above get four. Four are also given to a member where moments between its ends reach the fully plastic moment, and to
+---a member with its own loads that yields anywhere. The decision does not include impacts, motions of supports, `hold`
+---of a static run, and loads that are functions of the run. Bodies that model:fix does not hold keep two. The solver is
+---a direct one: it takes 0.5 s for a cubic frame of 3400 members, and 6 s for 11,000. `hinge plan` and summary.json
+---list how many members got how many elements, and why. "auto" works with asi-gauss only
 ---@field elements_per_member? integer|"auto"
----of elements = "auto": by how much the bending stiffness of a compressed member may miss, as a part of that without
----compression, and near Euler's load the load at which it buckles; default 0.01
+---for elements = "auto": the error that is allowed in the bending stiffness of a compressed member, as a part of the
+---stiffness without compression. Near Euler's load it is the error of the load at which the member buckles. Default
+---0.01
 ---@field elements_accuracy? number
 
----A linear elastic, perfectly plastic material.
+---Makes a linear elastic, perfectly plastic material.
 ---```lua
 ---local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 }
 ---```
 ---@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
----  E Pa; nu default 0.3; G Pa, in the place of nu, default E / (2 (1 + nu)); density kg/m^3, default 0, needed in
----  dynamics; yield_stress Pa, left out: never yields
+---  E in Pa. nu: default 0.3. G in Pa, in place of nu: default E / (2 (1 + nu)). density in kg/m^3: default 0; dynamics
+---  needs it. yield_stress in Pa: without it the material never yields
 ---@return hinge.material
 function hinge.material(options) end
 
@@ -114,32 +117,34 @@ function hinge.material(options) end
 
 -- Sections -----------------------------------------------------------------------------------------------------------
 
----Cross-sections. Local z runs along the member, y is the direction of its `up`, x completes them. Width is measured
----along x, depth along y. Plastic resultants of eq 14: N0 = A fy, Mx0 = Zx fy, My0 = Zy fy, Mz0 = Zz fy / sqrt 3, with
----exact plastic moduli. Shear areas: Cowper (1966) with Poisson's ratio 0, which is 5/6 for a rectangle.
+---Cross-sections. The local z axis runs along the member. The local y axis is the direction of the member's `up`. The
+---local x axis completes them. Width is measured along x, depth along y. Plastic resultants of eq 14: N0 = A fy, Mx0 =
+---Zx fy, My0 = Zy fy, Mz0 = Zz fy / sqrt 3, with exact plastic moduli. Shear areas are from Cowper (1966) with
+---Poisson's ratio 0, which is 5/6 for a rectangle.
 ---@class hinge.sections
 local section = {}
 
----Closed box. J and Mz0 by Bredt: 4 Am^2 / sum(length / t) and 2 Am t with the thinnest wall.
+---A closed box. J and Mz0 are from Bredt's theory: 4 Am^2 / sum(length / t), and 2 Am t with the thinnest wall.
 ---```lua
 ---local column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 }
 ---```
 ---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number }
----  outer sizes and walls, m; thickness for all walls, or web (the walls along y) and flange
+---  outer sizes and wall thicknesses, m. thickness is for all walls. In its place, web is for the walls along y, and
+---  flange for the others
 ---@return hinge.section
 function section.box(options) end
 
----H (I, wide flange) with its web along y: Ix is the strong axis. J = sum b t^3 / 3; Mz0
----from the plates' heaps of sand.
+---An H section (I, wide flange) with its web along y, so Ix is of the strong axis. J = sum b t^3 / 3. Mz0 is from the
+---sand-heap analogy for each plate.
 ---```lua
 ---local girder = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }
 ---```
 ---@param options { depth: number, width: number, web: number, flange: number }
----  outer sizes and thicknesses, m; no fillets
+---  outer sizes and thicknesses, m; without fillets
 ---@return hinge.section
 function section.h(options) end
 
----Round tube; all values exact.
+---A round tube. All values are exact.
 ---```lua
 ---local brace = hinge.section.pipe { diameter = 0.1143, thickness = 0.0045 }
 ---```
@@ -147,7 +152,8 @@ function section.h(options) end
 ---@return hinge.section
 function section.pipe(options) end
 
----Solid rectangle. J: series of the stress function (0.140577 b^4 for a square); Mz0: b^2 (3 d - b) / 6 with b <= d.
+---A solid rectangle. J is the series of the stress function (0.140577 b^4 for a square). Mz0 is from b^2 (3 d - b) / 6
+---with b <= d.
 ---```lua
 ---local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
 ---```
@@ -155,7 +161,7 @@ function section.pipe(options) end
 ---@return hinge.section
 function section.solid(options) end
 
----Solid circle.
+---A solid circle.
 ---```lua
 ---local rod = hinge.section.round { diameter = 0.03 }
 ---```
@@ -163,7 +169,7 @@ function section.solid(options) end
 ---@return hinge.section
 function section.round(options) end
 
----Any section by its properties.
+---Makes any section from its properties.
 ---```lua
 ---local hea200 = hinge.section.general { area = 53.8e-4, Ix = 36.9e-6, Iy = 13.4e-6, J = 0.21e-6,
 ---  plastic = { A = 53.8e-4, Zx = 429e-6, Zy = 204e-6 }, size = { width = 0.2, depth = 0.19 } }
@@ -174,20 +180,20 @@ function section.general(options) end
 
 ---@class hinge.section_options
 ---@field area number m^2
----@field Ix number m^4; bends about x, deflection along y
----@field Iy number m^4; bends about y, deflection along x
+---@field Ix number m^4; bending about x, deflection along y
+---@field Iy number m^4; bending about y, deflection along x
 ---@field J number torsion constant, m^4
 ---@field shear_area_x? number m^2, default 5/6 of the area
 ---@field shear_area_y? number m^2, default 5/6 of the area
----@field mass_Ix? number m^4, of the rotary inertia; default Ix
+---@field mass_Ix? number m^4, for the rotary inertia; default Ix
 ---@field mass_Iy? number m^4, default Iy
----@field N0? number fully plastic resultants of eq 14, N and N m, whatever the material; one left out is taken from
----@field Mx0? number `plastic`, and without that never limits
----@field My0? number
----@field Mz0? number
----m^2, m^3; multiplied by the yield stress, Zz by yield stress / sqrt 3
+---@field N0? number N; fully plastic axial force of eq 14, whatever the material; default: from `plastic`
+---@field Mx0? number N m, of bending about x; default: from `plastic`, and without that no limit; so for the others
+---@field My0? number N m, of bending about y
+---@field Mz0? number N m, of torsion
+---m^2, m^3. A, Zx and Zy are multiplied by the yield stress, Zz by the yield stress / sqrt 3
 ---@field plastic? { A?: number, Zx?: number, Zy?: number, Zz?: number }
----m along x and y, for contact and pictures; without it both are the root of the area
+---m, along x and y, for contact and pictures; default: both are the square root of the area
 ---@field size? { width: number, depth: number }
 ---@field kind? string a name for messages
 
@@ -199,24 +205,24 @@ function section.general(options) end
 ---@field J number m^4
 ---@field shear_area_x number m^2
 ---@field shear_area_y number m^2
----@field plastic_area number m^2; 0: never limits, likewise Zx, Zy and Zz
+---@field plastic_area number m^2; 0: no limit; the same holds for Zx, Zy and Zz
 ---@field Zx number plastic moduli, m^3
 ---@field Zy number m^3
 ---@field Zz number m^3, of torsion
----@field N0? number N; what was given of it, likewise Mx0, My0 and Mz0
+---@field N0? number N; only if it was given; the same holds for Mx0, My0 and Mz0
 ---@field Mx0? number N m
 ---@field My0? number N m
 ---@field Mz0? number N m
----@field width number m, along x; 0: the root of the area, likewise depth
+---@field width number m, along x; 0: the square root of the area; the same holds for depth
 ---@field depth number m, along y
 
 -- Models -------------------------------------------------------------------------------------------------------------
 
 -- Handles. Two handles to the same thing are the same value, so == compares them and they can be keys of a table.
--- tostring says what one stands for, and of what is gone since when it is. A handle of another model is refused
--- everywhere, and so is one of a model that was closed. Lists are arrays in the order of declaration, made anew by each
--- call: `for _, member in ipairs(group:members()) do ... end`. What a method reads of a run is of the latest run made
--- of the model where none is given; while none has been made, that is an error.
+-- tostring says what a handle stands for, and if that was removed, when. A handle of another model, or of a closed
+-- model, is an error everywhere. Lists are arrays in the order of declaration. Each call makes a new one:
+-- `for _, member in ipairs(group:members()) do ... end`. A method that reads results takes the run as an argument. By
+-- default it is the latest run of the model; if there is none yet, that is an error.
 
 ---A joint.
 ---@class hinge.node
@@ -224,7 +230,7 @@ function section.general(options) end
 ---@field y number
 ---@field z number
 ---@field index integer from 1, in the order of declaration
----@field fixed string? what is fixed, as model:fix takes it: "all" or such as "x,y,rx"; nil: nothing
+---@field fixed string? what is fixed, as in model:fix: "all", or for example "x,y,rx"; nil: nothing
 local node = {}
 
 ---```lua
@@ -273,11 +279,11 @@ function node:position(run) end
 ---@field b hinge.node
 ---@field length number as declared, m
 ---@field mass number kg
----@field group string? name of its first group, which colours it; nil: none
+---@field group string? name of its first group, which sets its colour; nil: none
 ---@field section hinge.section
 ---@field material hinge.material
 ---@field up vec3 direction of the section's y axis, as given
----@field elements integer|"auto" how many it is divided into; "auto" until the first run decides
+---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
 ---@field index integer from 1, in the order of declaration
 local member = {}
 
@@ -293,7 +299,7 @@ function member:nodes() end
 ---@return hinge.group[]
 function member:groups() end
 
----Section resultants at its two ends; all zero once the element there is broken.
+---The section resultants at the two ends of the member. All are zero when the element at that end is broken.
 ---```lua
 ---local at_a, at_b = beam:forces()
 ---print(at_a.Mx, at_b.Qy, at_a.f_y) -- N m, N, 1 where fully plastic
@@ -302,21 +308,22 @@ function member:groups() end
 ---@return hinge.resultants at_a, hinge.resultants at_b
 function member:forces(run) end
 
----What has become of it. A member is broken once one of its elements is.
+---The state of the member. A member is broken if one of its elements is broken.
 ---```lua
 ---local state, f_y = beam:state()
 ---print(state, f_y) -- elastic, and how near the most stressed section is to fully plastic
 ---```
 ---@param run? hinge.run default: the latest of the model
----@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest now; of a
----  broken member, when its first element broke (s; nil: before this run began) and which of its elements it was
+---@return "elastic"|"yielded"|"broken" state, number f_y, number? time, integer? element f_y: the largest value now.
+---  time and element are of a broken member: when its first element broke (s; nil: before this run began), and which of
+---  its elements it was
 function member:state(run) end
 
----Members that were given the same name. `#group` is their number.
+---The members that have the same group name. `#group` is their number.
 ---@class hinge.group
 ---@field name string
----@field size integer its members, as #group
----@field length number of all its members, m
+---@field size integer number of its members, as #group
+---@field length number sum over its members, m
 ---@field mass number kg
 local group = {}
 
@@ -343,8 +350,8 @@ function group:nodes() end
 ---@field case? string name of its load case; nil: it belongs to none
 local load = {}
 
----Takes it off the model. Runs that are over keep it, and one under way may not step on (run:step); any later use of
----the handle is an error that says where it was removed.
+---Removes the load from the model. Runs that have ended keep it. A run that has not ended may not go on (run:step). Any
+---later use of the handle is an error, which says where the load was removed.
 ---```lua
 ---local prop = model:load { node = tip, force = { 0, 0, 500 } }
 ---local held = model:static():finish()
@@ -358,7 +365,7 @@ function load:remove() end
 ---@field name string
 local case = {}
 
----As model:load; the load belongs to this case.
+---As model:load. The load belongs to this case.
 ---```lua
 ---local snow = model:case "snow"
 ---snow:load { member = beam, q = { 0, 0, -2e3 } }
@@ -368,7 +375,7 @@ local case = {}
 ---@return hinge.load? load
 function case:load(options) end
 
----As model:gravity; gravity belongs to this case.
+---As model:gravity. Gravity belongs to this case.
 ---```lua
 ---local dead = model:case "dead"
 ---dead:gravity { 0, 0, -9.80665 }
@@ -412,9 +419,9 @@ function model:loads() end
 ---@return hinge.case[]
 function model:cases() end
 
----Frees the model and its runs at once, whatever handles there are; any later use of one is an error
----that says where the model was closed. Models that nobody refers to are freed without it. An error
----inside a step of one of its own runs.
+---Frees the memory of the model and of its runs at once, even if handles still exist. Any later use of such a handle is
+---an error, which says where the model was closed. A model without any handle is freed by itself. It is an error to
+---call close inside a step of a run of the same model.
 ---```lua
 ---for storeys = 1, 3 do
 ---  local tower = hinge.model()
@@ -424,7 +431,7 @@ function model:cases() end
 ---```
 function model:close() end
 
----Adds a joint.
+---Adds a joint to the model.
 ---```lua
 ---local top = model:node { 0, 0, 3 } -- x, y, z; z is up by custom
 ---```
@@ -432,7 +439,7 @@ function model:close() end
 ---@return hinge.node
 function model:node(position) end
 
----Fixes degrees of freedom of one node or of a list of nodes, beside those that are fixed.
+---Fixes degrees of freedom of one node or of a list of nodes, in addition to those that are already fixed.
 ---```lua
 ---model:fix(wall) -- all six
 ---model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
@@ -441,7 +448,7 @@ function model:node(position) end
 ---@param what? string "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
 function model:fix(node, what) end
 
----Adds a member between two joints, to which it is rigidly connected.
+---Adds a member between two joints. The member is rigidly connected to both.
 ---```lua
 ---local column = model:member { wall, model:node { 0, 0, 3 }, section = square, material = steel,
 ---  up = { 1, 0, 0 }, group = "columns", elements = 4 }
@@ -455,15 +462,16 @@ function model:member(options) end
 ---@field [2] hinge.node
 ---@field section hinge.section
 ---@field material hinge.material
----direction of the section's y axis, any vector across the member, default upwards (along
----space x for an upright member)
+---direction of the section's y axis: any vector that is not along the member. Default: upwards; along the x of space
+---for an upright member
 ---@field up? vec3
----@field group? string|hinge.group|(string|hinge.group)[] the first one colours it
----@field elements? integer|"auto" default as the model's elements_per_member, which tells what "auto" does
+---@field group? string|hinge.group|(string|hinge.group)[] the first one sets its colour
+---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
 
----Adds a load on a node. Three numbers are fixed in direction; a function is called once a step with the time at its
----end (s) and the run as it is at its beginning (dynamics only). It returns three numbers, or a table of three. In the
----first step of a run it is also called with the time at which the run begins.
+---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two
+---arguments: the time at the end of the step (s), and the run as it is at the beginning of the step (dynamics only). It
+---returns three numbers, or a table of three. In the first step of a run it is also called with the time at which the
+---run begins.
 ---
 ---Or a load on a member, or on each member that a group has by now: `q` and `moment` over its whole length, linear
 ---between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's end nodes get the
@@ -477,11 +485,11 @@ function model:member(options) end
 ---member's present axes, by its elastic stiffness. An element that breaks loses its part of the load. Such a load gives
 ---no handle; it can be left out, but not removed.
 ---
----A static run takes no load with a history, on nodes or on members, for it has no time; where `loads` of the run names
----its load case, it takes the numbers in full, whatever the history. It is an error if all loads have one. A dynamic
----run that goes on from another goes on in its time: a history that begins with the second run begins at that time.
----Points that are over by then, that change less than 5 % before the run's end, or that act for less than two steps,
----are warned of.
+---A static run leaves out loads with a history, on nodes and on members, since statics has no time. If `loads` of the
+---run names the load case of such a load, the run takes its numbers in full, whatever the history. It is an error if
+---all loads have a history. A dynamic run that continues another run also continues its time. A history that begins
+---with the second run therefore begins at that time. Warnings name points of a history that are past when the run
+---begins, that change less than 5 % before the end of the run, or that act for less than two steps.
 ---```lua
 ---model:load { node = tip, force = { 0, 0, -1000 } } -- N
 ---model:load { member = beam, q = { 0, 0, -200 } } -- N/m
@@ -493,29 +501,29 @@ function model:load(options) end
 
 ---@class hinge.load_options
 ---@field node? hinge.node
----@field member? hinge.member in the place of node
----@field group? hinge.group_like in the place of node: each of its members
+---@field member? hinge.member in place of node
+---@field group? hinge.group_like in place of node: each member of the group
 ---@field q? vec3|table N/m, or { a = vec3, b = vec3 } at the member's two ends, where one left out is zero
----@field force? vec3|fun(time: number, run: hinge.run): number N, in space; of a member at the point `at`
----N m, in space; of a member N m/m, as `q`, or N m at the point `at`; numbers alone
+---@field force? vec3|fun(time: number, run: hinge.run): number N, in space; on a member at the point `at`
+---N m, in space. On a member: N m/m, given as `q`, or N m at the point `at`; numbers only, no function
 ---@field moment? vec3|fun(time: number, run: hinge.run): number
----@field at? number of a member, the part of its length from its first end, 0 to 1
----of a member: "global" (default) in space, per length of the member; "projected" in space, per length of its
----projection on the plane across the load at the start, as snow (`q` alone); "local" in its x, y, z axes
+---@field at? number on a member: the distance from its first end as a part of its length, 0 to 1
+---axes of a load on a member. "global" (default): in space, per length of the member. "projected": in space, per length
+---of the member's projection on the plane normal to the load at the start, as for snow (`q` only). "local": in the
+---member's x, y, z axes
 ---@field axes? "global"|"projected"|"local"
----factor of the numbers over time (s), a function or points { { time, factor }, ... }, default 1. Two points at one
----time are a jump: the first holds up to there, the second from there on. At a jump where
----a step ends, that step ends with the value before and the next begins with the one after. Where points jump, or have
----a slope shorter than 20 steps, a step with a jump or a kink in it acts with their mean over it: no impulse is lost.
----Times are those of the run, which go on where `from` is a dynamic run. Of a
----function only the values at the ends of steps are known
+---factor of the numbers over time (s): a function, or points { { time, factor }, ... }. Default 1. Two points at the
+---same time are a jump: the first value holds up to that time, the second from then on. If a step ends at a jump, that
+---step ends with the value before the jump, and the next step begins with the value after it. If the points have a
+---jump, or a slope shorter than 20 steps, then each step with a jump or a kink in it uses the mean of the factor over
+---the step, so no impulse is lost. Times are those of the run, which go on if `from` is a dynamic run. Of a function,
+---only the values at the ends of steps are known
 ---@field history? fun(time: number): number|number[][]
----@field case? hinge.case|string the load case that it belongs to, see model:case; default: none, it acts in every run
+---@field case? hinge.case|string the load case of the load, see model:case; default: none, it acts in every run
 
----Declares a load case: loads belong to it that are declared with case = it, or by case:load and case:gravity. A run
----says in `loads` which cases it takes and with which factors. Loads, and gravity, that belong to no case act in every
----run.
----Called again with the same name it returns the same case.
+---Declares a load case. A load belongs to it if it is declared with this case as `case`, or by case:load or
+---case:gravity. The option `loads` of a run says which cases act, and with which factors. Loads and gravity that belong
+---to no case act in every run. A second call with the same name returns the same case.
 ---```lua
 ---local live = model:case "live"
 ---model:load { node = tip, force = { 0, 0, -500 }, case = live }
@@ -525,24 +533,24 @@ function model:load(options) end
 ---@return hinge.case
 function model:case(name) end
 
----A sum of load cases by name, for `loads` of runs: model:combination("uls", { dead = 1.35, live = 1.5 }). Combinations
----that were declared before may be in it.
+---Declares a combination: a sum of load cases with factors, which `loads` of a run can name. The factors may also name
+---combinations that were declared before.
 ---```lua
 ---model:case("dead"):gravity { 0, 0, -9.80665 }
 ---model:case("live"):load { node = tip, force = { 0, 0, -500 } }
 ---model:combination("uls", { dead = 1.35, live = 1.5 })
 ---local design = model:static { loads = "uls" }:finish()
 ---```
----@param name string that no case and no other combination has
+---@param name string a name that no case and no other combination has
 ---@param factors table<string, number>
 function model:combination(name, factors) end
 
----Attaches a point mass to a node: it has inertia, has weight where the model has gravity, and rotates with the node.
----Several on one node add up. In steps it is a rigid offset mass, as broken members are (paper, fig 5): momentum,
----energy and weight are in the same accounts as those of members. A node that loses its last member by fracture flies
----on with its mass; if it then has no rotary inertia, it stops rotating. A mass that is declared after a run takes
----part in runs that go on from that one. It is an error if the node has no member when a run begins. `hinge check`
----includes it in masses and natural periods.
+---Attaches a point mass to a node. The mass has inertia, it has weight if the model has gravity, and it rotates with
+---the node. Several masses on one node add up. In a step the mass is a rigid offset mass, like what is left of broken
+---members (paper, fig 5). Its momentum, energy and weight are counted together with those of members. If fracture takes
+---the last member of a node, the node flies on with its mass; if the mass has no rotary inertia, it stops rotating. A
+---mass that is declared after a run is part of the runs that continue from that run. It is an error if the node has no
+---member when a run begins. `hinge check` includes the mass in masses and natural periods.
 ---```lua
 ---model:mass { node = tip, mass = 20, inertia = 0.1 } -- kg, kg m^2
 ---```
@@ -552,15 +560,16 @@ function model:mass(options) end
 ---@class hinge.mass_options
 ---@field node hinge.node it may be fixed: then the support carries it
 ---@field mass number kg, above 0
----kg m^2, 0 or above, about axes through the mass: about every axis, or { Jx, Jy, Jz } about the x, y and z of space as
----they are before anything has moved; default 0
+---kg m^2, 0 or above, about axes through the mass. A number is for every axis. { Jx, Jy, Jz } is for the x, y and z
+---axes of space, in the undeformed position. Default 0
 ---@field inertia? number|vec3
----@field offset? vec3 m, from the node to the mass, before anything has moved; default { 0, 0, 0 }
+---@field offset? vec3 m, from the node to the mass, in the undeformed position; default { 0, 0, 0 }
 
----Moves supports: fixes these degrees of freedom, and in a dynamic run takes them along a path, counted from where the
----run begins. Velocity and acceleration follow by differences over the last steps. Before the run a support moved as in
----the state that the run begins from, or stood still. A path may start and stop at once, which is an impact. The work
----of the supports is in the energy balance. In statics they stand still.
+---Moves supports. The call fixes the given degrees of freedom. In a dynamic run they follow a path, as a displacement
+---from the position at the start of the run. Velocity and acceleration follow from differences over the last steps.
+---Before the run, the support is taken to move as in the state from which the run begins; without such a state it
+---stands still. A path may start and stop suddenly, which is an impact. The work of the supports is in the energy
+---balance. In statics the supports stand still.
 ---```lua
 ---model:move { node = wall, z = { { 0, 0 }, { 0.1, 0.01 }, { 0.2, 0 } } } -- up by 10 mm and down again
 ---local shaken = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
@@ -570,10 +579,10 @@ function model:move(options) end
 
 ---@class hinge.move_options
 ---@field node hinge.node|hinge.node[]
----displacement, m, over time, s: a function, or points { { time, displacement }, ... }
+---displacement along x, m, over time, s: a function, or points { { time, displacement }, ... }
 ---@field x? fun(time: number): number|number[][]
----@field y? fun(time: number): number|number[][] likewise
----@field z? fun(time: number): number|number[][] likewise
+---@field y? fun(time: number): number|number[][] the same along y
+---@field z? fun(time: number): number|number[][] the same along z
 
 ---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
 ---says, and a clamped member of two elements has end moments of w L^2 / 12 and w L^2 / 24 in the middle. Yield goes by
@@ -587,22 +596,24 @@ function model:move(options) end
 ---@param load_case? hinge.case|string the load case that it belongs to; default: none
 function model:gravity(acceleration, load_case) end
 
----Initial velocity of a node, a member or a group as a rigid body; of a node the last call counts. Statics keeps
----velocities as they are. A run that goes on from another (`from`) has that one's velocities, but for targets that got
----one since that run was made: these begin with it, as a rigid body where they are then. So a velocity may be given
----before or after statics. What supports hold stays at rest; it is an error if that is all.
+---Gives an initial velocity to a node, or to a member or a group as a rigid body. If several calls give a velocity to a
+---node, the last one counts. Statics does not change velocities. A run that continues another run (`from`) begins with
+---the velocities at the end of that run. The exceptions are targets whose velocity was declared after that run was
+---made: they begin with it, as a rigid body in their present position. So a velocity may be given before or after
+---statics. Fixed degrees of freedom stay at rest. It is an error if the target has no others.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 }) -- m/s
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
 ---```
----@param target hinge.node|hinge.member|hinge.group_like of a group, the joints that it has by now
----@param linear vec3 m/s, of the mean of the target's joints
----@param angular? vec3 rad/s about that point
+---@param target hinge.node|hinge.member|hinge.group_like of a group: the joints that it has at the time of the call
+---@param linear vec3 m/s, at the mean position of the target's joints
+---@param angular? vec3 rad/s, about that point
 function model:velocity(target, linear, angular) end
 
----Lets members break where a limit is reached (section 2.3, eq 16). The paper's critical curvature 0.0004 can only be
----per millimetre, so 0.4 here. Or where a function returns true. Of several rules the last one that applies to a
----member's groups counts. An error in a function undoes the step and is raised where the script asked for the step.
+---Declares when members break: when a limit is reached (section 2.3, eq 16), or when a function returns true. The paper
+---gives a critical curvature of 0.0004; this can only be per millimetre, so it is 0.4 here. If several rules apply to
+---the groups of a member, the last one counts. An error in a function undoes the step, and is raised at the line of the
+---script that asked for the step.
 ---```lua
 ---model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
 ---model:fracture(function(section) return section.plastic_work > 500 end) -- J
@@ -613,39 +624,40 @@ function model:fracture(rule) end
 ---@class hinge.fracture_rule
 ---@field curvature_x? number 1/m, either sign
 ---@field curvature_y? number 1/m, either sign
----@field axial_strain? number -, either sign unless tension_only
+---@field axial_strain? number no unit; either sign unless tension_only
 ---@field tension_only? boolean default false
----asked of a section, where no limit is reached; true: it breaks. The section is the same object at every call and can
----be read while the function runs
+---a function that is called for a section where no limit is reached. If it returns true, the element breaks. The
+---argument is the same object at every call; it can be read only while the function runs
 ---@field rule? fun(section: hinge.section_view): boolean?
----sections that `rule` is asked of. plastic (default): those fully plastic in this step, and those that were before
----when a curvature or the axial strain of their element is larger than ever: nothing is missed by a rule that looks at
----such strains; yielded: all that were ever fully plastic; all. Those of members that cannot yield are always asked
+---the sections for which `rule` is called. plastic (default): those that are fully plastic in this step, and those that
+---were fully plastic before, when a curvature or the axial strain of their element is larger than ever before. A rule
+---that uses such strains therefore misses nothing. yielded: all that were ever fully plastic. all: all sections.
+---Sections of members that cannot yield are always included
 ---@field where? "plastic"|"yielded"|"all"
----names of numbers that the rule keeps of each section, such as { "damage" }: fields of the section that can be set, 0
----at the start; they belong to the run's state
+---names of numbers that are kept for each section, such as { "damage" }. They are fields of the section that the rule
+---can set, 0 at the start. They belong to the state of the run
 ---@field keep? string[]
----in the place of `rule`: asked once a step of all elements of the members; returns a
----list of places of those that break
+---in place of `rule`: a function that is called once a step with all elements of the members. It returns a list with
+---the positions of those that break
 ---@field batch? fun(elements: hinge.element_list): integer[]?
 ---@field group? hinge.group_like only its members, default all
 
----A section as a fracture rule sees it where the step has ended. Strains are the element's: elastic and plastic, only
----plastic, and their change over the step divided by dt.
+---The section that a fracture rule gets, with the values at the end of the step. Strains are those of the element: the
+---sum of elastic and plastic, the plastic part, and the change over the step divided by dt.
 ---@class hinge.section_view
 ---@field time number s
 ---@field dt number s
 ---@field step integer from 1
 ---@field member integer
 ---@field element integer
----@field end integer 1 or 2 of the element; written section["end"], end being a word of Lua
----@field node integer? index of the joint that it is at; nil: it is inside its member
+---@field end integer end of the element, 1 or 2; written section["end"], since end is a keyword of Lua
+---@field node integer? index of the joint at this section; nil: it is inside the member
 ---@field group string? name of the member's first group
 ---@field plastic boolean fully plastic in this step
 ---@field curvature_x number 1/m
 ---@field curvature_y number 1/m
 ---@field axial_strain number
----@field twist number 1/m, turns counted
+---@field twist number 1/m, including full turns
 ---@field plastic_curvature_x number 1/m
 ---@field plastic_curvature_y number 1/m
 ---@field plastic_axial_strain number
@@ -659,24 +671,25 @@ function model:fracture(rule) end
 ---@field N number N
 ---@field Mz number N m
 ---@field f_y number eq 14
----@field plastic_work number J, of the element so far
+---@field plastic_work number J, of the element up to now
 ---@field broken number 0
 
----All elements of a fracture rule's members, always in the same order: `count` of them (also `#elements`), and for
----every field of a section an array with one number each; Mx, My, f_y, node and plastic have one for each end (Mx1,
----Mx2, ...; node 0 inside a member, plastic 1 or 0). Broken elements stay in their places, with broken = 1 and zeros.
----An array is the same table at every step, filled when it is asked for.
+---All elements of the members of a fracture rule, always in the same order. `count` is their number (also `#elements`).
+---Every field of a section has an array with one number for each element. Mx, My, f_y, node and plastic have one array
+---for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is 1 or 0. Broken elements keep their positions,
+---with broken = 1 and zeros. An array is the same table at every step; it is filled when the function reads it.
 ---@class hinge.element_list
 ---@field count integer
 ---@field time number s
 ---@field dt number s
 ---@field step integer
 
----Lets members collide. surface (the default): bars, round with half the smaller side of their section as radius, press
----on each other where their axes come closest, k g^2 / 2 for a penetration g; nothing is lost but by friction. gap
----(section 2.4, eqs 17-19): four gap elements bind two elements for a while, and what they hold when the bars part
----springs back. Members that share a joint, or overlap when first seen, do not meet until they have parted. Called
----again it adds a rule: of several, the last one that fits both members' groups counts.
+---Declares which members can touch each other, and how. surface (the default): bars press on each other where their
+---axes come closest. Each bar is round; its radius is half the smaller side of its section. A penetration g stores the
+---energy k g^2 / 2. Only friction dissipates energy. gap (section 2.4, eqs 17-19): four gap elements tie two elements
+---together for a while. The energy that they store is given back when the bars part. Members that share a joint, or
+---that overlap when they are first checked, have no contact until they have parted. Each call adds a rule. If several
+---rules fit the groups of both members, the last one counts.
 ---```lua
 ---local bar = model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = square,
 ---  material = steel, group = "bar" }
@@ -690,28 +703,30 @@ function model:contact(rule) end
 
 ---@class hinge.contact_rule
 ---@field rule? "surface"|"gap" default surface
----@field groups? hinge.group_like[] only members of these, default all
----@field between? hinge.group_like[] two groups: one member of each, in the place of groups
----asked once of two members when they come near: nil or true: this rule's numbers; false: they never meet; a table:
----other numbers (rule, stiffness, friction, binding_time, release, contact_length, coplanarity_tolerance)
+---@field groups? hinge.group_like[] only members of these groups; default: all
+---@field between? hinge.group_like[] in place of groups: two groups, one for each member of a pair
+---a function that is called once for two members, when they come near each other. nil or true: the numbers of this
+---rule. false: they never have contact. A table: other numbers (rule, stiffness, friction, binding_time, release,
+---contact_length, coplanarity_tolerance)
 ---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
----called at the end of a step in which two elements were bound or began to press on each other
+---a function that is called at the end of a step in which two elements were tied or began to press on each other
 ---@field on_contact? fun(event: hinge.contact_event)
----@field on_release? fun(event: hinge.contact_event) likewise, when they were released or parted
----surface: k, N/m; default EA / L, EA the harmonic mean of the two members', L the mean length of their elements
+---@field on_release? fun(event: hinge.contact_event) the same, when they were released or parted
+---surface: k, N/m. Default EA / L: EA is the harmonic mean of the two members, L is the mean length of their elements
 ---@field stiffness? number
----@field friction? number surface: Coulomb's coefficient, default 0; its heat is in contact_released of run.energy
+---@field friction? number surface: Coulomb's coefficient, default 0; contact_released of run.energy has its heat
 ---@field binding_time? number gap: default 0.5e-3 s
----gap: parting (default): held from the binding time on until the bars part and little is stored, and that is given
----back as an impulse; time: cut at the binding time, as in the paper, and what is stored is lost
+---gap: when a tie is released. parting (default): after the binding time, as soon as the bars part and little energy is
+---stored; this energy is given back as an impulse. time: at the binding time, as in the paper; the stored energy is
+---lost
 ---@field release? "parting"|"time"
 ---@field contact_length? number gap: C_l of eq 18, default 1.8
 ---@field coplanarity_tolerance? number gap: alpha of eq 19, default 3e-4 m^3
----default true: a pair is looked at only when the two could have met; false: every pair at every step, the same bits at
----several times the cost
+---default true: a pair is checked only when it could have come into contact. false: every pair is checked at every
+---step; the results are the same to the bit, at several times the cost
 ---@field sleep? boolean
----gap: eqs 17-19 as printed, looked at only where a step begins, which lets fast members pass through each other;
----release is then "time"
+---gap: eqs 17-19 as printed, default false. They are checked only at the beginning of a step, so fast members can pass
+---through each other. release is then "time"
 ---@field as_printed? boolean
 
 ---@class hinge.contact_event
@@ -721,18 +736,19 @@ function model:contact(rule) end
 ---@field element_a integer
 ---@field element_b integer
 
----Springs, dashpots, curves and laws between two nodes, { a, b, ... }, or between a node and the ground where the node
----is declared, { node, ground = true, ... }: along and about three axes. What is given for a direction adds up. A
----direction without anything is free. Node a carries the connector on a rigid arm that reaches to b: the deformation
----is the displacement of b from the end of that arm, along the axes (m), and the rotation vector of b relative to a
----(rad). Both are zero as the model is declared. In large displacement the axes rotate with a; those of the ground
----stay. A force pulls b back and a along with it, with its moment on a: momentum is kept. In statics dashpots have no
----force. Explicit steps must be shorter than 2 / (d + sqrt(d^2 + w^2)). Here w^2 (1/s^2) and d (1/s) are upper bounds
----of k/m and c/m, summed over all connectors at a node, with the lumped masses of the nodes and the highest frequency
----of the members there. dt = "auto" keeps this limit; Newmark's steps are at most 0.9 / w, with w of the springs alone.
----Laws of a script are not in these limits. Energy: run.energy.connector_stored and connector_dissipated. It is an
----error if nothing is given that acts, or if a run is made with a node that belongs to no member or with too long an
----explicit step.
+---Adds a connector: springs, dashpots, curves and laws along three axes and about them. It connects two nodes, { a, b,
+---... }, or a node and the ground at the declared position of the node, { node, ground = true, ... }. Several parts in
+---one direction add up. A direction without any part is free. Node a carries the connector at the end of a rigid arm
+---that reaches to b. The deformation is the displacement of b from the end of that arm, along the axes (m), and the
+---rotation vector of b relative to a (rad). Both are zero in the declared position. In large displacement the axes
+---rotate with a; those of the ground do not rotate. The force pulls b back and pulls a along. It also gives its moment
+---to a, so momentum is kept. In statics dashpots have no force. Explicit steps must be shorter than 2 / (d + sqrt(d^2 +
+---w^2)). Here w^2 (1/s^2) and d (1/s) are upper bounds of k/m and c/m. They are summed over all connectors at a node,
+---with the lumped masses of the nodes and the highest frequency of the members there. dt = "auto" keeps this limit.
+---Newmark's steps are then at most 0.9 / w, with w of the springs alone. Laws of a script are not in these limits. The
+---energy is in run.energy.connector_stored and connector_dissipated. It is an error if the connector has no part that
+---acts. It is also an error to make a run with such a node that belongs to no member, or with too long an explicit
+---step.
 ---```lua
 ---model:connector { tip, ground = true, stiffness = { z = 1e5 }, damping = { z = 200 } } -- N/m, N s/m
 ---local other = model:node { 1, 0, -1 }
@@ -746,30 +762,32 @@ function model:connector(options) end
 ---@class hinge.connector_options
 ---@field [1] hinge.node a
 ---@field [2]? hinge.node b; left out with ground = true
----@field ground? boolean the other end is the ground, default false
----@field axes? { x: vec3, y: vec3 } default global; y is taken square to x, z square to both
----N/m along x y z, N m/rad about them: not negative
+---@field ground? boolean true: the other end is the ground; default false
+---@field axes? { x: vec3, y: vec3 } default: global; y is made normal to x, z is normal to both
+---N/m along x y z, N m/rad about them; 0 or above
 ---@field stiffness? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
----N s/m along x y z, N m s/rad about them: not negative
+---N s/m along x y z, N m s/rad about them; 0 or above
 ---@field damping? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
----of a direction, points { { deformation, force }, ... } (m, N; rad, N m), elastic and linear between them, going on as
----straight as it ends: from { 0, 0 } on for both signs, or from below 0 to above
+---for a direction, points { { deformation, force }, ... } (m, N; rad, N m). The curve is elastic and linear between the
+---points, and goes on in a straight line beyond the last one. Points from { 0, 0 } on hold for both signs; else they go
+---from below 0 to above 0
 ---@field curve? { x?: number[][], y?: number[][], z?: number[][], rx?: number[][], ry?: number[][], rz?: number[][] }
----of a direction, a function of deformation (m, rad), its rate (1/s of it), state and dt (s, 0 where nothing passes)
----that returns the force (N, N m), and the new state if it keeps one: a table of numbers by name, empty at first, the
----same where none is returned. The state belongs to the run's: it is undone with a step and kept in checkpoints. The
----function is called several times a step, each time with the state that the last step left. All of its work counts as
----dissipated. An error undoes the step and is raised where the script asked for the step
+---for a direction, a function of four arguments: deformation (m, rad), its rate (m/s, rad/s), state, and dt (s; 0 where
+---no time passes). It returns the force (N, N m), and if it keeps a state, the new state. The state is a table of
+---numbers by name. It is empty at first. If the function returns no state, the state does not change. The state belongs
+---to the run: it is undone with a step and is kept in checkpoints. The function is called several times a step, each
+---time with the state at the end of the last step. All of its work counts as dissipated. An error undoes the step, and
+---is raised at the line of the script that asked for the step
 ---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
----N, N m: where a step ends with this force or more in one direction, either sign, the whole connector is gone, and
----what it stored with it; default: it never breaks. run.wakings lists it
+---N, N m. If the force in one direction, of either sign, has reached this value at the end of a step, the whole
+---connector breaks. The energy that it stored is lost. run.wakings lists the break. Default: it never breaks
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
 
----A connector that model:connector declared. What it reads is of the run that is given, or the latest of its model.
+---A connector, made by model:connector. Its methods read the given run, or by default the latest run of its model.
 ---@class hinge.connector
 local connector = {}
 
----The deformation of the connector, m and rad; of a broken one, that at which it broke.
+---The deformation of the connector, m and rad. For a broken one it is the deformation at which it broke.
 ---```lua
 ---local spring = model:connector { tip, ground = true, stiffness = { z = 1e5 } }
 ---model:static():finish()
@@ -779,7 +797,7 @@ local connector = {}
 ---@return number x, number y, number z, number rx, number ry, number rz
 function connector:deformation(run) end
 
----The force that pulls b back, N and N m, along the axes; 0 once it is broken.
+---The force that pulls b back, N and N m, along the axes. It is 0 once the connector is broken.
 ---```lua
 ---local spring = model:connector { tip, ground = true, stiffness = { z = 1e5 } }
 ---model:static():finish()
@@ -789,7 +807,7 @@ function connector:deformation(run) end
 ---@return number x, number y, number z, number rx, number ry, number rz
 function connector:force(run) end
 
----The time at which it broke, s, or false.
+---The time at which the connector broke, s; false while it is not broken.
 ---```lua
 ---local hook = model:connector { tip, ground = true, stiffness = { z = 1e5 }, capacity = { z = 100 } }
 ---model:dynamic { dt = 1e-4, duration = 0.02 }:finish()
@@ -826,12 +844,13 @@ function model:damping(options) end
 ---@field beta? number s, likewise: of K, 0 or above, default 0
 ---@field group? hinge.group_like only its members, default all
 
----A rigid ground that members fall on: the half space behind a plane, stiff, without pull. What touches are nodes,
----those inside members too, and the free ends of broken members, round with half the smaller side of the section as
----radius: k o^2 / 2 for an overlap o. Each call adds a plane. Nodes that are held do not touch; what touches where the
----run begins is at rest there; nodes that begin with their axis below the plane are left out until they have left the
----ground. It acts in statics too, which needs supports. run.energy then has ground, the sum of ground_stored (above
----that at the start) and ground_dissipated (by friction and restitution), J.
+---Adds a rigid ground on which members can fall: the half space behind a plane. It is stiff and has no tension. The
+---points that can touch it are the nodes, also those inside members, and the free ends of broken members. Each point is
+---round, with half the smaller side of the section as radius. An overlap o stores the energy k o^2 / 2. Each call adds
+---a plane. Nodes whose displacements are fixed do not touch. A point that touches when the run begins is at rest there.
+---A node whose axis is below the plane when the run begins is left out until it has left the ground. The ground acts in
+---statics too; statics needs supports. run.energy then has ground, the sum of ground_stored (more than at the start)
+---and ground_dissipated (by friction and restitution), J.
 ---```lua
 ---model:ground { point = { 0, 0, -0.05 }, friction = 0.5, restitution = 0.2 }
 ---```
@@ -840,21 +859,23 @@ function model:ground(plane) end
 
 ---@class hinge.ground_plane
 ---@field point? vec3 m, on the plane; default {0, 0, 0}
----@field normal? vec3 out of the ground, of any length but 0; default {0, 0, 1}
----Coulomb's coefficient, 0 or above, default 0; acts where the surface touches. What sticks hangs on a spring along the
----plane, 0.4 k: where the pressure falls below what the spring needs it slips by the difference, so that under shaking
----it creeps a little
+---@field normal? vec3 direction out of the ground, of any length above 0; default {0, 0, 1}
+---Coulomb's coefficient, 0 or above, default 0. It acts where the surface touches. A point that sticks is held by a
+---spring along the plane, of stiffness 0.4 k. If the pressure becomes too small for the force of this spring, the point
+---slips by the difference. Under shaking it therefore creeps a little
 ---@field friction? number
----k of each point, N/m, above 0; default 0.4 EA / L of each element that meets there, with which explicit steps stay
----stable: a fall at v penetrates by about v / (0.9 c) L, c the speed of sound. One that is given is part of the limit
----of explicit steps and of dt = "auto", as those of connectors are, but for free ends of members that break in the run
+---k of each point, N/m, above 0. Default: 0.4 EA / L of each element that meets there, which keeps explicit steps
+---stable. A fall at speed v then penetrates by about v / (0.9 c) L, where c is the speed of sound. A given value is
+---part of the limit of explicit steps and of dt = "auto", like the stiffness of connectors. This does not include free
+---ends of members that break in the run
 ---@field stiffness? number
----0..1, the part of the normal velocity that a point has left when it comes out of the ground, by Newton's law as an
----impulse of no length; default what the springs alone give, which lose nothing, but vibration takes its part
+---0..1, the part of the normal velocity that a point keeps when it comes out of the ground, by Newton's law of impact,
+---as a sudden impulse. Default: the result of the springs alone, which dissipate nothing; vibration of the member still
+---takes its part
 ---@field restitution? number
----@field group? hinge.group_like whose members meet it; default all
+---@field group? hinge.group_like only members of this group; default: all
 
----A group that members were put into by name.
+---Returns the group with this name, to which members were added.
 ---```lua
 ---local arm = model:group "arm"
 ---print(#arm, arm.length, arm.mass)
@@ -863,7 +884,7 @@ function model:ground(plane) end
 ---@return hinge.group
 function model:group(name) end
 
----A member with elements = "auto" counts as two elements until the first run decides.
+---Returns the size of the model. A member with elements = "auto" counts as two elements until the first run decides.
 ---```lua
 ---local counts = model:counts()
 ---print(counts.members, counts.elements, counts.free_dofs)
@@ -871,17 +892,18 @@ function model:group(name) end
 ---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
 function model:counts() end
 
----A static run: loads and gravity are brought to equilibrium in steps. In large displacement it tells where it comes
----past a limit point or a branching point: run.instability. That is the buckling of the elements that there are: two
----asi-gauss elements see a pinned member buckle at 1.000 times Euler's load; with p_delta = "chord" at 2.27 times, four
----at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is pressed beyond Euler's load between
----clamped ends cannot bend out; it counts as unstable. Under load control an elastic step that took many iterations is
----taken back as a trial. One that does not lead back has leapt over a snap, and the run ends before it; take several
----steps all the same, for no trial finds every leap. In large displacement a plateau of plastic hinges, after which the
----structure carries more again, is stopped at or passed over as the steps fall: run.warnings says where one may have
----been passed. displacement = "small" gives a plastic limit load whatever the steps. Beams turn over sideways, too.
----They resist it by bending and torsion (G J) alone: not by warping, and nothing but what the model has, such as a
----floor, holds them.
+---Makes a static run. Loads and gravity are brought to equilibrium in steps. In large displacement the run reports
+---where it passes a limit point or a branching point: run.instability. This is the buckling of the model with its
+---elements. Two asi-gauss elements show that a pinned member buckles at 1.000 times Euler's load. With p_delta =
+---"chord", two do so at 2.27 times, four at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is
+---compressed beyond Euler's load between clamped ends cannot bend out; it counts as unstable. Under load control, an
+---elastic step that took many iterations is reversed as a trial. If the trial does not lead back to the start, the step
+---has jumped over a snap-through, and the run ends before it. Take several steps all the same, since no trial finds
+---every jump. In large displacement a structure may have a plateau of plastic hinges, after which it carries more load
+---again. The size of the steps decides whether the run stops at the plateau or passes over it. run.warnings says where
+---one may have been passed. displacement = "small" gives a plastic limit load for any steps. Lateral-torsional
+---instability of beams is included. Beams resist it by bending and torsion (G J) only, and not by warping. A floor
+---holds them only if the model has one.
 ---```lua
 ---local rest = model:static():finish()
 ---local pushed = model:static { control = { node = tip, "uz", to = -0.1 }, steps = 20 }:finish() -- down by 0.1 m
@@ -892,54 +914,56 @@ function model:counts() end
 function model:static(options) end
 
 ---@class hinge.static_options
----default 10; of arc length at most so many, and run.reason says where they do not come to its load factor. A step that
----finds no equilibrium is halved, down to 1e-5 of the whole way, and is still one step to run:steps(), run.index and
----history.csv; a limit load may cut the last one short. A try in which Newton's method no longer gets anywhere is given
----up before its last iteration
+---number of steps, default 10. For arc length it is the largest number; run.reason says if that is too few to reach the
+---load factor. A step without equilibrium is halved, down to 1e-5 of the whole way. It is still one step for
+---run:steps(), run.index and history.csv. A limit load may make the last step shorter. A try is given up before its
+---last iteration if Newton's method makes no more progress
 ---@field steps? integer
 ---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad): to the displacement
 ---that run:displacement gives, which goes on from that of `from`; an error where it has it already. Driven, a step that
 ---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
 ---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so
 ---@field control? "load"|"arc"|{ node?: hinge.node, [1]: hinge.component|"arc", to: number }
----load control where the structure has become unstable (large displacement). fail (default): the run ends, with the
----last equilibrium that can be held as its state. continue: it goes on; run.instability tells where it has gone on
----from, run.reason whether its state at the end can be held, run.warnings where it may have leapt to another branch.
----Which branch it comes to is a matter of its steps. A step that leaps over a whole snap at once, at many times the
----limit load, may still go unnoticed: take short ones
+---load control after the structure has become unstable (large displacement). fail (default): the run ends. Its state is
+---the last stable equilibrium. continue: the run goes on. run.instability says where it was unstable, run.reason says
+---whether the state at the end is stable, and run.warnings says where it may have jumped to another branch. The steps
+---decide to which branch it comes. A step that jumps over a whole snap-through at once, at many times the limit load,
+---may still go unnoticed: use short steps
 ---@field unstable? "fail"|"continue"
----load control up to the limit load: a run that ends where no further equilibrium is found, or where the structure
----becomes unstable, then has the verdict "completed" and run.limit = true; run.factor is that of the limit load.
----Default false
+---true: load control up to the limit load. If the run finds no further equilibrium, or if the structure becomes
+---unstable, the verdict is "completed" and run.limit = true. run.factor is then the factor of the limit load. Default
+---false
 ---@field to_limit? boolean
----@field hold? hinge.group_like a group held in place during this run
----goes on from another run's state; one that is under way must be finished or stopped first. In a model with load
----cases, what acted where that run ended is held, and this one's factor from 0 to 1 brings on the difference to `loads`
----(so a push-over under dead load is two runs). In one without, all loads come on anew from 0
+---@field hold? hinge.group_like a group that does not move during this run
+---the run whose state this run begins from. A run that has not ended must be finished or stopped first. In a model with
+---load cases, the loads at the end of that run stay; the factor of this run, from 0 to 1, adds the difference to
+---`loads`. So a push-over under dead load is two runs. In a model without load cases, all loads are applied again from
+---0
 ---@field from? hinge.run
----the load cases that act, as { dead = 1.35, live = 1.5 }, or the name of a combination or a case; needed where the
----model has cases. A case that is not named has the factor that it had in `from`, else 0
+---the load cases that act, as { dead = 1.35, live = 1.5 }, or the name of a combination or a case. It is needed if the
+---model has cases. A case that is not named has its factor in `from`, else 0
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
----@field iterations? integer at most so many a step before it is halved, default 30
----@field tolerance? number force out of balance, of the forces at work; default 1e-9
----@field record? integer|false steps between rows of history.csv, default 1; false: no history.csv of this run
+---@field iterations? integer the most iterations of a step before it is halved; default 30
+---@field tolerance? number largest unbalanced force, as a part of the acting forces; default 1e-9
+---@field record? integer|false steps between rows of history.csv; default 1; false: this run writes no history.csv
 
----A dynamic run, without damping but for what model:damping and rho_infinity ask for: by Newmark's beta method (eq 15),
----or explicit, by central differences with lumped masses (half of each element on each of its nodes, the rotary inertia
----the section's polar one). Explicit steps solve no system of equations, so these options are errors with them:
----precision, beta, rho_infinity, iterations, tolerance, predictor, geometric, rebuild_angle and those of the solver.
+---Makes a dynamic run. Damping comes only from model:damping and rho_infinity. The default is Newmark's beta method (eq
+---15). The explicit method uses central differences with lumped masses: half of an element's mass is on each of its
+---nodes, and the rotary inertia is the section's polar one. Explicit steps solve no system of equations. These options
+---are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance, predictor, geometric,
+---rebuild_angle and those of the solver.
 ---
----Or by the energy-momentum method, for what rotates far in long steps (Simo and Tarnow 1992, Simo and Wong 1991,
----Gonzalez 1996): with displacements x, momenta p, mean forces f and F of a step, (p' - p)/dt + f = F, x' - x = dt (v
----+ v')/2. The mean forces of the elements do exactly the work that their strain energy takes in and their hinges
----dissipate, (p + p')/2 of dd_p, and they are in balance where the step has its middle: so energy and both momenta
----stay, to the tolerance of the iterations, however long the steps. Forces of effects, and loads, are the mean of a
----step's two ends; so connectors keep the energy to second order only. With masses off their node it is kept to some
----1e-3. It is of second order and takes some 5 to 10 iterations a step. The rotary inertia of the sections turns with
----the nodes; accelerations and reactions are the means of the last step. A step that does not converge is taken back
----and halved (step_control, here 0.01 by itself). It does not go with contact, fracture, ground, supports that move,
----displacement = "small" and shift = "whole"; these options are errors with it: beta, rho_infinity, predictor,
----precision.
+---The energy-momentum method (Simo and Tarnow 1992, Simo and Wong 1991, Gonzalez 1996) is for structures that rotate
+---far in long steps. With displacements x, momenta p, mean forces f and F of a step: (p' - p)/dt + f = F, x' - x = dt
+---(v + v')/2. The work of the mean forces of the elements is exactly the change of their strain energy and the
+---dissipation in their hinges, (p + p')/2 of dd_p. These forces are in balance at the middle of the step. So energy and
+---both momenta are kept, to the tolerance of the iterations, for steps of any length. Forces of effects, and loads, are
+---the mean of the two ends of a step. Connectors therefore keep the energy to second order only. With rigid offset
+---masses it is kept to some 1e-3. The method is of second order, and takes some 5 to 10 iterations a step. The rotary
+---inertia of the sections rotates with the nodes. Accelerations and reactions are the means of the last step. A step
+---that does not converge is undone and halved (step_control, here 0.01 by default). The method does not work with
+---contact, fracture, ground, moving supports, displacement = "small" and shift = "whole". These options are errors with
+---it: beta, rho_infinity, predictor, precision.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 })
 ---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.02 }:finish()
@@ -950,66 +974,70 @@ function model:static(options) end
 function model:dynamic(options) end
 
 ---@class hinge.dynamic_options
----s. auto, newmark: twelve steps for an axial wave to cross the shortest element, and steps of eight times that
----while nothing yields, breaks or touches and the accelerations hardly change, with step_control = 0.01;
----explicit: 0.9 of what stability allows, 0.7 with contact by surfaces, 0.22 with gaps (a number above what it
----allows is an error that names the element). Stiff connectors, and a ground's own stiffness, shorten both
+---s. "auto" with newmark: twelve steps in the time that an axial wave needs to cross the shortest element. The steps
+---are eight times longer while nothing yields, breaks or touches and the accelerations hardly change, with step_control
+---= 0.01. "auto" with explicit: 0.9 of the stability limit, 0.7 with surface contact, 0.22 with gap contact. A number
+---above the limit is an error, which names the element. Stiff connectors, and a given stiffness of a ground, shorten
+---both
 ---@field dt number|"auto"
----@field duration number s; to the nearest whole step where dt is a number
+---@field duration number s; rounded to whole steps if dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
----starts from another run's state, such as gravity at rest. A static run must be finished or stopped first, and any
----must have done a step; of one that failed it is the last good state
+---the run whose state this run begins from, such as rest under gravity. A static run must be finished or stopped first.
+---Every such run must have done at least one step. If it failed, its last good state is used
 ---@field from? hinge.run
----the load cases that act, as in static_options. Without it, those of `from` go on with the factors that they had come
----to; a case declared since must be named
+---the load cases that act, as in static_options. Default: those of `from`, with the factors at its end. A case that was
+---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
----default 0.02; 0.1 with explicit steps, and where forces begin or end at once (contact, ground, fracture, connectors
----that break, loads that are functions of the state); 0 with shift = "whole", whose energy balance cannot close. The
----run ends by itself, with verdict
----"failed", when the energy error is a larger part of the largest energy, which is the largest value that any account
----of run.energy has had so far. The error is checked every 100 steps, or 20 times in a short run, and at the end. The
----state is then that of the last check at which the balance closed (models of up to 200 000 elements). 0: never
+---the largest energy error, as a part of the largest energy. The largest energy is the largest value that any account
+---of run.energy has had so far. Beyond it the run ends with the verdict "failed". Default 0.02. It is 0.1 with explicit
+---steps, and where forces begin or end suddenly (contact, ground, fracture, connectors that break, loads that are
+---functions of the state). It is 0 with shift = "whole", whose energy balance cannot close. 0: no check. The error is
+---checked every 100 steps, or 20 times in a short run, and at the end. The state of a failed run is that of the last
+---check at which the balance closed (models of up to 200 000 elements)
 ---@field energy_tolerance? number
----0..1, the part of the largest energy (see energy_tolerance) that the energy error of the run may reach. A step is
----taken back if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it
----cannot be solved. It is tried again half as long, down to dt / 1024, below which the run fails; the script never sees
----a step that was taken back. After steps with small errors the step grows again, up to dt. Costs a quarter of a step.
----Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method, else 0: every step is kept.
----Not with shift = "whole", whose energy balance cannot close
+---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
+---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
+---be solved. It is tried again with half the length, down to dt / 1024; below this the run fails. The script never sees
+---a step that was undone. After steps with small errors the step becomes longer again, up to dt. This costs a quarter
+---of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method, else 0: every step
+---is kept. It is an error with shift = "whole", whose energy balance cannot close
 ---@field step_control? number
----@field rest? boolean bodies in equilibrium that do not move are left alone until something reaches them; default true
----@field threads? integer how many share a step's work, default 1, the same bits for any number
+---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
+---threads that share the work of a step; default 1; results are the same to the bit for any number
+---@field threads? integer
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
----0..1, what a step leaves of the amplitude of the highest frequencies; below 1 Newmark's method with alpha of
----Wood, Bossak and Zienkiewicz (1980), alpha = (rho - 1)/(rho + 1), which sets beta = 1/(1 + rho)^2 and
----gamma = 1/2 - alpha. Of second order; the energy that it takes out of slow motion is of third order, and is counted
----in run.energy.numerical, which costs a third of a step. Over millions of steps 0.99 keeps rounding from growing in
----vibrations too fast for the step. Default 1: nothing
+---0..1, the part of the amplitude of the highest frequencies that a step keeps. Below 1 it is Newmark's method with
+---alpha of Wood, Bossak and Zienkiewicz (1980): alpha = (rho - 1)/(rho + 1), beta = 1/(1 + rho)^2 and gamma = 1/2 -
+---alpha. The method is of second order. The energy that it takes out of slow motion is of third order.
+---run.energy.numerical counts this energy, which costs a third of a step. Over millions of steps, 0.99 keeps rounding
+---errors from growing in vibrations that are too fast for the step. Default 1: no dissipation
 ---@field rho_infinity? number
----1 is the paper's one solve a step; more is Newton's method until the correction is below tolerance of the step's
----first; 0 (default) is one solve, or Newton's method where hinges form, or displacements are large, in steps longer
----than the fastest vibration allows for one
+---1: one solution a step, as in the paper. More than 1: Newton's method, until the correction is below tolerance of the
+---first one of the step. 0 (default): one solution a step. Newton's method is used if hinges form or displacements are
+---large, in steps that are too long for one solution; the fastest vibration decides which steps are too long
 ---@field iterations? integer
 ---@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-8
----where a step is solved from: the acceleration held, or the displacement (eq 15 as printed); auto (default): the
----first while dt is shorter than an axial wave needs for the shortest element
+---the start of the solution of a step: the last acceleration, or the last displacement (eq 15 as printed). auto
+---(default): "acceleration" if dt is shorter than an axial wave needs to cross the shortest element, else
+---"displacement"
 ---@field predictor? "auto"|"acceleration"|"displacement"
----@field geometric? boolean initial stress in the effective stiffness, default true
----rad: an element's stiffness is rebuilt when it has rotated by this, default 0.01, energy-momentum 0.002
+---@field geometric? boolean include initial stress in the effective stiffness; default true
+---rad; an element's stiffness is computed anew after a rotation by this angle; default 0.01, energy-momentum 0.002
 ---@field rebuild_angle? number
 ---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
----2e-10. Double is used all the same where steps are longer than the fastest waves need
+---2e-10. Double is used in any case if steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
----@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or factors
----@field solver_tolerance? number of the residual, default 1e-8
----@field solver_iterations? integer at most so many, default 500
----steps between rows of history.csv, default a 500th of all; false: no history.csv of this run
+---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or a direct solver
+---@field solver_tolerance? number of the residual; default 1e-8
+---@field solver_iterations? integer the most iterations of a solution; default 500
+---steps between rows of history.csv; default: a 500th of all steps; false: this run writes no history.csv
 ---@field record? integer|false
----where the run is kept as it goes: at its beginning, then every so many seconds of wall time (default 60), when Ctrl-C
----or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the output folder; each run of
----a script has its own. `hinge run SCRIPT --resume` goes on from there. One that cannot be written later is no error:
----the one before stays, and a line says so. keep: a table of the script's own whose values (booleans, numbers, strings,
----tables of them) are kept too and are back in it when the run goes on
+---file in which the state of the run is saved: at its beginning, then at intervals of `every` seconds of wall time
+---(default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the
+---output folder. Each run of a script has its own file. `hinge run SCRIPT --resume` continues from there. If a later
+---checkpoint cannot be written, this is no error: the last one stays, and hinge prints a line about it. keep: a table
+---of the script. Its values (booleans, numbers, strings, tables of them) are saved too. They are back in it when the
+---run continues
 ---@field checkpoint? string|{ file: string, every?: number, keep?: table }
 
 -- Runs ---------------------------------------------------------------------------------------------------------------
@@ -1018,96 +1046,100 @@ function model:dynamic(options) end
 ---@field kind "static"|"dynamic"
 ---@field time number s
 ---@field factor number in statics: the load factor reached
----@field index integer steps done
+---@field index integer number of steps done
 ---@field planned_steps integer
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----why it failed, with the culprit's name; where statics has completed, the limit load or branching point on its way,
----with unstable = "continue" whether the state at the end can be held, and that arc length has not come to its factor.
----Plain Lua tells of a failed run on stderr when the script has ended, where it has read neither verdict nor reason
+---why the run failed, with the node or element that caused it. For statics with the verdict "completed": a limit load
+---or branching point on the way, with unstable = "continue" whether the state at the end is stable, and whether arc
+---length stopped short of its load factor. Under plain Lua, a failed run is reported on stderr when the script has
+---ended, unless the script has read verdict or reason
 ---@field reason string
----what the run cannot show, or may have passed over, each once: a member of two elements that is compressed beyond
----Euler's load between clamped ends (dynamics; in statics that is an instability), or moments of loads along it that
----are more than 5 % too small for its compression (p_delta = "member"), which four elements show; a step of static load
----that moves the structure more than 30 times as far as such a load did at first. Dynamics looks every 100 steps, or 20
----times in a short run, and at the end. `hinge run` tells them; they are in summary.json
+---what the model cannot show, or what the run may have missed, each once. A member of two elements that is compressed
+---beyond Euler's load between clamped ends (dynamics; in statics that is an instability). Moments of loads along such a
+---member that are more than 5 % too small for its compression (p_delta = "member"). Four elements show both. A step of
+---static load that moves the structure more than 30 times as far as the same load did at first. Dynamics checks this
+---every 100 steps, or 20 times in a short run, and at the end. `hinge run` prints the warnings; they are in
+---summary.json
 ---@field warnings string[]
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
----in statics: whether the run has ended at a limit load, see to_limit; nil in dynamics
----@field limit? boolean
+---@field limit? boolean in statics: true if the run has ended at a limit load, see to_limit; nil in dynamics
 ---@field instability? hinge.instability in statics: where the structure became unstable; nil where it did not
 ---@field worst_remainder number J, the largest absolute value of energy.remainder so far
----energy.remainder as a part of the largest energy, which is the largest value that any account of the energy balance
----has had so far (energy_tolerance of model:dynamic is held against the same); at the last row of history.csv
+---energy.remainder as a part of the largest energy, at the last row of history.csv. The largest energy is the largest
+---value that any account of the energy balance has had so far. energy_tolerance of model:dynamic limits the same error
 ---@field energy_error number
----@field contacts { bound: integer, released: integer } pairs of elements: ties made or contacts begun; released
----@field stages { name: string, seconds: number }[] what the steps took, stage by stage
----@field effects hinge.effect[] all that there are, in the step or not
+---pairs of elements; bound: ties made or contacts begun; released: those ended
+---@field contacts { bound: integer, released: integer }
+---@field stages { name: string, seconds: number }[] wall time of the steps by stage
+---@field effects hinge.effect[] all effects of hinge, used in the step or not
 ---@field wall_seconds number
 ---@field fastest { speed: number, node: string, time: number } the fastest node so far, m/s and s; nil in statics
----@field hash string of the whole state, to the bit
+---@field hash string checksum of the whole state, to the bit
 ---@field counts hinge.work_counts
----@field probes hinge.probe[] those asked for so far
+---@field probes hinge.probe[] all probes up to now
 ---@field loads table<string, number> the load cases of the model by name, with their factors in this run
----effects that became active or inactive while the run went on; the first thousand
+---effects that became active or inactive during the run; the first thousand
 ---@field wakings { time: number, effect: string, awake: boolean, why: string }[]
 local run = {}
 
 ---@class hinge.effect
 ---@field name string
----@field active boolean it is in the step
----@field because string why it is or is not
----@field seconds number what it took
----@field asked_at string the script's line that asks for it, "" where none does
+---@field active boolean true: the effect is part of the step
+---@field because string why it is active, or why not
+---@field seconds number wall time of the effect
+---@field asked_at string line of the script that declares the effect; "" if none does
 
----Where a static run came past a limit point or a branching point. Beyond it the tangent stiffness has more negative
----eigenvalues than where the run began: under constant load the structure would not stay there.
+---A limit point or a branching point that a static run has passed. Beyond it the tangent stiffness has more negative
+---eigenvalues than at the start of the run. Under constant load the structure would not stay there.
 ---@class hinge.instability
 ---@field factor number load factor of the last equilibrium before it
 ---@field beyond number load factor of the first equilibrium after it
----@field count integer ways of moving that are no longer resisted, the most so far
----@field node string with the largest motion in the first of these ways (rotations times the mean length of an element)
----@field component hinge.component that motion: ux uy uz rx ry rz
----what drives it: compression of members that bend, or bending, as of a beam that turns over sideways; nil where
----neither does
+---@field count integer number of motions that have lost their resistance, the most so far
+---with the largest part in the first such motion; rotations count times the mean length of an element
+---@field node string
+---@field component hinge.component its direction: ux uy uz rx ry rz
+---the cause: "compression" of members that bend, or "bending", as of a beam that turns over sideways; nil: neither of
+---them
 ---@field by? "compression"|"bending"
----@field member? hinge.member that this drives on most; nil where nothing does
----@field members hinge.member[] it and others of at least half its part, at most three
+---@field member? hinge.member the member with the largest part in this; nil: none
+---@field members hinge.member[] this member and others with at least half its part, at most three
 
----The work that a run has done.
+---Counts of the work that a run has done.
 ---@class hinge.work_counts
 ---@field element_updates integer elements whose forces were recovered
 ---@field element_builds integer elements whose stiffness was built
 ---@field solves integer systems solved
 ---@field cg_iterations integer
 ---@field factorisations integer
----@field pair_tests integer pairs of members looked at closely
----@field pair_lists integer lists of near pairs made
----@field rejected_steps integer steps that step control took back; in statics tries that were halved
----@field substeps integer in statics equilibria found, several in a step that was halved; in dynamics steps
+---@field pair_tests integer pairs of members that were checked for contact
+---@field pair_lists integer lists of near pairs that were made
+---@field rejected_steps integer steps that step control has undone; in statics tries that were halved
+---@field substeps integer in statics equilibria found: a step that was halved has several; in dynamics steps
 
----The energy balance, J: eq 20 and what it leaves out.
+---The energy balance, J: eq 20, and the terms that eq 20 leaves out.
 ---@class hinge.energy
----@field initial number kinetic and elastic at the start
+---@field initial number kinetic and elastic energy at the start
 ---@field kinetic number
----@field gravity number potential, zero at the start
+---@field gravity number potential energy, zero at the start
 ---@field elastic number
 ---@field plastic number dissipated in hinges
 ---@field fracture number released by fracture: fracture_elastic + fracture_kinetic
 ---@field fracture_elastic number strain energy of broken elements
----@field fracture_kinetic number lost as broken elements become rigid offset masses
+---@field fracture_kinetic number kinetic energy lost when broken elements become rigid offset masses
 ---@field contact number contact_stored + contact_released
----@field contact_stored number in contacts now
----@field contact_released number released with ties, or heat of friction
+---@field contact_stored number stored in contacts now
+---@field contact_released number lost when ties are released, or heat of friction
 ---@field damping? number dissipated by Rayleigh damping, where model:damping is declared
----@field connectors number connector_stored + connector_dissipated; these three where the model has connectors
----@field connector_stored number in their springs and curves now
----@field connector_dissipated number by dashpots and laws, and released by breaks
----@field numerical number taken out by a dissipative integrator (rho_infinity)
----@field work number done by loads
+---@field connectors number connector_stored + connector_dissipated; these three only if the model has connectors
+---@field connector_stored number stored in springs and curves now
+---@field connector_dissipated number dissipated by dashpots and laws, and lost when connectors break
+---@field numerical number dissipated by the integrator (rho_infinity)
+---@field work number work of the loads
 ---@field remainder number the energy error: initial + work - all other accounts (without their parts)
 
----Steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, filled anew.
+---Does the steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, with new
+---values.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do
@@ -1118,18 +1150,18 @@ local run = {}
 ---@return fun(): { index: integer, time: number, factor: number }?
 function run:steps() end
 
----One step. The run knows what was declared when it was made: if its model has been changed since, it is an error, as
----it is in run:steps and run:finish.
+---Does one step. The run uses the model as it was when the run was made. If the model was changed after that, the call
+---is an error; so are run:steps and run:finish.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---while swing:step() do
 ---  if select(3, swing:displacement(tip)) < -1e-3 then swing:stop() end
 ---end
 ---```
----@return boolean done false when there is none left
+---@return boolean done false if no step is left
 function run:step() end
 
----Steps to the end.
+---Does all steps to the end.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
 ---print(swing.verdict, swing.time)
@@ -1137,11 +1169,11 @@ function run:step() end
 ---@return hinge.run
 function run:finish() end
 
----Writes all that the run needs to go on with the same bits into a file: its state, probes, history.csv and list of
----frames. It is written under another name and then renamed: the file is either the old one or the new one. Changes
----nothing in the run. Call it between steps or in run:on_step; dynamic runs only. The script's own variables are not
----in it, nor are those that its functions refer to. The table named by `keep` is in it, and so is what a fracture
----rule keeps of each section.
+---Writes a checkpoint into a file: the state of the run, its probes, history.csv and list of frames. With it the run
+---can continue with the same bits. The file is first written under another name and then renamed, so it is always
+---complete: the old one or the new one. The call changes nothing in the run. Call it between steps or in run:on_step;
+---for dynamic runs only. The variables of the script are not saved, nor are those that its functions use. The table
+---given as `keep` is saved, and so are the numbers that a fracture rule keeps for each section.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do
@@ -1152,9 +1184,9 @@ function run:finish() end
 ---@return hinge.run
 function run:checkpoint(file) end
 
----Before the first step: goes on from a checkpoint of the same run, made by the same model, settings and probes; any
----number of threads. One that is damaged, of another run (the message says in what) or of another hinge is refused, and
----nothing has changed.
+---Continues the run from a checkpoint. Call it before the first step. The checkpoint must be of the same run: the same
+---model, settings and probes; the number of threads may differ. A damaged checkpoint, one of another run (the message
+---names the difference) or one of another version of hinge is an error. The run is then unchanged.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---swing:step()
@@ -1166,7 +1198,7 @@ function run:checkpoint(file) end
 ---@return hinge.run
 function run:resume(file) end
 
----Ends the run here; its verdict is then "stopped". One that is over stays as it is.
+---Ends the run here. Its verdict is then "stopped". A run that has already ended does not change.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do
@@ -1175,8 +1207,8 @@ function run:resume(file) end
 ---```
 function run:stop() end
 
----Has a function called with the run after each step, whoever asks for the steps. It may read and
----stop the run, but not step it.
+---Sets a function that is called with the run after each step, also for steps of run:finish. The function may read the
+---run and stop it, but may not step it.
 ---```lua
 ---local lowest = 0
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
@@ -1187,9 +1219,10 @@ function run:stop() end
 ---@return hinge.run
 function run:on_step(callback) end
 
----Records one quantity of a node at every step, and in history.csv. Ask before the first step. The first value is that
----where the run begins. A reaction there: what holds the supports under the loads of that moment, with their part of
----the mass of what accelerates at once; where statics begins, under a load factor of 0.
+---Records one quantity of a node at every step, and in history.csv. Call it before the first step. The first value is
+---that at the start of the run. A reaction at the start is the force that holds the supports under the loads at that
+---time, together with the inertia of masses that accelerate at once. In statics it is the reaction at a load factor of
+---0.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---local sag = swing:probe { node = tip, "uz", name = "sag" }
@@ -1276,18 +1309,19 @@ function run:state(member) end
 ---@alias hinge.reaction "reaction_fx"|"reaction_fy"|"reaction_fz"|"reaction_mx"|"reaction_my"|"reaction_mz"
 ---@alias hinge.node_quantity hinge.component|hinge.rate|hinge.reaction|"node"|"node_x"|"node_y"|"node_z"
 
----Bulk reading: one number a member or a joint of the group, in the order they were declared; "member" and "node" say
----which. Of members, f_y: the largest in the member now; N: its mean axial force, N, 0 once broken; broken, yielded,
----touched: 1 or 0; plastic_work J; member: its index; x, y, z: its middle now, m; with _a and _b: the resultants at its
----ends, as member:forces. Of nodes: what run:probe takes, reactions as reaction_fx to reaction_mz; node: its index;
----node_x, node_y, node_z: where it is now, m.
+---Reads one number for each member or each joint of the group, in the order of declaration. "member" and "node" give
+---their indices. For members: f_y is the largest value in the member now. N is its mean axial force, N, 0 once it is
+---broken. broken, yielded and touched are 1 or 0. plastic_work is in J. member is the index. x, y, z are the middle of
+---the member now, m. Names with _a and _b are the resultants at its ends, as in member:forces. For nodes: the
+---quantities of run:probe; reactions are reaction_fx to reaction_mz. node is the index. node_x, node_y, node_z are the
+---position now, m.
 ---```lua
 ---local f_y, place = run:read("f_y", "arm"), run:read("x", "arm")
 ---for i, value in ipairs(f_y) do print(place[i], value) end
 ---local reactions = run:read "reaction_fz" -- of every joint
 ---```
 ---@param quantity hinge.member_quantity|hinge.node_quantity
----@param group? hinge.group_like default: all; of nodes, the joints of the group's members
+---@param group? hinge.group_like default: all; for quantities of nodes, the joints of the group's members
 ---@return number[]
 function run:read(quantity, group) end
 
@@ -1298,8 +1332,9 @@ function run:read(quantity, group) end
 ---@return { mass: number, linear: vec3, angular: vec3 } kg, kg m/s, kg m^2/s about the origin
 function run:momentum() end
 
----Members of a group in a state. A member is broken if one of its elements is, else yielded if one has ever been fully
----plastic (eq 14), else elastic; touched, whatever else it is, if it has ever been in contact.
+---Returns how many members of a group are in a state. A member is broken if one of its elements is broken. Else it is
+---yielded if one of them has ever been fully plastic (eq 14), else elastic. It is touched, in addition to its other
+---state, if it has ever been in contact.
 ---```lua
 ---print(run:count { group = "arm", state = "yielded" }, run:count { state = "broken" })
 ---```
@@ -1307,7 +1342,7 @@ function run:momentum() end
 ---@return integer
 function run:count(options) end
 
----The structure as it is now, for pictures.
+---Keeps the structure as it is now, for pictures.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---local first = swing:snapshot()
@@ -1321,8 +1356,9 @@ function run:snapshot() end
 
 -- Ground motion -------------------------------------------------------------------------------------------------------
 
----The displacement of the ground, m, as a function of time, s, from a record of its acceleration: linear between the
----record's values, integrated twice exactly; zero before its start, straight on after its end. For model:move.
+---Returns the displacement of the ground, m, as a function of time, s, from a record of its acceleration. The
+---acceleration is linear between the values of the record, and is integrated twice exactly. The displacement is zero
+---before the record starts. After its end it goes on with constant velocity. The function is for model:move.
 ---```lua
 ---local quake = hinge.ground { dt = 0.02, acceleration = { 0, 1.2, -0.8, 0.3, 0 }, scale = 0.5 } -- m/s^2
 ---model:move { node = wall, y = quake }
@@ -1334,11 +1370,11 @@ function hinge.ground(options) end
 
 -- Scenarios ----------------------------------------------------------------------------------------------------------
 
----A script's parameters, cases and what it runs: a script returns one to the program. A script may also be plain
----statements; it then gets what was written as key=value in a table, `...`, and its return value is its results. A
----setting that such a script does not read is an error: before it runs, where its text tells (local p = ..., then
----p.speed), else at its end. Under plain Lua nobody runs a scenario that a script returns: that is an error, which says
----how to run it.
+---Makes a scenario: parameters, cases and a function to run. A script returns it to the program. A script may also be
+---plain statements. It then gets the settings key=value of the command line in a table, `...`, and its return value is
+---its results. A setting that such a script does not read is an error. The error comes before the script runs if its
+---text shows it (local p = ..., then p.speed), else at its end. Plain Lua does not run a scenario that a script
+---returns. This is an error there, which says how to run it.
 ---```lua
 ---return hinge.scenario {
 ---  parameters = { force = 1000 }, -- N; hinge run SCRIPT force=2000
@@ -1356,11 +1392,11 @@ function hinge.ground(options) end
 function hinge.scenario(options) end
 
 ---@class hinge.scenario_options
----names and defaults (numbers, strings, booleans, lists of numbers), changed by `key=value`, where a
----number may be a sum such as 440/3.6
+---names and defaults (numbers, strings, booleans, lists of numbers). `key=value` changes them; a number may be a sum
+---such as 440/3.6
 ---@field parameters? table<string, any>
 ---@field cases? table<string, table> named sets of changes for --case
----settings that trade accuracy for time, each a list whose first item is the default
+---settings of accuracy against computing time: each is a list whose first item is the default
 ---@field accuracy? table<string, any[]>
 ---named functions for `hinge study --propose NAME`: each gets the cases that have ended and returns the parameters of
 ---the next, as `propose` of hinge.study
@@ -1371,8 +1407,9 @@ function hinge.scenario(options) end
 
 -- Pictures, plots and frames without a job ----------------------------------------------------------------------------
 
----What job:frame, job:picture, job:strip, job:plot and job:note do, for scripts of plain statements and for any Lua
----5.4: into the output folder of the program's run, else into the folder where Lua was started.
+---hinge.frame, hinge.picture, hinge.strip, hinge.plot and hinge.note do the same as job:frame, job:picture, job:strip,
+---job:plot and job:note. They are for scripts of plain statements and for any Lua 5.4. The output folder is that of
+---`hinge run`, else the folder where Lua was started.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do
@@ -1411,7 +1448,7 @@ function hinge.plot(plot, filename) end
 ---```lua
 ---hinge.note(("the tip is at z = %.4f m"):format(select(3, tip:position())))
 ---```
----@param text string printed, and kept in summary.json
+---@param text string it is printed, and kept in summary.json
 function hinge.note(text) end
 
 -- Studies ------------------------------------------------------------------------------------------------------------
@@ -1496,13 +1533,14 @@ function hinge.study(scenario, options) end
 
 -- What accuracy costs -------------------------------------------------------------------------------------------------
 
----Runs a scenario over its accuracy settings, in this process and with models of its own each, and compares each with a
----reference that is finer than all of them and is tested by another one: where the two differ by more than half of
----`within`, or an answer scatters that much under slight changes, it gets no error. Answers are the numbers that the
----scenario returns, lists of numbers, and the probes of its runs (as histories). Nothing is printed or drawn by the
----scenario meanwhile. `hinge cost SCRIPT` prints it. With effects = true the settings are not varied: the scenario runs
----as its parameters have it, and once more without each effect that its models declare (gravity, large displacement,
----plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints that.
+---Runs a scenario with each of its accuracy settings, and compares the answers with a reference. The runs are in this
+---process, each with its own models. The reference is finer than all settings, and a second reference tests it. An
+---answer has no error if the two references differ by more than half of `within`, or if it changes as much under small
+---changes of the input. Answers are the numbers and lists of numbers that the scenario returns, and the probes of its
+---runs (as histories). The scenario prints and draws nothing meanwhile. `hinge cost SCRIPT` prints the result. With
+---effects = true the settings do not change. The scenario runs with its parameters, and once more without each effect
+---that its models declare (gravity, large displacement, plasticity, fracture, contact, friction).
+---`hinge cost SCRIPT --effects` prints this result.
 ---```lua
 ---local scenario = hinge.scenario {
 ---  accuracy = { dt = { 2e-4, 4e-4 } },
@@ -1520,52 +1558,53 @@ function hinge.study(scenario, options) end
 function hinge.cost(scenario, options) end
 
 ---@class hinge.cost_options
----@field within? number the largest error accepted, as a part; default 0.01
----@field quantity? string the answer by which settings are compared; default: the worst of all that can be trusted
+---@field within? number the largest accepted error, as a part of the value; default 0.01
+---@field quantity? string the answer that is compared; default: the one with the largest error, of those that have one
 ---@field case? string
----@field parameters? table<string, any> changes of the scenario's; an accuracy setting among them is held
----s; cheap settings come first, and no setting is begun that does not fit together with its references. The plot
----takes about a second more. Default: no limit
+---changes of the scenario's parameters; an accuracy setting among them stays fixed
+---@field parameters? table<string, any>
+---s, limit of the time. Cheap settings come first. A setting is not begun if the time is too short for it and its
+---references. The plot takes about a second more. Default: no limit
 ---@field budget? number
----how often each setting is timed, in alternating order; default 3. More than 1: short ones more often, up to 21 times
----or 0.1 s
+---how often each setting is timed, in alternating order; default 3. If it is more than 1, short settings are timed more
+---often, up to 21 times or 0.1 s
 ---@field repeats? integer
----folder for cost.csv, cost.png, summary.json, and finished.lua, from which a second call goes on: measurements by the
----script's content, the settings and hinge's version; default: nothing is written
+---folder for cost.csv, cost.png, summary.json and finished.lua. A second call continues from finished.lua. It has the
+---measurements, by the content of the script, the settings and the version of hinge. Default: nothing is written
 ---@field out? string
----in the place of the scenario's own; where neither is given, those of its parameters that are called dt,
----elements_per_member, formulation and the like
+---in place of the scenario's own. If there is neither, the parameters with names such as dt, elements_per_member and
+---formulation are used
 ---@field accuracy? table<string, any[]>
----"smaller" or "larger" is finer, of numbers with names of your own; others are varied, but
----the reference has their default
+---for numbers with other names: which side is finer, "smaller" or "larger". A number without this is varied too, but
+---the reference has its default
 ---@field finer? table<string, string>
----the order of convergence that theory has for a number; of dt and elements 2, of tolerances and steps 1
+---for numbers: the order of convergence from theory. Default: 2 for dt and elements, 1 for tolerances and steps
 ---@field orders? table<string, number>
----by which part of itself every number that is not whole is changed to look for chaos, default 1e-9
+---relative change of every number that is not whole, to look for chaotic answers; default 1e-9
 ---@field perturbation? number
----@field progress? boolean lines on stderr, default false
----leave out effects instead, default false: `accuracy` is then only refined, to say how large the setting's own error
----is, and `out` gets effects.csv in the place of cost.csv and cost.png
+---@field progress? boolean prints lines on stderr; default false
+---true: leave out effects instead; default false. `accuracy` then serves only for one finer run, to show the error of
+---the setting itself. `out` gets effects.csv in place of cost.csv and cost.png
 ---@field effects? boolean
 
 ---@class hinge.cost_result
----@field settings hinge.cost_setting[] those with an answer, the cheapest first
----@field front hinge.cost_setting[] the Pareto front: nothing is both cheaper and better
----@field cheapest? hinge.cost_setting that is within `within`
+---@field settings hinge.cost_setting[] settings with an answer, the cheapest first
+---@field front hinge.cost_setting[] the Pareto front: no other setting is both cheaper and better
+---@field cheapest? hinge.cost_setting with an error up to `within`
 ---@field quantities table<string, hinge.cost_quantity> by answer
----@field orders table<string, hinge.cost_order> by number: the order of convergence
----by setting without a finer side (formulation, integrator, ...): what its values take at equal error, the
----largest error first: `within`, that of the cheapest, and the least that all values reach, as far as they
----differ and are more than rounding
+---@field orders table<string, hinge.cost_order> by name of the number: the order of convergence
+---for each setting without a finer side (formulation, integrator, ...): the time of its values at equal error, the
+---largest error first. The errors are `within`, that of the cheapest setting, and the smallest one that all values
+---reach, if these differ and are more than rounding
 ---@field equal table<string, { error: number, methods: hinge.cost_method[] }[]>
----the coarser and the finer one; nil: `notes` says why
+---the two references, the coarser one first; nil: `notes` says why
 ---@field references? { values: table, label: string, seconds: number, answers: table }[]
----@field failed hinge.cost_setting[] with `failed`, why they have no answer
----by the budget; s that each would take, and its references
+---@field failed hinge.cost_setting[] settings without an answer; `failed` says why
+---settings left out by the budget; s for each, and s for its references
 ---@field left_out { label: string, values: table, estimate: number, rest: number }[]
 ---@field complete boolean nothing is left out
 ---@field notes string[]
----@field knobs table[] what is varied: name, values, and of numbers their side
+---@field knobs table[] what is varied: name, values, and for numbers the finer side
 ---@field elapsed number s
 ---@field within number
 ---@field perturbation number
@@ -1573,13 +1612,13 @@ function hinge.cost(scenario, options) end
 ---@field case? string
 
 ---@class hinge.cost_quantity
----"sound"; "chaotic", it scatters; "unsettled", the references differ; "moving", it differs from run to run; "unknown",
----there is no reference
+---"sound"; "chaotic": it changes much under small changes of the input; "unsettled": the references differ; "moving":
+---it differs from run to run; "unknown": there is no reference
 ---@field state string
 ---@field kind string "number" or "history"
 ---@field value? number of the references
----@field agreement? number of the references
----@field scatter? number parts of the value, or of the largest of a history
+---@field agreement? number difference between the two references
+---@field scatter? number as a part of the value, or of the largest value of a history
 
 ---@class hinge.cost_order
 ---@field observed? number the median over the answers; math.huge: exact
@@ -1589,24 +1628,24 @@ function hinge.cost(scenario, options) end
 ---@field quantities table<string, number> by answer
 
 ---@class hinge.cost_method
----@field value any of the setting
----with the best there is of all other settings; between two settings by the straight line on logarithmic axes
+---@field value any the value of the setting
+---with the best values of all other settings; between two settings by a straight line on logarithmic axes
 ---@field seconds number
----@field ratio number over the shortest of those that reach the error
----@field settings hinge.cost_setting[] the one that has at most this error, or the two between which it lies
----@field more? boolean not even its best setting reaches the error: seconds are that one's
+---@field ratio number time over the shortest time of those that reach the error
+---@field settings hinge.cost_setting[] the setting with at most this error, or the two settings around it
+---@field more? boolean true: even its best setting does not reach the error; seconds are of that setting
 
 ---@class hinge.effects_result
----@field effects hinge.effect_cost[] those in the scene that can be left out
----@field absent string[] those that can be left out and are not in the scene
----@field left_out string[] by the budget
----of those that are the same from run to run: how far each scatters when every number changes slightly, and how far
----it is from that of a setting twice as fine
+---@field effects hinge.effect_cost[] effects of the scenario that can be left out
+---@field absent string[] effects that can be left out, and that the scenario does not have
+---@field left_out string[] effects that were not tried, because of the budget
+---for answers that are the same from run to run. scatter: its change when every number changes slightly. error: its
+---difference from the answer of a setting twice as fine
 ---@field answers table<string, { scatter?: number, error?: number }>
----@field finer? string that setting; nil: `notes` says why
----@field seconds number with all effects: in the steps of all runs, the median of `times`
+---@field finer? string the setting twice as fine; nil: `notes` says why
+---@field seconds number with all effects: time of the steps of all runs, the median of `times`
 ---@field times number[]
----@field remainder number the energy error, as of a hinge.cost_setting
+---@field remainder number the energy error, as in hinge.cost_setting
 ---@field notes string[]
 ---@field complete boolean nothing is left out by the budget
 ---@field elapsed number s
@@ -1617,16 +1656,16 @@ function hinge.cost(scenario, options) end
 
 ---@class hinge.effect_cost
 ---@field name string
----of the answer that changes most without it, a part of its value or of the largest of a history; of those that change
----by more than they scatter, else of all
+---change of the answer that changes most without the effect, as a part of its value or of the largest value of a
+---history. The answers that change by more than their scatter come first, else all count
 ---@field change? number
 ---@field worst? string that answer's name
----@field changes table<string, number> by answer; math.huge where there is none without the effect
----@field same boolean the effect is idle: states and answers are the same bits without it
----@field lost boolean it changes, but by no more than that answer scatters
----part of the time that it takes, the median over the rounds; negative where the scene takes longer without it
+---@field changes table<string, number> by answer; math.huge: there is no answer without the effect
+---@field same boolean the effect has no influence: states and answers are the same to the bit without it
+---@field lost boolean the answer changes, but not by more than its scatter
+---part of the time that the effect takes, the median over the rounds; negative: the scenario takes longer without it
 ---@field saves? number
----@field spread? number of `saves`: half the width of the middle half of the rounds
+---@field spread? number half the width of the middle half of the rounds, for `saves`
 ---@field seconds? number without it, the median of `times`
 ---@field times? number[]
 ---@field remainder? number the energy error without it
@@ -1636,19 +1675,20 @@ function hinge.cost(scenario, options) end
 ---@class hinge.cost_setting
 ---@field values table<string, any>
 ---@field label string
----of the answer that is worst, a part; not below what the references differ by. nil where no answer can be trusted
+---error of the answer with the largest one, as a part of its value. It is not below the difference of the references.
+---nil: no answer has an error
 ---@field error? number
 ---@field worst? string the answer's name
----@field below? boolean its error is below what the references differ by
----by answer; of histories the root mean square difference over the largest value of the reference
+---@field below? boolean its error is below the difference of the references
+---by answer; for histories, the root mean square difference over the largest value of the reference
 ---@field errors table<string, number>
 ---@field answers table<string, number|{ x: number[], y: number[] }>
----@field seconds number in the steps of all its runs, the median of `times`; of a scenario without runs, in all of it
+---@field seconds number time of the steps of all runs, the median of `times`; for a scenario without runs, of all
 ---@field times number[]
----@field ratio number over the cheapest setting's
----@field outside number s in the rest: models, what the script does itself
----@field stages table<string, number> s by stage of a step, of the shortest time
----@field memory? number bytes, the most that it held
+---@field ratio number seconds over those of the cheapest setting
+---@field outside number s outside the steps: making models, and the code of the script
+---@field stages table<string, number> s by stage of a step, of the fastest run
+---@field memory? number bytes, the most memory that it used
 ---@field remainder number the largest energy error of its runs over the energy at the start and the work at the end
 ---@field front boolean
 ---@field meets boolean

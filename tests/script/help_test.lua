@@ -24,7 +24,7 @@ equal(status, 0, "reference model:fix")
 equal(printed, [[
 #### `model:fix(node, what?)`
 
-Fixes degrees of freedom of one node or of a list of nodes, beside those that are fixed.
+Fixes degrees of freedom of one node or of a list of nodes, in addition to those that are already fixed.
 
 - `node`: `hinge.node|hinge.node[]`
 - `what?`: `string` — "all" (default), or letters: "xyz" displacements, "rx", "ry", "rz" rotations, as in "x,y,rx"
