@@ -1,13 +1,13 @@
 ---@meta
--- Jobs, the model library and the report, for editors that read LuaLS annotations. Nothing here
--- runs. Units as in hinge.d.lua.
+-- Jobs, the model library and the report, for editors that read LuaLS annotations. Nothing in this
+-- file runs. The units are those of hinge.d.lua.
 
 -- Jobs: the second argument of a scenario's run ----------------------------------------------------------------------
 
----@class hinge.job where one run of a script puts its output
+---@class hinge.job output of one run of a script
 ---@field out string output folder
 ---@field case? string name of the case
----@field notes string[] what was noted so far
+---@field notes string[] the notes up to now
 local job = {}
 
 ---Adds the structure as it is now to frames.pvd, for ParaView.
@@ -20,8 +20,8 @@ local job = {}
 ---@param run hinge.run
 function job:frame(run) end
 
----Draws the structure as it is now into a PNG in the output folder: members in six colours of f_y (eq 14), black where
----fractured, as in figure 17. Where no picture can be drawn, that is noted and the run goes on.
+---Draws the structure as it is now into a PNG in the output folder. Members have six colours of f_y (eq 14); fractured
+---members are black, as in figure 17. If no picture can be drawn, the job notes this and the run continues.
 ---```lua
 ---job:picture(run, { title = "under 1 kN", from = { 0, -1, 0.2 }, width = 800, height = 600 }, "cantilever.png")
 ---```
@@ -36,13 +36,13 @@ function job:picture(run, view, filename) end
 ---@field from? vec3 direction from the scene to the eye, default { -1, -1.4, 0.55 }
 ---@field up? vec3 default { 0, 0, 1 }
 ---@field leave_out_broken? boolean as in figure 18
----@field above? number m; only what is wholly above this height
+---@field above? number m; only parts that are wholly above this height
 ---@field groups? string[] only these groups
 ---@field title? string
----@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show, so that several pictures share one view
+---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show; it gives several pictures the same view
 
----Draws snapshots side by side into one PNG. The first view's width and height (pixels, default 1600 x 1200) hold for
----all; the whole may have at most 8192 pixels a side.
+---Draws snapshots side by side into one PNG. All of them have the width and height of the first view (pixels, default
+---1600 x 1200). The whole picture may have at most 8192 pixels a side.
 ---```lua
 ---job:strip({ { run, { title = "all" } }, { run, { groups = { "arm" } } } }, 2, "side_by_side.png")
 ---```
@@ -51,8 +51,8 @@ function job:picture(run, view, filename) end
 ---@param filename string plain name ending in .png
 function job:strip(snapshots, columns, filename) end
 
----Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. Where no picture
----can be drawn, that is noted and the run goes on.
+---Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. If no picture can
+---be drawn, the job notes this and the run continues.
 ---```lua
 ---job:plot({ series = { { x = { 0, 1, 2 }, y = { 0, 3, 4 }, name = "measured", style = "points" } }, x_label = "mm",
 ---  y_label = "kN" }, "load.png")
@@ -71,10 +71,10 @@ function job:plot(plot, filename) end
 ---@field width? integer pixels, default 1200
 ---@field height? integer pixels, default 900
 
----@class hinge.series one curve; a value that is no number, or not above 0 on a logarithmic axis, leaves a gap
+---@class hinge.series one curve; it has a gap at a value that is no number, or not above 0 on a logarithmic axis
 ---@field x number[]
----@field y number[] as many
----@field name? string in the legend; left out: not listed
+---@field y number[] as many as x
+---@field name? string in the legend; default: the series is not in the legend
 ---@field style? "line"|"points" default line
 ---@field dashed? boolean
 
@@ -85,8 +85,8 @@ function job:plot(plot, filename) end
 ---@param text string
 function job:note(text) end
 
----Says how a job of several runs went as a whole, in the place of its last run: in summary.json, and as exit status
----0 or 1.
+---Sets the verdict of a job of several runs, in place of that of its last run. It is in summary.json, and sets the exit
+---status 0 or 1.
 ---```lua
 ---local lost = run:count { state = "broken" }
 ---if lost > 0 then job:verdict("failed", lost .. " members broke") else job:verdict "completed" end
@@ -97,7 +97,7 @@ function job:verdict(verdict, reason) end
 
 -- require "hinge.models.ten_storey" -----------------------------------------------------------------------------------
 
----*reconstructed*: not in the paper's text; chosen here because its figure 16 is lost.
+---*reconstructed* means: not in the paper's text. The value is chosen here, because figure 16 is lost.
 ---@class ten_storey.options
 ---@field bays? integer[] bays along x and y, default { 4, 4 }
 ---@field storeys? integer default 10
@@ -106,17 +106,17 @@ function job:verdict(verdict, reason) end
 ---@field column? hinge.section default box 400x400x22, *reconstructed*; its y axis points along x
 ---@field beam? hinge.section default H-400x200x8x13, *reconstructed*; its y axis points up
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 325 MPa, *reconstructed*
----weight of all floors over the own weight of the whole structure, default 20; put into the
----density of the beams (section 4.1)
+---weight of all floors, divided by the own weight of the whole structure; default 20. It is put into the density of the
+---beams (section 4.1)
 ---@field floor_weight? number
 ---@field origin? vec3 m, the corner that the frame stands on, default { 0, 0, 0 }
 
 ---@class ten_storey.frame
 ---@field group hinge.group all members, "building"
----"storey 1" ... from the ground; a storey is its columns and the floor above them. Other groups: "columns", "beams",
----"inner columns", "outer columns"
+---"storey 1" ... from the ground up. A storey is its columns and the floor above them. Other groups: "columns",
+---"beams", "inner columns", "outer columns"
 ---@field storey_groups string[]
----joint in column line i along x and j along y, from 0; level 0 is the ground
+---the joint in column line i along x and j along y, both from 0; level 0 is the ground
 ---@field node fun(i: integer, j: integer, level: integer): hinge.node
 ---@field origin vec3
 ---@field size vec3 m
@@ -129,7 +129,8 @@ function job:verdict(verdict, reason) end
 ---@class ten_storey
 local ten_storey = {}
 
----Adds a steel frame with rigid joints, its feet fixed. With the defaults: 650 members, 250 free joints, 9805 t.
+---Adds a steel frame with rigid joints and fixed feet. With the defaults it has 650 members, 250 free joints and 9805
+---t.
 ---```lua
 ---local ten_storey = require "hinge.models.ten_storey"
 ---local frame = ten_storey.add(model, { bays = { 2, 1 }, storeys = 3, origin = { 10, 0, 0 } })
@@ -145,19 +146,19 @@ function ten_storey.add(model, options) end
 
 ---@class aircraft.options
 ---@field size? number length and span, m, default 15 (table 1)
----@field mass? number kg, default 15000 (table 1); spread evenly over the members through their density (section 4.1)
+---@field mass? number kg, default 15000 (table 1); spread evenly over the members by their density (section 4.1)
 ---@field speed? number m/s along the heading; left out: see model:velocity
----m, fore end of the fuselage's axis, default { -0.5, 16, 30 }: half a metre before the
----ten-storey frame, *reconstructed*
+---m, front end of the fuselage's axis, default { -0.5, 16, 30 }: 0.5 m in front of the ten-storey frame,
+---*reconstructed*
 ---@field position? vec3
 ---@field heading? vec3 any direction but vertical, default { 1, 0, 0 }
 ---@field section? hinge.section of all members, default box 120x120x6, *reconstructed*
----default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; its density is replaced
+---default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; the model replaces its density
 ---@field material? hinge.material
 ---@field shape? aircraft.shape
 
----Shares of the size, all *reconstructed*. A tip is the chord there, a sweep how far the front
----spar's tip lies aft of its root.
+---Parts of the size, all *reconstructed*. A tip is the chord at the tip. A sweep is the distance of the front spar's
+---tip behind its root.
 ---@class aircraft.shape
 ---@field length? number nose to last frame, default 1
 ---@field nose? number nose to first frame, default 0.10
@@ -203,13 +204,13 @@ function aircraft.add(model, options) end
 ---@field side? number m, default 0.25, *reconstructed*
 ---@field thickness? number m, side of the solid square section, default 0.02, *reconstructed*
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 245 MPa, *reconstructed*
----with "asi" or "conventional" and this many elements a member: shear areas softened so that the midpoint element has
----the exact stiffness (MacNeal's residual bending flexibility, 1/GA + l^2/12EI); mass and strength stay
+---for "asi" or "conventional" with this number of elements a member: smaller shear areas give the midpoint element the
+---exact stiffness (MacNeal's residual bending flexibility, 1/GA + l^2/12EI). Mass and strength do not change
 ---@field exact_elements? integer
 
 ---@class space_frame.frame
 ---@field feet hinge.node[] four, fixed
----@field joints hinge.node[] the upper corners above them
+---@field joints hinge.node[] the upper corners above the feet
 ---@field loaded hinge.node the first joint, where the paper's load acts along x
 ---@field section hinge.section
 
@@ -230,13 +231,13 @@ function space_frame.add(model, options) end
 
 -- require "hinge.models.ten_storey_impact" ----------------------------------------------------------------------------
 
----The paper's section 4: fields that a load case leaves alone it does not mind, so that a script hands in its
----parameters as they are.
+---Options of the impact of the paper's section 4. Other fields are ignored, so a script can pass its parameters as they
+---are.
 ---@class impact.options
 ---@field speed? number m/s, default 440 km/h (table 1, Case I)
 ---@field size? number m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1)
----m above ground, of the fuselage's axis; default 30, the middle of the eighth storey, *reconstructed*
+---m, height of the fuselage's axis above ground; default 30, the middle of the eighth storey, *reconstructed*
 ---@field height? number
 ---@field offset? number m to the left of the building's middle, default 0, *reconstructed*
 ---@field gap? number m from nose to facade, default 0.5
@@ -245,21 +246,23 @@ function space_frame.add(model, options) end
 ---@field yield_stress? number Pa, of the building, default 325e6, *reconstructed*
 ---@field building? ten_storey.options
 ---@field aircraft? aircraft.options
----@field fracture? fun(model: hinge.model, frame: ten_storey.frame) declares other limits than the paper's
----of simulate: of a building that its own weight makes unstable. fail (default): the run ends before the impact.
----continue: the impact comes, from the equilibrium that a small motion would grow from
+---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) sets limits other than the paper's
+---for simulate: a building that is unstable under its own weight. fail (default): the run ends before the impact.
+---continue: the impact follows, from an equilibrium that a small motion would leave
 ---@field unstable? "fail"|"continue"
 
----What one run leaves: counts, J, kg, m/s, s after first contact. inner, outer: columns.
----broken_, hinged_, touched_, work_ with inner, outer, beams; broken_columns, hinged_columns, work_columns, work
----(building), worst_column (most plastic work in one), work_aircraft, broken_aircraft, lowest (storey with a fracture,
----0: none); kinetic, elastic, plastic, fracture, contact, remainder (energy error); brought (momentum), own_kinetic,
----given (share of the momentum that the building has); faint, felt, red (by storey: when f_y of a column has changed by
----0.005, by 0.05, is 1; -1: not within the run); pulled (columns that were pressed and carry tension); times, counts,
----below (how many columns are pulled over time, of all and of the lower half); wave, long_wave; unstable (factor, node,
----component and by, as hinge.instability, of a building that cannot stand under its own weight; else nil); verdict
----("failed" of a run that ended by itself: the rest is then what it was up to there, and `given` is missing), reason,
----time, seconds
+---The results of one run. Counts have no unit, energies and works are in J, masses in kg, speeds in m/s, and times in s
+---after first contact. inner and outer mean columns. broken_, hinged_, touched_ and work_ are given with inner, outer
+---and beams. Further: broken_columns, hinged_columns, work_columns, work (building), worst_column (largest plastic work
+---in one column), work_aircraft, broken_aircraft, lowest (lowest storey with a fracture, 0: none). Energies at the end:
+---kinetic, elastic, plastic, fracture, contact, remainder (energy error). brought: momentum of the aircraft.
+---own_kinetic: its kinetic energy. given: the part of this momentum that the building has at the end. faint, felt and
+---red, by storey: the time when f_y of a column has changed by 0.005, has changed by 0.05, is 1; -1: not within the
+---run. pulled: columns that were in compression at rest and carry tension. times, counts, below: times, and how many
+---columns are pulled then, of all and of the lower half. wave, long_wave: speed of an elastic wave along a column,
+---alone and with the mass of the floors. unstable: factor, node, component and by, as in hinge.instability, of a
+---building that is unstable under its own weight; else nil. verdict, reason, time, seconds: of the run. A run with the
+---verdict "failed" has results up to its end, and no `given`.
 ---@alias impact.result table
 
 ---@class impact
@@ -267,7 +270,7 @@ function space_frame.add(model, options) end
 ---@field cases table<string, table> table 1, as changes of Case I
 local impact = {}
 
----The load case's numbers and texts as scenario parameters, with a script's own added.
+---Returns the numbers and texts of the load case as scenario parameters, with those of the script added.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local parameters = impact.parameters { dt = 2e-5, duration = 0.5 }
@@ -277,7 +280,7 @@ local impact = {}
 ---@return table
 function impact.parameters(own) end
 
----A copy of a table with changes.
+---Returns a copy of a table with changes.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local slow = impact.with(impact.parameters(), impact.cases.II)
@@ -299,7 +302,7 @@ function impact.with(base, changes) end
 ---@return ten_storey.frame frame, hinge.group plane, aircraft.facts parts
 function impact.add(model, options) end
 
----What became of the building, and how much the aircraft's hinges took.
+---Returns the damage of the building, and the plastic work of the aircraft.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local site = hinge.model()
@@ -312,21 +315,21 @@ function impact.add(model, options) end
 ---@return impact.result
 function impact.damage(run, frame) end
 
----One run: gravity at rest, then the impact.
+---Makes one run: rest under gravity, then the impact.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local p = impact.parameters { dt = 1e-4, duration = 2e-3, watch = 1e-3, height = 2 }
 ---local result = impact.simulate(impact.with(p, { building = { bays = { 2, 2 }, storeys = 1 } }))
 ---print(result.verdict, result.broken_columns, result.plastic)
 ---```
----@param p impact.options with dt, duration and watch (s between looks at the columns)
+---@param p impact.options with dt, duration and watch (s between two readings of the columns)
 ---@param see? fun(run: hinge.run, frame: ten_storey.frame, watch: table): fun(step: table)
 ---  called when the run has been made; what it returns, after each step
 ---@return impact.result
 function impact.simulate(p, see) end
 
----Calls one(task, job) for each task, each in a process of its own, as many at a time as there are cores: a
----hinge.study into the folder `runs` of the job's. half = 1 in `p`: in this process alone.
+---Calls one(task, job) for each task. Each task has a process of its own, and as many run at a time as there are cores.
+---It is a hinge.study in the folder `runs` of the job's folder. half = 1 in `p`: all tasks in this process.
 ---```lua
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local results = impact.side_by_side(job, { half = 1 }, { { force = 1 }, { force = 2 } }, function(task)
@@ -334,7 +337,7 @@ function impact.simulate(p, see) end
 ---end)
 ---```
 ---@param job hinge.job
----@param p table the script's parameters, half among them
+---@param p table the script's parameters, which include half
 ---@param tasks table[]
 ---@param one fun(task: table, job: hinge.job): any made of numbers, strings, booleans and tables
 ---@return any[] results in the order of the tasks
@@ -342,23 +345,23 @@ function impact.side_by_side(job, p, tasks, one) end
 
 -- require "hinge.paper" -----------------------------------------------------------------------------------------------
 
----Measures and figures that the scripts of scripts/paper share.
+---Error measures and figures for the scripts of scripts/paper.
 ---@class paper
 ---@field methods string[] "conventional", "asi", "asi-gauss"
 ---@field drawn integer[] elements a member in the figures' legends: 1, 2, 4, 8, 16
 local paper = {}
 
----Root of the mean square difference of two histories over the largest value of the second.
+---Returns the root mean square difference of two histories, divided by the largest value of the second.
 ---```lua
 ---local paper = require "hinge.paper"
 ---print(paper.error({ 0, 1.1, 2 }, { 0, 1, 2 }))
 ---```
 ---@param history number[]
----@param reference number[] as long
+---@param reference number[] of the same length
 ---@return number
 function paper.error(history, reference) end
 
----The curve y over x at equal parts of the way from 0 to `last`, straight between its points.
+---Returns the curve y over x at equal steps from 0 to `last`. The curve is straight between its points.
 ---```lua
 ---local paper = require "hinge.paper"
 ---local halves = paper.sampled({ 0, 1, 3 }, { 0, 2, 2 }, 3, 6) -- at 0, 0.5, 1 ... 3
@@ -366,7 +369,7 @@ function paper.error(history, reference) end
 ---@param x number[] rising
 ---@param y number[]
 ---@param last number
----@param count integer parts; one value more is returned
+---@param count integer number of steps; the result has one value more
 ---@return number[]
 function paper.sampled(x, y, last, count) end
 
@@ -379,7 +382,8 @@ function paper.sampled(x, y, last, count) end
 ---@return number[]
 function paper.scaled(values, factor) end
 
----The fewest elements from which on the error stays within a limit, or "> most".
+---Returns the smallest number of elements from which on the error stays within a limit. If there is none, it is "> "
+---and the largest number.
 ---```lua
 ---local paper = require "hinge.paper"
 ---print(paper.needed({ [2] = 0.08, [4] = 0.004, [8] = 0.001 }, 0.01)) -- 4
@@ -389,7 +393,7 @@ function paper.scaled(values, factor) end
 ---@return integer|string
 function paper.needed(errors, limit) end
 
----An error as a table shows it, in per cent; what is rounding is 0.
+---Returns an error as text for a table, in per cent. Rounding errors are 0.
 ---```lua
 ---local paper = require "hinge.paper"
 ---print(paper.percent(0.0123)) -- 1.23
@@ -398,8 +402,8 @@ function paper.needed(errors, limit) end
 ---@return string
 function paper.percent(error) end
 
----One picture of a figure, fig<number>_<method>.png: a method's curves by number of
----elements, and the converged one dashed.
+---Draws one picture of a figure, fig<number>_<method>.png: the curves of a method by number of elements, and the
+---converged curve dashed.
 ---```lua
 ---local paper = require "hinge.paper"
 ---local line = { x = { 0, 1 }, y = { 0, 1 } }
@@ -413,29 +417,29 @@ function paper.percent(error) end
 ---@param converged { x: number[], y: number[] }
 function paper.figure(job, number, method, labels, curves, converged) end
 
----@alias paper.ended { run: string, time: number, reason: string } s (the load factor in statics)
+---@alias paper.ended { run: string, time: number, reason: string } time in s (the load factor in statics)
 
----What is said of a run that ended by itself; nil of any other.
+---Returns the name, time and reason of a run that failed; nil for any other run.
 ---```lua
 ---local paper = require "hinge.paper"
 ---local ended = { paper.ended(run, "cantilever") } -- {}: it did not fail
 ---```
 ---@param run hinge.run|impact.result
----@param name string of this run in the tables
+---@param name string name of this run in the tables
 ---@return paper.ended?
 function paper.ended(run, name) end
 
----Prints how many runs ended by themselves, and of each its name and why. Where there are any, the job notes it.
+---Prints how many runs failed, and the name and reason of each. If there are any, the job notes it.
 ---```lua
 ---local paper = require "hinge.paper"
 ---paper.show_ended(job, { paper.ended(run, "cantilever") }, 1)
 ---```
 ---@param job hinge.job
 ---@param ended paper.ended[]
----@param of integer all runs
+---@param of integer number of all runs
 function paper.show_ended(job, ended, of) end
 
----Prints a table: rows of numbers and texts under a head; numbers are already text where they need a format.
+---Prints a table: rows of numbers and texts under a head. Numbers that need a format are given as text.
 ---```lua
 ---local paper = require "hinge.paper"
 ---paper.table("Sway", { "elements", "mm" }, { { 2, "3.11" }, { 4, "3.12" } })
@@ -445,14 +449,14 @@ function paper.show_ended(job, ended, of) end
 ---@param rows any[][]
 function paper.table(title, head, rows) end
 
----m, kg; virtual: the free end of a fractured element; gone: a node that has lost all its elements
+---positions in m, mass in kg; virtual: the free end of a fractured element; gone: a node that has lost all its elements
 ---@alias paper.node { x: number, y: number, z: number, mass: number, virtual: boolean, gone: boolean }
 ---a, b: indices into nodes; rigid: fractured
 ---@alias paper.bar { a: integer, b: integer, member: integer, element: integer, rigid: boolean, f_y: number }
 
----The structure as pictures show it (figures 4 and 5): fractured elements as rigid bars from the node that
----carries them to a virtual node, and the mass on every node, half of an element's on each of its two, all of a
----fractured one's on its carrier.
+---Returns the structure as in pictures (figures 4 and 5). Fractured elements are rigid bars from the node that carries
+---them to a virtual node. Each node has a mass: half of the mass of each intact element at it, and the whole mass of
+---each fractured element that it carries.
 ---```lua
 ---local paper = require "hinge.paper"
 ---for _, node in ipairs(paper.pieces(run).nodes) do print(node.x, node.mass) end
@@ -475,7 +479,7 @@ function paper.pieces(run) end
 ---@class report
 local report = {}
 
----What became of the members of each group; see run:count.
+---Returns the damage of the members by group; see run:count.
 ---```lua
 ---local report = require "hinge.report"
 ---print(report.damage(run, { "arm" }).arm.yielded)
@@ -485,7 +489,7 @@ local report = {}
 ---@return report.damage
 function report.damage(run, groups) end
 
----Prints the damage by group, the energy balance and the seconds by stage; returns the first.
+---Prints the damage by group, the energy balance and the wall time by stage. Returns the damage.
 ---```lua
 ---local report = require "hinge.report"
 ---report.show(run, { "arm" })
