@@ -1,15 +1,15 @@
 -- A portal frame is pushed until it collapses.
 --
 -- Run     hinge run scripts/02_portal_collapse.lua
--- Shows   a frame of square bars with fixed feet, a load on its left corner and the same on the middle of its beam; the
---         corner is pushed by steps, so that the load can be followed where it no longer rises
+-- Shows   a frame of square bars with fixed feet, a load on its left corner and the same load on the middle of its
+--         beam. The run controls the displacement of the corner, so it can go on where the load no longer rises
 -- Expect  limit_kN = 6.5625 within 0.05 %          6 Mp / (h + L/2): hinges in the middle of the beam, on the
 --                                                  right and in both feet
---         hinges = 4 exactly                       one more than the frame is redundant: a mechanism
+--         hinges = 4 exactly                       one more than the degree of redundancy: a mechanism
 --         energy_error_percent = 0 within 0.02     energy error, of the loads' work
 --
--- Below the limit load the curve has a kink wherever a hinge forms. Either mechanism alone would need more: sway 4
--- Mp / h, the beam 8 Mp / L. Axial forces lower Mp by (N / N0)^2 (eq 14), here by a ten thousandth.
+-- Below the limit load the curve has a kink where a hinge forms. The sway mechanism alone would need 4 Mp / h, the beam
+-- mechanism alone 8 Mp / L. Both are more. Axial forces reduce Mp by (N / N0)^2 (eq 14), here by a ten thousandth.
 local hinge = require "hinge"
 
 local h, L, side, yield_stress = 4, 6, 0.05, 245e6
@@ -33,7 +33,7 @@ for step in run:steps() do
   if step.index % 5 == 0 then print(("%7.0f %9.4f"):format(1000 * left:displacement(), step.factor)) end
 end
 
--- A hinge at a corner may show in both of its members: joints are counted.
+-- A hinge at a corner may be in both members there, so joints are counted.
 local flowing = {}
 for _, member in ipairs(model:members()) do
   local a, b = member:forces()

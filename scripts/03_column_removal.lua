@@ -1,16 +1,16 @@
--- A frame loses a column at once.
+-- A frame suddenly loses a column.
 --
 -- Run     hinge run scripts/03_column_removal.lua
 -- Shows   a beam over three columns, at rest under its weight; the middle column is broken by
 --         a rule that tests the time
--- Expect  dynamic_factor = 1.994 within 0.2 %       the joint's deepest drop over that of statics; 2 for one mass
+-- Expect  dynamic_factor = 1.994 within 0.2 %       largest drop of the joint over the static one; 2 for one mass
 --                                                   on a spring
---         static_mm = 16.013 within 0.01 %         how much lower it stands without the column, in statics
---         broken = 1 exactly                       the column, and nothing else
+--         static_mm = 16.013 within 0.01 %         static drop of the joint without the column
+--         broken = 1 exactly                       the column alone
 --         energy_error_percent = 0 within 0.01     energy error, of the potential energy released
 --
--- Why twice: what gravity gives on the way down to the new equilibrium is kinetic there, and
--- carries the frame as far again.
+-- Why twice: when the frame reaches the new equilibrium, half of the work of gravity is kinetic energy. It moves the
+-- frame down as far again.
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, density = 7850 }

@@ -1,19 +1,19 @@
 -- The ground shakes a portal frame.
 --
 -- Run     hinge run scripts/04_shaken_frame.lua
--- Shows   a heavy beam on two slender columns whose feet follow one wave of ground acceleration, 0.5 s long, weak and
---         then eight times as strong; no damping, so that the frame swings on after it
+-- Shows   a heavy beam on two slender columns. Their feet follow one wave of ground acceleration, 0.5 s long, once weak
+--         and once eight times as strong. There is no damping, so the frame goes on swinging after the wave
 -- Expect  weak_mm = 7.047 within 3 %               swing after the wave: 2 a/w^2 r / (r^2 - 1) sin(pi / r), w of
 --                                                  one mass on two columns (13/35 of their own counts), r the
 --                                                  wave's frequency over w
---         weak_plastic_J = 0 exactly               it stays elastic: all of the ground's work is still kinetic
+--         weak_plastic_J = 0 exactly               the frame stays elastic: the work of the ground is all kinetic
 --                                                  and elastic energy
---         strong_mm = 57.84 within 1 %             largest drift of the strong one: eight times as far as the
---                                                  weak one, though it flows
---         set_mm = 6.24 within 5 %                 the drift about which it swings in the end
---         energy_error_percent = 0 within 0.01     energy error, of the ground's work, of both
+--         strong_mm = 57.84 within 1 %             largest drift under the strong wave: eight times that under the
+--                                                  weak one, although the columns yield
+--         set_mm = 6.24 within 5 %                 mean drift of the swing at the end
+--         energy_error_percent = 0 within 0.01     energy error, of the work of the ground, for both waves
 --
--- The record is a list of numbers; a measured one would be read from a file in its place.
+-- The record is a list of numbers. A measured record would be read from a file.
 local hinge = require "hinge"
 
 local span, h, a, length, dt = 6, 4, 0.3, 0.5, 0.01 -- m, m, m/s^2, s, s

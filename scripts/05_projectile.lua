@@ -3,7 +3,7 @@
 -- Run     hinge run scripts/05_projectile.lua
 -- Shows   a bar of 20 kg flies at 30 m/s into the middle of a clamped column, bends it and bounces off
 -- Expect  brought_Ns = 602.9 within 0.02 %           its momentum m v
---         lost_percent = 0 within 0.1              of it, the part found neither in the supports nor in motion
+--         lost_percent = 0 within 0.1              part of it that is neither in the supports nor in motion
 --         yielded = 2 exactly                      both halves of the column
 --         energy_error_percent = 0 within 0.3      energy error, of the initial energy
 local hinge = require "hinge"

@@ -1,14 +1,14 @@
--- How much more does a load do when it comes at once, and how long must it last? A loop over models, and a table.
+-- How much larger is the deflection under a sudden load, and how long must the load last? A loop over models, a table.
 --
 -- Run     hinge run scripts/06_parameter_loop.lua
 --         hinge run scripts/06_parameter_loop.lua | grep , > spectrum.csv          (rows for a spreadsheet)
--- Shows   a heavy beam across the tip of a cantilever; a load acts on it for a part of its natural period; the largest
---         deflection over the static one
+-- Shows   a heavy beam across the tip of a cantilever. A load acts on it for a part of its natural period. The
+--         result is the largest deflection over the static one
 -- Expect  at_5_percent = 0.31287 within 1 %        2 sin(pi t/T) of one mass on a spring, for a load that lasts
 --                                                  t = T / 20
 --         at_25_percent = 1.41421 within 1 %       the same for t = T / 4
---         at_100_percent = 2 within 1 %            and 2 for all that last half a period or longer
---         energy_error_percent = 0 within 0.01     energy error, of the loads' work, all together
+--         at_100_percent = 2 within 1 %            and 2 for loads that last half a period or longer
+--         energy_error_percent = 0 within 0.01     energy error, of the work of all loads together
 local hinge = require "hinge"
 
 local L, F = 2, 1000 -- m, N
@@ -22,7 +22,7 @@ local function cantilever()
   local model = hinge.model { displacement = "small" }
   local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(wall, "all")
-  -- as much of it as swings along
+  -- the part of the bar that swings with the tip
   local mass = 33 / 140 * model:member { wall, tip, section = bar, material = steel }.mass
   for _, y in ipairs { -0.4, 0.4 } do
     mass = mass + model:member { tip, model:node { L, y, 0 }, section = cross, material = heavy }.mass

@@ -1,15 +1,15 @@
--- A member that breaks where a function of the script says so.
+-- A function of the script decides when a member breaks.
 --
 -- Run     hinge run scripts/07_custom_fracture_rule.lua
--- Shows   a rod, one end held, the other pulled away faster and faster; it breaks at 2 % of strain, once by
---         numbers and once by a function
+-- Shows   a rod with one end fixed; the other end is pulled away with constant acceleration. The rod breaks at a strain
+--         of 2 %, once by a numerical limit and once by a function
 -- Expect  ms = 20 within 0.5 %                     when the moved end has gone 2 % of the length:
 --                                                  t = sqrt(2 * 0.02 L / a)
---         same = 1 exactly                         the function did what the numbers do, to the bit
+--         same = 1 exactly                         both give the same result, to the bit
 --         energy_error_percent = 0 within 0.01     energy error, of the work at the pulled end
 --
--- More of such rules: rules/plastic_work.lua (damage that adds up), rules/strain_rate.lua (a limit that rises with the
--- speed), rules/joint_interaction.lua (axial force and bending together, at the joints only).
+-- More rules of this kind: rules/plastic_work.lua (damage that adds up), rules/strain_rate.lua (a limit that rises with
+-- the speed), rules/joint_interaction.lua (axial force and bending together, at the joints only).
 local hinge = require "hinge"
 
 local L, limit, acceleration = 1, 0.02, 100 -- m, -, m/s^2

@@ -1,15 +1,15 @@
 -- Debris falls on a floor.
 --
 -- Run     hinge run scripts/08_debris.lua
--- Shows   five loose bars fall half a metre, at 1 m/s to the right, on a grating of fixed ones; they bounce, hit each
---         other and slide, and friction dissipates a part of their energy
+-- Shows   five loose bars fall half a metre, at 1 m/s to the right, on a grating of fixed bars. They bounce, hit each
+--         other and slide. Friction dissipates a part of their energy
 -- Expect  first_touch_ms = 319.3 within 0.02 %     sqrt(2 h / g) of the lowest one, h = 0.5 m between the surfaces
 --         fallen_through = 0 exactly               bars below the grating in the end
---         heat_percent = 11 within 8               of what gravity gave them, by friction; nothing else damps: the rest
---                                                  is motion and vibration
---         energy_error_percent = 0 within 0.1      energy error, of what gravity gave
+--         heat_percent = 11 within 8               heat of friction, of the work of gravity; there is no other damping,
+--                                                  so the rest is motion and vibration
+--         energy_error_percent = 0 within 0.1      energy error, of the work of gravity
 --
--- What the bars do to each other is chaotic: another processor gives another heap. Rely on the energy balance.
+-- The impacts among the bars are chaotic: another processor gives another heap. The energy balance holds in any case.
 local hinge = require "hinge"
 
 local side, h, g = 0.05, 0.5, 9.80665

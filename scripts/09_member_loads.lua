@@ -1,4 +1,4 @@
--- Which moments does snow leave in a gable frame's rafter, and a crane in a floor beam?
+-- Which end moments come from snow on the rafter of a gable frame, and from a crane on a floor beam?
 --
 -- Run     hinge run scripts/09_member_loads.lua
 -- Shows   loads per length of a member or of its plan, and a load at a point of a member
@@ -10,7 +10,7 @@ local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local h = hinge.section.h { depth = 0.3, width = 0.15, web = 0.0065, flange = 0.009 }
 
--- A beam of 6 m in plan, its far end higher by `rise`; `fix`: what holds its two ends.
+-- A beam of 6 m in plan. Its far end is higher by `rise`. `fix` is for model:fix at its two ends.
 local function beam(rise, fix, load)
   local model = hinge.model { displacement = "small" }
   local a, mid, b = model:node { 0, 0, 0 }, model:node { 3, 0, rise / 2 }, model:node { 6, 0, rise }

@@ -1,8 +1,8 @@
--- A mass at the tip of a cantilever: its weight, and how fast it swings.
+-- A mass at the tip of a cantilever: its static deflection and its natural period.
 --
 -- Run     hinge run scripts/10_point_mass.lua
--- Shows   20 kg at the tip of a steel bar 1 m long of next to no mass: how far they bend it at rest, and how long a
---         swing takes when they are released on the bar while it is straight
+-- Shows   a mass of 20 kg at the tip of a steel bar, 1 m long, with almost no mass of its own: the deflection at rest,
+--         and the period of the vibration when the mass is released on the straight bar
 -- Expect  sag_mm = 0.610534 within 0.0002 %        m g f, f = L^3 / (3 E I) + L / (k G A)
 --         period_ms = 49.576 within 0.02 %         2 pi sqrt(m f)
 local hinge = require "hinge"
@@ -20,7 +20,7 @@ local rest = model:static { steps = 1 }
 rest:finish()
 local _, _, sag = rest:displacement(tip)
 
--- From the wall's level the tip swings about its place at rest; it is back after one period.
+-- The tip starts at the level of the wall and swings about its position at rest. It is back after one period.
 local run = model:dynamic { dt = 1e-4, duration = 0.3 }
 local probe = run:probe { node = tip, "uz" }
 run:finish()

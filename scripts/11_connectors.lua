@@ -1,10 +1,10 @@
--- Which joint stops a swinging mass: a dashpot, or one that rubs?
+-- How do a dashpot and a friction damper stop a vibrating mass?
 --
 -- Run     hinge run scripts/11_connectors.lua
--- Shows   a short bar slides on a spring; a dashpot damps it, and then a law of the script's own, Coulomb's friction
+-- Shows   a short bar on a spring, damped once by a dashpot and once by a law of the script, Coulomb's friction
 -- Expect  decrement = 0.314554 within 0.0005     ln of two amplitudes, a period apart: 2 pi z / sqrt(1 - z^2), z = 0.05
---         lost_mm = 4 within 0.02                what friction takes off the amplitude in each period: 4 F / k
---         rubbed_percent = 100 within 0.1        energy that friction took, of F times the way that was slid
+--         lost_mm = 4 within 0.02                amplitude that friction takes away in each period: 4 F / k
+--         rubbed_percent = 100 within 0.1        energy lost by friction, of F times the distance slid
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, density = 7850 }
@@ -13,7 +13,7 @@ local mass, frequency = 7850 * 0.05 ^ 2 * 0.1, 10
 local omega = 2 * math.pi * frequency
 local k = mass * omega ^ 2
 
--- The bar at the ends of its swings, m, and the run.
+-- Returns the positions of the bar at the ends of its swings, m, and the run.
 local function swing(joint)
   local model = hinge.model { displacement = "small" }
   local a, b = model:node { 0, 0, 0 }, model:node { 0.1, 0, 0 }
@@ -36,7 +36,7 @@ end
 local ends = swing { damping = { x = 2 * 0.05 * omega * mass } }
 local decrement = math.log(ends[1] / ends[3])
 
--- Friction as a stiff spring that slides: its state is where it stands.
+-- Friction is a stiff spring that slides. Its state is the position of its sliding end.
 local F, stick = 1e-3 * k, 1e3 * k
 local function rubs(u, _, state)
   local force = stick * (u - (state.stands or 0))

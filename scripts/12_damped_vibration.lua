@@ -1,10 +1,10 @@
 -- How fast does a damped bar come to rest?
 --
 -- Run     hinge run scripts/12_damped_vibration.lua
--- Shows   a steel cantilever, 3 m long, 100 mm thick, set off in its first mode; Rayleigh damping of 2 % of critical at
---         the periods of its first and second mode
--- Expect  ratio = 0.02 within 1 %                  from the energy left after three periods, exp(-2 z w t)
---         lost = 0.529 within 1 %                  of the energy, 1 - exp(-2 z 6 pi) by the damping
+-- Shows   a steel cantilever, 3 m long, 100 mm thick, that vibrates in its first mode; Rayleigh damping of 2 % of
+--         critical at the periods of its first and second mode
+-- Expect  ratio = 0.02 within 1 %                  from the energy after three periods, exp(-2 z w t)
+--         lost = 0.529 within 1 %                  part of the energy lost by damping, 1 - exp(-2 z 6 pi)
 --         open = 0 within 0.000001                 energy error, of the initial energy
 local hinge = require "hinge"
 

@@ -4,7 +4,7 @@
 -- Shows   a steel bar falls flat by 50 mm on a ground that gives back half of the normal velocity
 -- Expect  speed = 0.99028 within 0.2 %             sqrt(2 g h) as it reaches the ground, m/s
 --         rebound_mm = 12.5 within 1 %             e^2 h, e = 0.5
---         lost_percent = 75 within 1 %             1 - e^2 of what gravity gave
+--         lost_percent = 75 within 1 %             1 - e^2, of the work of gravity
 local hinge = require "hinge"
 
 local side, h, g, e = 0.05, 0.05, 9.80665, 0.5

@@ -2,14 +2,15 @@
 --
 -- Run     hinge run scripts/14_load_cases.lua
 --
--- Each run says which cases it takes. A static run that goes on from another holds what was there, so that the push
--- alone is scaled; in dynamics the held cases go on, and the blast, which has a history, begins with the first step.
+-- Each run names the cases that act. A static run that continues another run keeps the loads of that run. Its load
+-- factor therefore scales the push alone. In the dynamic run the loads of the static run also go on. The blast has a
+-- history and begins with the first step.
 --
 -- Expect  at the feet, kN, by hand:
 --         feet = 144 within 0.01           2 (60 + 0.3 x 40), dead and 0.3 of live
 --         feet_design = 282 within 0.01    2 (1.35 x 60 + 1.5 x 40), the combination
---         feet_pushed = 144 within 0.01    held while the corner is pushed by 20 mm
---         impulse = 300 within 0.5 %       N s, half of 60 kN over 10 ms: what moves and what the feet took
+--         feet_pushed = 144 within 0.01    unchanged while the corner is pushed by 20 mm
+--         impulse = 300 within 0.5 %       N s, half of 60 kN over 10 ms: momentum and impulse of the feet
 local hinge = require "hinge"
 
 local model = hinge.model { displacement = "small" }

@@ -2,12 +2,12 @@
 --
 -- Run     hinge run scripts/ten_storey_impact.lua                 (Case I, 0.25 s, 25,000 steps)
 --         hinge run scripts/ten_storey_impact.lua --case II       (or III, IV), or any parameter: speed=400/3.6 dt=2e-5
--- Shows   the frame under its own and its floors' weight, then the impact: hinges, fracture, contact, no damping
--- Expect  a table of damage by storey and group, the energy balance and the seconds by stage;
---         frame.png: all members in six colours of f_y, black where fractured; upper_storeys.png: the upper five
---         storeys without what is fractured; frames.pvd for ParaView
+-- Shows   the frame under the weight of frame and floors, then the impact: hinges, fracture, contact, no damping
+-- Expect  a table of damage by storey and group, the energy balance and the wall time by stage;
+--         frame.png: all members in six colours of f_y, fractured ones black; upper_storeys.png: the upper five
+--         storeys without fractured members; frames.pvd for ParaView
 --
--- Where the aircraft hits is reconstructed (the paper's figure 16 is lost): `height` and `offset` move it.
+-- The place of the impact is reconstructed, since the paper's figure 16 is lost. `height` and `offset` change it.
 local hinge    = require "hinge"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"

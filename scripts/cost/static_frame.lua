@@ -2,7 +2,7 @@
 --
 -- Run     hinge cost scripts/cost/static_frame.lua --within 1%   (hinge run: its default, asi-gauss, two elements)
 -- Shows   one cube of eight members, small displacement, elastic, 50 steps of load, by the three formulations
--- Expect  asi-gauss exact with two elements; the other two of second order, 1 % only with sixteen
+-- Expect  asi-gauss is exact with two elements. The other two are of second order and reach 1 % only with sixteen
 local hinge       = require "hinge"
 local space_frame = require "hinge.models.space_frame"
 

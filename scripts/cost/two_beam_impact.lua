@@ -1,11 +1,11 @@
--- What time steps cost in an impact: the paper's two beams (figure 13), as long as they touch and somewhat longer.
+-- What time steps cost in an impact: the paper's two beams (figure 13), during contact and shortly after it.
 --
 -- Run     hinge cost scripts/cost/two_beam_impact.lua --within 1%   (any parameter: elements_per_member=4 speed=20)
--- Shows   a free beam falls on a clamped one at 50 m/s, by surfaces of a given stiffness;
---         Newmark's beta 1/4 and the paper's 0.4
--- Expect  second order in dt with both; beta 1/4 has a fraction of the error at the same step.
---         elements_per_member is no accuracy setting here: each element rings at its own frequency when it is
---         hit, and momentum at a given time never settles
+-- Shows   a free beam falls on a clamped one at 50 m/s, with surface contact of a given stiffness; Newmark's beta 1/4
+--         and the paper's 0.4
+-- Expect  second order in dt with both. beta 1/4 has a fraction of the error at the same step. elements_per_member is
+--         no accuracy setting here: an element that is hit vibrates at its own frequency, so the momentum at a given
+--         time does not converge
 local hinge = require "hinge"
 
 return hinge.scenario {

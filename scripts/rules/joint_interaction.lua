@@ -1,20 +1,20 @@
 -- A joint that fails under axial force and bending together: (N / N_c)^2 + (M / M_c)^2 >= 1.
 --
 -- Run     hinge run scripts/rules/joint_interaction.lua
--- Shows   a cantilever welded to a wall more weakly than it is itself; a load that rises slowly pulls it askew, along
---         three directions, until the weld breaks; the free end, a joint too, and the sections inside the member carry
---         the same force and hold
+-- Shows   a cantilever whose weld at the wall is weaker than the bar. A load that rises slowly pulls it in three
+--         directions until the weld breaks. The free end, which is a joint too, and the sections inside the member do
+--         not break
 -- Expect  along_kN = 200 within 0.5 %              N_c
 --         askew_kN = 19.925 within 0.5 %           1 / sqrt((cos a / N_c)^2 + (L sin a / M_c)^2) for a = 30 degrees
 --         across_kN = 10 within 0.5 %              M_c / L
---         energy_error_percent = 0 within 0.01     energy error, of the load's work, all together
+--         energy_error_percent = 0 within 0.01     energy error, of the work of all loads together
 local hinge = require "hinge"
 
 local L, N_c, M_c = 1, 200e3, 10e3 -- m, N, N m
 local steel = hinge.material { E = 206e9, density = 7850 }
 local box   = hinge.section.box { width = 0.1, depth = 0.1, thickness = 0.005 }
 
--- section.node: the joint that the section is at, nil inside a member.
+-- section.node is the joint at the section, nil inside a member.
 local function weld(section)
   if not section.node then return false end
   return (section.N / N_c) ^ 2 + (section.Mx ^ 2 + section.My ^ 2) / M_c ^ 2 >= 1
@@ -27,7 +27,7 @@ local function strength(angle)
   local member = model:member { wall, tip, section = box, material = steel }
   local by_hand = 1 / math.sqrt((math.cos(angle) / N_c) ^ 2 + (L * math.sin(angle) / M_c) ^ 2)
   local last = 1.2 * by_hand
-  -- Smooth at its start and slow beside the bar's first period, 7 ms: next to no swing.
+  -- The load starts smoothly and is slow compared with the first period of the bar, 7 ms. So it hardly vibrates.
   model:load { node = tip, force = { last * math.cos(angle), 0, -last * math.sin(angle) },
     history = function(t) return t ^ 2 end }
   model:fracture { where = "all", rule = weld }

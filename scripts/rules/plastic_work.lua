@@ -1,18 +1,18 @@
--- A rule with a memory: a joint breaks when plastic work has worn it out.
+-- A rule with memory: a joint breaks when damage from plastic work reaches a limit.
 --
 -- Run     hinge run scripts/rules/plastic_work.lua
--- Shows   the tip of a cantilever is moved up and down, slowly; a plastic hinge at the wall
---         works to and fro until it breaks
--- Expect  break_s = 0.905 within 0.5 %             in the fifth way: Mp (s - 2 u) / L of work a way, Mp (s - u) / L the
---                                                  first, s the way, u = Mp L^2 / (3 E I) what is elastic; ways up
---                                                  count in full, ways down for a third
+-- Shows   the tip of a cantilever moves up and down slowly. A plastic hinge at the wall rotates to and fro until it
+--         breaks
+-- Expect  break_s = 0.905 within 0.5 %             in the fifth stroke s. The first one has the work Mp (s - u) / L,
+--                                                  each other one Mp (s - 2 u) / L. u = Mp L^2 / (3 E I) is the
+--                                                  elastic part. Strokes up count in full, strokes down one third
 --         damage = 1 within 0.1 %                  largest damage that the rule has kept
 --         work_J = 1835 within 0.5 %               plastic work until then
 --         energy_error_percent = 0 within 0.3      energy error, of the work at the moved end
 --
--- The rule keeps two numbers of each section: the plastic work that it saw last, and the damage. The joint is
--- welded at its lower side, which is pulled when the tip goes up (Mx < 0); section.plastic_work alone does
--- not tell the one from the other.
+-- The rule keeps two numbers for each section: the plastic work at its last call, and the damage. The joint is welded
+-- at its lower side. This side is in tension when the tip goes up (Mx < 0). section.plastic_work alone does not show
+-- the direction.
 local hinge = require "hinge"
 
 local L, side, yield_stress, sway, period, limit = 1, 0.05, 245e6, 0.1, 0.4, 1300 -- m, m, Pa, m, s, J

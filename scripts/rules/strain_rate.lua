@@ -15,7 +15,7 @@ local rod   = hinge.section.round { diameter = d }
 
 local function limit(rate) return e0 * (1 + (rate / C) ^ (1 / q)) end
 
--- The outermost fibre's strain; bending counts as well as pulling. The curvatures' root is that of a round section.
+-- Strain of the outermost fibre, from bending and tension. The square root of the curvatures is for a round section.
 local function fibre(axial, curvature_x, curvature_y)
   return math.abs(axial) + d / 2 * math.sqrt(curvature_x ^ 2 + curvature_y ^ 2)
 end
@@ -25,7 +25,7 @@ local function rule(section)
   return strain >= limit(fibre(section.axial_strain_rate, section.curvature_rate_x, section.curvature_rate_y))
 end
 
--- The moved end gathers speed over the first tenth of the time, so that no shock runs along the rod.
+-- The moved end accelerates over the first tenth of the time, so that no shock wave runs along the rod.
 local function pull(rate)
   local model = hinge.model {}
   local held, pulled = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
