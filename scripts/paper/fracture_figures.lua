@@ -1,20 +1,26 @@
--- What becomes of an element that breaks, and of its mass? The paper's section 2.3, figures 4 and 5.
+-- What happens to an element that breaks, and to its mass? The paper's section 2.3, figures 4 and 5.
 --
 -- Run     hinge run scripts/paper/fracture_figures.lua                (quick=true: stops soon after the fracture)
--- Shows   a portal of three bars in free flight and rotation; 5 ms on, the left element of the beam breaks at
---         midspan. It is drawn as a rigid bar that ends in a virtual node, and all its mass goes to the node it is
---         still attached to
--- Expect  node 2 from 9.8125 to 14.7188 kg, node 6 (the middle of the beam) from 9.8125 to 4.9063 kg, the
---         virtual node 0; 58.875 kg, 392.5 kg m/s and 441.685 kg m2/s before and after; 1 mJ of kinetic
---         and 29 mJ of strain energy released
+-- Shows   a portal of three bars in free flight and rotation. After 5 ms the left element of the beam breaks at
+--         midspan. The pictures show it as a rigid bar that ends in a virtual node. All its mass goes to the node to
+--         which it is still attached
+-- Expect                                    before       after
+--         node 2                            9.8125 kg    14.7188 kg
+--         node 6 (middle of the beam)       9.8125 kg    4.9063 kg
+--         virtual node                      -            0 kg
+--         mass                              58.875 kg    58.875 kg
+--         momentum                          392.5        392.5 kg m/s
+--         angular momentum                  441.685      441.685 kg m2/s
+--         Fracture releases 1 mJ of kinetic energy and 29 mJ of strain energy
 --         fig4_before.png, fig4_after.png, fig4.png: elements, rigid bar and virtual node; fig5.png: mass on the nodes
 --
--- The paper's figures are sketches without numbers: the portal, its motion and the time of fracture are
--- *reconstructed*, and parameters. Free flight, because no support then takes a share of what must be kept.
+-- The paper's figures are sketches without numbers. The portal, its motion and the time of fracture are
+-- *reconstructed*; they are parameters. In free flight no support takes a part of the momentum and energy that must be
+-- kept.
 local hinge = require "hinge"
 local paper = require "hinge.paper"
 
-local gap = { x = 0 / 0, z = 0 / 0, mass = 0 / 0 } -- not a number: lifts the pen
+local gap = { x = 0 / 0, z = 0 / 0, mass = 0 / 0 } -- not a number: a gap in the curve
 
 local function size(v) return math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2) end
 

@@ -1,25 +1,29 @@
--- How near is a response with two elements a member? The paper's section 3.2, figures 11 and 12.
+-- How accurate is a response with two elements a member? The paper's section 3.2, figures 11 and 12.
 --
 -- Run     hinge run scripts/paper/space_frame_dynamic.lua             (quick=true: fewer elements, a coarser reference)
--- Shows   the cube of space_frame_static.lua under a load that acts at once: 8 kN elastic, 12 kN
---         elasto-plastic, 100 steps of 0.05 ms, beta 1/4. Error of the whole history: RMS over the peak of a
---         run with 32 elements, 16 times the steps
--- Expect  two elements of asi-gauss: 1.55 % elastic, 0.73 % elasto-plastic; two of asi 22.8 and 5.5 %, of the
---         conventional method 22.8 and 44 %. As good as two of asi-gauss are 8 of asi, and 8 or, elasto-plastic, 128
---         conventional ones. Most of it is the linear mass matrix's doing, 1.47 and 0.52 %: what is wrong with two
---         elements that have the exact stiffness. The element's own part is 0.31 and 0.29 %, that of the time step 0.12
---         and 0.02 %. With hinge's own cubic mass instead: 0.33 % and 0.27 %
+-- Shows   the cube of space_frame_static.lua under a sudden load: 8 kN elastic, 12 kN elasto-plastic, 100 steps of
+--         0.05 ms, beta 1/4. The error is the RMS difference of the whole history from a run with 32 elements and 16
+--         times the steps, over the peak of that run
+-- Expect  error with two elements            elastic    elasto-plastic
+--         asi-gauss                          1.55 %     0.73 %
+--           its part from the linear mass    1.47 %     0.52 %     (two elements with the exact stiffness)
+--           its part from the element        0.31 %     0.29 %
+--           its part from the time step      0.12 %     0.02 %
+--         asi-gauss with the cubic mass      0.33 %     0.27 %     (this mass is not in the paper)
+--         asi                                22.8 %     5.5 %
+--         conventional                       22.8 %     44 %
+--         asi needs 8 elements to reach asi-gauss with two; the conventional method needs 8, elasto-plastic 128.
 --         fig11_*.png and fig12_*.png: displacement over time
 --
--- The paper's figure 8 is lost: dimensions and material are *reconstructed*, and parameters.
+-- The paper's figure 8 is lost. Dimensions and material are *reconstructed*; they are parameters.
 local hinge       = require "hinge"
 local space_frame = require "hinge.models.space_frame"
 local paper       = require "hinge.paper"
 
--- The corner's displacement over time under a sudden load. `parts`: into how many the paper's step is cut; where hinges
--- come and go too fast for balance to be found in a step, all are halved, and the table says so. `exact`: the elements
--- get the exact stiffness and keep their linear mass. `mass`: hinge.model's. Where no step is short enough, `ended`
--- says why.
+-- The corner's displacement over time under a sudden load. `parts`: the number of steps in one step of the paper. If
+-- hinges form and unload too fast for equilibrium within a step, all steps are halved, and the table says so. `exact`:
+-- the elements get the exact stiffness and keep their linear mass. `mass`: the option of hinge.model. If no step is
+-- short enough, `ended` says why.
 local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic, mass = mass,
@@ -44,14 +48,14 @@ local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   return { x = ms, y = mm, parts = parts }
 end
 
--- The error of a response; of one that ended by itself there is none, and no limit that it keeps.
+-- The error of a response. A run that failed has no error, and stays within no limit.
 local function error_of(response, reference)
   return (response.ended or reference.ended) and math.huge or paper.error(response.y, reference.y)
 end
 
 local function percent(error) return error < math.huge and ("%.2f"):format(100 * error) or "ended by itself" end
 
--- One load case: the table and pictures of a figure, what the error of two asi-gauss elements is made of.
+-- One load case: the table and pictures of a figure, and the parts of the error of two asi-gauss elements.
 -- count(response): called with each.
 local function study(p, job, number, title, plastic, count)
   local function respond(...) return count(respond_to_load(p, ...)) end

@@ -4,19 +4,21 @@
 -- Shows   a cube of eight members pushed sideways at an upper corner, by the conventional method, asi
 --         and asi-gauss, with 1 to 16 elements a member (asi-gauss: 2 and more), small displacement;
 --         elastic, then up to the limit load
--- Expect  elastic at 8 kN: 2.143364 mm by asi-gauss whatever the number of elements, which is the exact value; the
---         other two 1.654190, 2.022626, 2.113271, 2.135846 mm with 2, 4, 8, 16. Limit load 12.69 kN (exact: 12.6882) by
---         asi-gauss and asi with two elements; the conventional method comes down to it slowly, 24.2 kN with two, 13.4
---         with sixteen. For 1 % (0.1 %) of the elastic displacement asi needs 16 (32) elements, asi-gauss 2 (2).
+-- Expect  elements                                     2           4           8           16
+--         elastic at 8 kN: asi-gauss (exact)           2.143364 mm with any number of elements
+--                          asi, conventional           1.654190    2.022626    2.113271    2.135846 mm
+--         limit load:      asi-gauss, asi              12.69 kN (exact: 12.6882)
+--                          conventional                24.2                                13.4 kN
+--         For 1 % (0.1 %) of the elastic displacement asi needs 16 (32) elements, asi-gauss 2 (2).
 --         fig9_*.png and fig10_*.png: load against displacement; error.png: error against elements
 --
--- The paper's figure 8 is lost: dimensions, material and how far the corner is pushed are
--- *reconstructed*, and parameters.
+-- The paper's figure 8 is lost. Dimensions, material and the largest displacement of the corner are *reconstructed*;
+-- they are parameters.
 local hinge       = require "hinge"
 local space_frame = require "hinge.models.space_frame"
 local paper       = require "hinge.paper"
 
--- The curve of load over displacement, and why it ended by itself, if it did.
+-- The curve of load over displacement, and if the run failed, why.
 local function push_over(p, method, elements, plastic, steps)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic,
@@ -49,8 +51,8 @@ end
 
 local measures = { "elastic displacement", "limit load", "whole curve" }
 
--- A method's curves and errors by number of elements, doubled until all three errors are below 0.1 %, or `most`. A
--- curve that ended by itself has no error, and no limit that it keeps.
+-- The curves and errors of a method by number of elements. The number is doubled until all three errors are below 0.1
+-- %, or until `most`. A run that failed has no error, and stays within no limit.
 local function converge(push, p, method, steps, most, exact, limit)
   local function loads(curve) return paper.sampled(curve.x, curve.y, 1e3 * p.reach, 1000) end -- at equal displacements
   local found = { sizes = {}, elastic = {}, plastic = {}, errors = { {}, {}, {} } }

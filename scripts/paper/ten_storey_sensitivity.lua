@@ -2,22 +2,28 @@
 --
 -- Run     hinge run scripts/paper/ten_storey_sensitivity.lua (half=1: in one process; quick=true: seconds, one variant)
 -- Shows   Cases I to IV for 3 x 3 buildings: sections 0.75, 1 and 1.25 times the chosen ones, each hit a quarter up the
---         eighth storey, in its middle and at its floor above; 8 m of flight, dt 20 us. These two matter most of what
---         is reconstructed: strength goes with the sections' third power, and the height says whether a column or a
---         joint is hit. Then Case I with one thing changed at a time
--- Expect  runs that end by themselves (10 of 52, none of them the case as reconstructed): an element of the aircraft's
---         fuselage, or of a beam of the weakest frame, is twisted by 160 degrees. Each is marked * in its row, which
---         shows what was there until then, the list at the end says when and why, and a finding that needs it is
---         undecided. More than a third of them, or the case as reconstructed: the study has failed.
---         Of the variants that decide it, damage I > II and I > III, by a tenth, in 4 of 6, II > III in none of 7, IV
---         not I, tension within 10 ms and all storeys feeling it within 25 ms in 7 of 7; cut columns in none. Case I:
---         the column that is hit rotates by 1.7 rad in its hinges, while eq 16 reads 0.037 of 0.4 1/m: it takes an
---         element as a whole, and where a column bends in three hinges their rotations cancel. No column is cut under
---         another contact rule, in other bays, or, in the 28 ms that it lasts, by an aircraft that neither yields nor
---         breaks. With sections half as large and an aircraft of box 300x300x20 three outer columns are cut in every
---         case, within the 50 to 79 ms after which all four end. Such a frame cannot stand for long: its beams turn
---         over sideways under 0.746 of its weight, or, with eight elements a member, under 0.540, where nothing but
---         the frame holds them. Marked ! in its row: that grows within seconds, the run is over before
+--         eighth storey, in its middle and at its floor above; 8 m of flight, dt 20 us. These two parameters matter
+--         most: strength grows with the third power of the section size, and the height decides whether a column or a
+--         joint is hit. Then Case I with one parameter changed at a time
+-- Expect  10 of 52 runs fail, but not the case as reconstructed: an element of the aircraft's fuselage, or of a beam of
+--         the weakest frame, is twisted by 160 degrees. Such a run is marked * in its row, which has its results up to
+--         then. The list at the end says when and why. A finding that needs such a run is undecided. The study fails
+--         if more than a third of the runs fail, or if the case as reconstructed fails.
+--         Findings, of the variants that decide them:
+--         damage I > II and I > III, by a tenth             4 of 6
+--         damage II > III                                   0 of 7
+--         damage IV differs from I                          7 of 7
+--         tension within 10 ms                              7 of 7
+--         impact reaches all storeys within 25 ms           7 of 7
+--         columns are cut                                   0 of 7
+--         Case I: the hinges of the column that is hit rotate by 1.7 rad, while the curvature of eq 16 is 0.037 of the
+--         limit of 0.4 1/m. Eq 16 uses the curvature of a whole element; the rotations of the three hinges of a column
+--         cancel in it. No column is cut with another contact rule, in other bays, or by an aircraft that neither
+--         yields nor breaks (this run lasts 28 ms). With sections half as large and an aircraft of box 300x300x20,
+--         three outer columns are cut in every case, within the 50 to 79 ms after which all four runs fail. Such a
+--         frame cannot stand for long. Its beams turn over sideways under 0.746 of its weight, or under 0.540 with
+--         eight elements a member, if nothing but the frame holds them. Its row is marked !. This motion takes seconds
+--         to grow, and the run ends before
 --         sensitivity.png
 --
 -- The energy error is at most 0.6 %.
@@ -27,8 +33,8 @@ local paper  = require "hinge.paper"
 
 local limit  = { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } -- eq 16, 1/m and -
 
--- The building's two sections, every measure times `scale`. The floors' weight follows the steel's, so that the columns
--- stay as stressed at rest as they were.
+-- The building's two sections, every dimension times `scale`. The weight of the floors is proportional to that of the
+-- steel, so the stress of the columns at rest does not change.
 local function sections(scale)
   return {
     column = hinge.section.box { width = 0.4 * scale, depth = 0.4 * scale, thickness = 0.022 * scale },
@@ -38,20 +44,20 @@ end
 
 local function mega(joules) return ("%.2f"):format(joules / 1e6) end
 
--- A cell of a table, marked where the building cannot stand under its own weight, and where its run ended by itself:
--- what it shows is what was there then.
+-- A cell of a table. It is marked if the building cannot stand under its own weight, and if the run failed; it then has
+-- the value at the end of the run.
 local function cell(text, r) return text .. (r.unstable and "!" or "") .. (r.ended and "*" or "") end
 
--- The share of its momentum that the aircraft has given to the building; not known of a run that ended before its last
--- millisecond.
+-- The part of its momentum that the aircraft has given to the building. It is not known if the run ended before its
+-- last millisecond.
 local function given(r) return r.given and ("%.0f"):format(100 * r.given) or "-" end
 
 -- The findings over all variants --------------------------------------------------------------------------------------
 
--- More by a tenth, which is about as far as runs of one case lie apart when the aircraft comes a millimetre aside.
+-- More by a tenth. This is about the difference of two runs of one case with the aircraft moved aside by 1 mm.
 local function more(a, b) return a > 1.1 * b end
 
--- Each: what, the cases that it looks at, and whether it holds. Where one of them ended by itself, it is undecided.
+-- Each finding: its text, the cases that it needs, and whether it holds. If one of these runs failed, it is undecided.
 local findings = {
   { "damage I > II and I > III", { "I", "II", "III" }, function(r)
     return more(r.I.work, r.II.work) and more(r.I.work, r.III.work)
@@ -71,7 +77,7 @@ local findings = {
   end },
 }
 
--- Changed parameters, and as long a run as the aircraft needs for its path.
+-- Changed parameters. The run is as long as the aircraft needs for its path.
 local function flight(p, changes)
   local changed = impact.with(p, changes)
   changed.duration = (p.gap + p.path) / changed.speed
@@ -171,9 +177,10 @@ local function aircraft_of(width, thickness, yield_stress)
 end
 
 local strong = aircraft_of(0.3, 0.02, 275e6)
-local joined = { contact_length = 1e9, coplanarity_tolerance = 1e9 } -- eqs 18 and 19 always hold: what meets, binds
+-- eqs 18 and 19 always hold with this: all members that meet are tied
+local joined = { contact_length = 1e9, coplanarity_tolerance = 1e9 }
 
--- The impact comes all the same: see above.
+-- The impact follows all the same: see above.
 local weak = { building = sections(0.5), unstable = "continue" }
 
 local function wide(scale) return impact.with(sections(scale), { bay = 4 }) end
@@ -265,7 +272,7 @@ local function show_unstable(job, tasks, results)
   return #lines
 end
 
--- One run. A column's hinges have rotated by its plastic work over its plastic moment, all of them together.
+-- One run. The sum of the rotations of a column's hinges is its plastic work over its plastic moment.
 local function simulate(task)
   local seen = { curvature = 0 }
   local r = impact.simulate(impact.with(task.p, { fracture = task.why and watched(seen, task.p) or nil }))

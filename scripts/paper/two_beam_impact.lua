@@ -2,17 +2,20 @@
 --
 -- Run     hinge run scripts/paper/two_beam_impact.lua                 (any parameter: angle=45 offset=0.1 speed=100)
 -- Shows   a free beam falls at 50 m/s on one that is clamped at both ends: two elements each, elastic, 3000 steps of
---         10 us, beta 0.4. By surfaces (bars press on each other where they are closest), by the paper's gap elements
---         that give back what they hold when the bars part, by gap elements cut after 0.5 ms as printed, and by
---         eqs 17-19 as printed
--- Expect  surface: at most 0.20 % of the energy unaccounted for, none lost; gap: 0.67 % and none; cut: 12.6 % lost, as
---         printed 12.3 %. At other angles, offsets and speeds surface stays within 0.3 %, gap within 1.01 %, cut
---         loses 9 to 89 %. The energy error falls with the square of the step, and is 70 times less by surfaces with
---         beta 1/4. One of 109 runs ends by itself, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their
---         period (* in the table)
+--         10 us, beta 0.4. Four contact rules: surface (bars press on each other where they are closest); gap (the
+--         paper's gap elements, which give back their energy when the bars part); cut (gap elements that are released
+--         after 0.5 ms); and eqs 17-19 as printed
+-- Expect  rule                surface    gap       cut          as printed
+--         energy error        0.20 %     0.67 %
+--         energy lost         0          0         12.6 %       12.3 %
+--         at other angles, offsets and speeds
+--         energy error        0.3 %      1.01 %
+--         energy lost         0          0         9 to 89 %
+--         The energy error falls with the square of the step. With surface and beta 1/4 it is 70 times less. One of
+--         109 runs fails, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their period (* in the table)
 --         fig14_*.png: energies over time; fig15.png: snapshots; energy_error_over_dt.png
 --
--- The paper's figure 13 is lost: sizes, distance and material are *reconstructed*, and parameters.
+-- The paper's figure 13 is lost. Sizes, distance and material are *reconstructed*; they are parameters.
 local hinge = require "hinge"
 local paper = require "hinge.paper"
 
@@ -24,8 +27,8 @@ local rules = {
 }
 local percent = function(part) return ("%.2f"):format(100 * part) end
 
--- One collision. Returns the largest energy error and what was released as parts of the initial energy, the balance
--- over time, and why it ended by itself, if it did; see(run) is called after each step.
+-- One collision. Returns the largest energy error and the released energy as parts of the initial energy, the balance
+-- over time, and if the run failed, why. see(run) is called after each step.
 local function collide(p, name, rule, changes, see)
   local q = setmetatable(changes or {}, { __index = p })
   local model = hinge.model { elements_per_member = q.elements, p_delta = "chord", weight = "nodes" } -- as in the paper
@@ -69,7 +72,7 @@ local function collide(p, name, rule, changes, see)
     ended = paper.ended(run, name) }
 end
 
--- A cell of a table, marked where its run ended by itself.
+-- A cell of a table, marked if its run failed.
 local function cell(text, r) return r.ended and text .. "*" or text end
 
 local function figure_14(job, title, key, balance)
@@ -94,8 +97,8 @@ local function snapshots(p, job)
   end
 end
 
--- Energy error over the time step, both rules, with the paper's beta and with 1/4. The guard ends a run whose energy
--- error is a tenth of the largest energy: the table then shows how large it was until there.
+-- Energy error over the time step, for both rules, with the paper's beta and with 1/4. A run fails when its energy
+-- error reaches a tenth of the largest energy. The table then has the error at that time.
 local function over_dt(p, job, count)
   local steps = p.quick and { 1e-5, 4e-5 } or { 1.25e-6, 2.5e-6, 5e-6, 1e-5, 2e-5, 4e-5 }
   local rows, series, result = {}, {}, {}
@@ -121,7 +124,7 @@ local function over_dt(p, job, count)
   return result
 end
 
--- Both rules at other angles, offsets and speeds: the largest energy error and what was released.
+-- Both rules at other angles, offsets and speeds: the largest energy error and the released energy.
 local function sweep(p, count)
   local rows, result = {}, {}
   for _, c in ipairs { { 90, 0, 0 }, { 70, 0, 0 }, { 45, 0, 0 }, { 20, 0, 0 }, { 90, 0.13, 0.07 }, { 70, 0.2, 0.2 },

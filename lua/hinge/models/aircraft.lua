@@ -8,10 +8,10 @@
 --   two wings, two-spar ladders of 12 ribs           48       72
 --   two tailplanes of 5 ribs                         20       30
 --   fin of 3 ribs                                     6        9
--- The square stands on its corner, so that wings and tailplanes grow from the side joints and the fin from the top
--- ones, each by its two spars. All dimensions are shares of `size`, chosen so that the members measure 229.5 m at 15 m.
--- Also reconstructed: members box 120x120x6, duralumin 2017-T4. From the paper: the aircraft's mass is spread evenly
--- over its members, through their density.
+-- Each square frame stands on its corner. Wings and tailplanes begin at the side joints, the fin at the top joints,
+-- each with its two spars. All dimensions are parts of `size`. They are chosen so that the total length of the members
+-- is 229.5 m at a size of 15 m. Also reconstructed: members box 120x120x6, duralumin 2017-T4. From the paper: the mass
+-- of the aircraft is spread evenly over its members, by their density.
 local hinge = require "hinge"
 local check = require "hinge.check"
 local materials = require "hinge.models.materials"
@@ -32,7 +32,7 @@ local rules = {
 
 local function share(default) return { "number", above = 0, default = default } end
 
--- Shares of `size`. A `tip` is the chord there, a `sweep` how far the front spar's tip lies aft of its root.
+-- Parts of `size`. A `tip` is the chord at the tip. A `sweep` is the distance of the front spar's tip behind its root.
 local shape_rules = {
   length = share(1.00), -- nose to last frame
   nose = share(0.10), -- nose to first frame
@@ -51,7 +51,7 @@ local function between(a, b, t)
   return { a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3]) }
 end
 
--- Joints, as shares of the size, and members. Body axes: x aft from the nose, y to the left,
+-- Joints, as parts of the size, and members. Body axes: x backwards from the nose, y to the left,
 -- z up from the fuselage's axis.
 local function lay_out(s)
   local points, members = {}, {}
@@ -107,7 +107,7 @@ local function unit(v)
   return { v[1] / l, v[2] / l, v[3] / l }, l
 end
 
---- Adds an aircraft to a model; returns its group and a table of what it is made of. Options: see library.d.lua.
+--- Adds an aircraft to a model; returns its group and a table of its facts. Options: see library.d.lua.
 function aircraft.add(model, options)
   check.model(where, model)
   local o = check.options(where, options, rules)

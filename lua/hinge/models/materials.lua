@@ -1,4 +1,4 @@
--- Materials of the models: one with another density, as the paper spreads a floor's or an aircraft's mass over members.
+-- Materials of the models: a copy with another density. The paper spreads the mass of floors and aircraft over members.
 local hinge = require "hinge"
 
 local materials = {}

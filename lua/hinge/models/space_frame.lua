@@ -17,8 +17,8 @@ local rules = {
   exact_elements = { "number", whole = true, at_least = 1, optional = true },
 }
 
--- The section with shear areas softened so that a midpoint element of length l has the exact stiffness: MacNeal's
--- residual bending flexibility, 1/GA' = 1/GA + l^2/12EI. Only for elements whose point stands in the middle.
+-- The section with smaller shear areas, so that a midpoint element of length l has the exact stiffness: MacNeal's
+-- residual bending flexibility, 1/GA' = 1/GA + l^2/12EI. Only for elements with their integration point in the middle.
 local function softened(s, material, l)
   local function shear_area(area, I) return 1 / (1 / area + material.G * l ^ 2 / (12 * material.E * I)) end
   return hinge.section.general {

@@ -22,7 +22,7 @@ local rules = {
   origin = { "numbers", count = 3, unit = "m", default = { 0, 0, 0 } },
 }
 
--- Density of the beams that makes them carry their own weight and `floor_weight` times that of the whole frame.
+-- Density of the beams. It includes the weight of the beams and `floor_weight` times the weight of the whole frame.
 local function masses(o)
   local nx, ny = o.bays[1], o.bays[2]
   local column_length = (nx + 1) * (ny + 1) * o.storeys * o.storey

@@ -1,9 +1,9 @@
 -- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what
 -- is measured of a run, and runs side by side in processes of their own. Described for editors in library.d.lua.
 --
--- Reconstructed, because the paper's figure 16 is lost: where the aircraft hits, and all that ten_storey.lua and
--- aircraft.lua name so. From the paper: table 1, the limits of fracture, contact with a binding time of 0.5 ms, no
--- inclination, no damping.
+-- Reconstructed, because the paper's figure 16 is lost: the place of the impact, and all values that ten_storey.lua and
+-- aircraft.lua mark as reconstructed. From the paper: table 1, the limits of fracture, contact with a binding time of
+-- 0.5 ms, no inclination, no damping.
 local hinge    = require "hinge"
 local check    = require "hinge.check"
 local core     = require "hinge.core"
@@ -28,7 +28,7 @@ local rules = {
   building = { "table", default = {} }, -- further options of the two models
   aircraft = { "table", default = {} },
   fracture = { "function", optional = true }, -- declares other limits: function(model, frame)
-  unstable = { "string", optional = true }, -- "continue": the impact comes even where the building cannot stand
+  unstable = { "string", optional = true }, -- "continue": the impact follows even if the building cannot stand
 }
 
 --- The scenario parameters of the load case, with those of a script added.
@@ -50,7 +50,7 @@ function impact.with(base, changes)
 end
 
 --- Adds building, aircraft, gravity, fracture and contact. Returns frame, plane (its group) and parts.
--- Of `options`, fields that are not the load case's own are left alone: a script hands its parameters in as they are.
+-- Other fields of `options` are ignored, so a script can pass its parameters as they are.
 function impact.add(model, options)
   local own = {}
   for name in pairs(rules) do own[name] = rawget(options, name) end
@@ -69,14 +69,14 @@ function impact.add(model, options)
   end
   local numbers = { rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }
   model:contact(impact.with(numbers, o.contact_limits))
-  -- m/s, of an elastic wave along a column; and of a long one, which takes the floors' mass along
+  -- m/s, of an elastic wave along a column; and of a long wave, which also moves the mass of the floors
   local columns = model:group("columns")
   frame.wave = math.sqrt(steel.E / steel.density)
   frame.long_wave = frame.wave * math.sqrt(columns.mass / frame.mass)
   return frame, plane, parts
 end
 
--- What is measured ---------------------------------------------------------------------------------------------------
+-- Results of a run ---------------------------------------------------------------------------------------------------
 
 local function sum(values)
   local total = 0
@@ -84,7 +84,7 @@ local function sum(values)
   return total
 end
 
---- What became of the building, J and counts. A hinge is a section that has ever been fully plastic.
+--- The damage of the building, J and counts. A hinge is a section that has ever been fully plastic.
 function impact.damage(run, frame)
   local d = { lowest = 0 }
   for name, group in pairs { inner = "inner columns", outer = "outer columns", beams = "beams" } do
@@ -105,9 +105,9 @@ function impact.damage(run, frame)
   return d
 end
 
--- Watches the columns: when a storey feels the impact (figure 17), and who is pulled that was pressed (figure 19).
--- felt: a column's f_y has changed by 0.05; faint: by 0.005; red: a column is fully plastic, f_y = 1. A column counts
--- as pulled from a hundredth of the largest compression at rest.
+-- Watches the columns: when the impact reaches a storey (figure 17), and which columns change from compression to
+-- tension (figure 19). felt: f_y of a column has changed by 0.05. faint: by 0.005. red: a column is fully plastic, f_y
+-- = 1. A column counts as pulled if its tension is more than a hundredth of the largest compression at rest.
 local function watch_columns(run, frame)
   local f_at_rest, n_at_rest = run:read("f_y", "columns"), run:read("N", "columns")
   local x, y, at = run:read("x", "columns"), run:read("y", "columns"), {}
@@ -143,7 +143,7 @@ local function watch_columns(run, frame)
   return w
 end
 
--- Momentum along x of the building, from how far its members moved since `before`; kg m/s.
+-- Momentum along x of the building, kg m/s, from the motion of its members since `before`.
 local function momentum_of(model, run, before, since)
   local total = 0
   for group, places in pairs(before) do
@@ -155,14 +155,14 @@ local function momentum_of(model, run, before, since)
 end
 
 --- One run of the load case: gravity at rest, then the impact. p: the load case's parameters and dt, duration, beta.
--- see(run): called when the run has been made and returns a function called after each step. Returns damage and
--- measures; of a run that ended by itself those up to its end, with verdict "failed" and the reason.
+-- see(run) is called when the run has been made; it returns a function that is called after each step. Returns the
+-- results. If the run failed, they are those up to its end, with the verdict "failed" and the reason.
 function impact.simulate(p, see)
   local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
   local frame, plane = impact.add(model, p)
   local loaded = model:static { hold = plane, unstable = p.unstable }
   loaded:finish()
-  local run = loaded -- where the building does not stand, there is no impact
+  local run = loaded -- no impact if the building does not stand
   if loaded.verdict ~= "failed" then
     run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4, record = 1000 }
   end
