@@ -1,4 +1,4 @@
--- Checks of what a script hands in, and messages that say what is wrong and what is allowed.
+-- Checks of the values that a script gives, and messages that say what is wrong and what is allowed.
 local core = require "hinge.core"
 
 local check = {}
@@ -139,7 +139,7 @@ function check.options(where, options, rules)
   end
   for field in pairs(options) do
     if type(field) ~= "string" then
-      check.fail("%s: %s stands without a name; write name = value, with a name out of %s", where,
+      check.fail("%s: the value %s has no name; write name = value; the names are %s", where,
         check.show(options[field]), table.concat(check.keys(rules), ", "))
     end
     if not rules[field] then check.unknown(where, "field", field, check.keys(rules)) end

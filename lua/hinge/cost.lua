@@ -93,11 +93,11 @@ local function run_references(bench, knobs, compared)
     bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
     if not bench:record(r) and not bench:fits(bench:estimate(r)) then
       return nil, ("the budget leaves no time for the reference (%s) and its own check, about %.2g s; "
-        .. "the next call goes on with a larger one"):format(r.label, estimate)
+        .. "a call with a larger budget continues from here"):format(r.label, estimate)
     end
     r.record = bench:run(r)
     if not r.record then
-      return nil, ("the budget ended in the reference (%s); give the next call a larger one"):format(r.label)
+      return nil, ("the budget ended in the reference (%s); give a larger one"):format(r.label)
     end
     if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
   end

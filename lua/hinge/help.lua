@@ -102,7 +102,7 @@ local function texts_on(name, object)
   end
   table.move(owners, 1, #owners, #texts + 1, texts)
   if #also > 0 then
-    texts[#texts + 1] = reference.wrapped("Of that name there are fields, too: " .. table.concat(also, ", ")) .. "\n"
+    texts[#texts + 1] = reference.wrapped("Fields with this name: " .. table.concat(also, ", ")) .. "\n"
   end
   return texts
 end
@@ -144,8 +144,8 @@ local function texts_of(e)
   return texts
 end
 
---- Where the texts speak of a word, without case: a list of { title =, line = }. Of each call, class and field it is
--- the first place.
+--- Where the texts mention a word, in upper or lower case: a list of { title =, line = }. It has the first place of
+-- each call, class and field.
 function help.search(word)
   local wanted, found = word:lower(), {}
   local function look(title, texts)
@@ -206,14 +206,14 @@ local function tell(_, ...)
     io.write(text)
     return
   elseif type(what) ~= "string" then
-    check.fail("help: %s is none of hinge's; give a call such as model.member, or a name or word as text",
+    check.fail("help: %s does not belong to hinge; give a call such as model.member, or a name or word as text",
       check.show(what))
   end
   local found = name ~= "" and help.search(name) or {}
   if #found == 0 then
     check.fail("help: nothing is called '%s'%s; help lists the calls", name, help.suggestion(name))
   end
-  io.write(("Nothing is called '%s'%s. The texts have it here:\n\n%s"):format(name, help.suggestion(name),
+  io.write(("Nothing is called '%s'%s. The reference mentions it here:\n\n%s"):format(name, help.suggestion(name),
     listed(found)))
 end
 help.at_prompt = setmetatable({}, {
@@ -225,13 +225,13 @@ local function not_found(text, ...)
   return 2
 end
 
---- Prints the page; options.code: only what is called so; options.search: the places that speak of a word. Returns the
+--- Prints the page; options.code: only what is called so; options.search: the places that mention a word. Returns the
 -- exit status, 2 where there is nothing.
 function help.main(options)
   local name, word = options.code, options.search
   if word then
     local found = help.search(word)
-    if #found == 0 then return not_found("the reference does not speak of '%s'%s", word, help.suggestion(word)) end
+    if #found == 0 then return not_found("the reference does not mention '%s'%s", word, help.suggestion(word)) end
     io.write(listed(found))
     return 0
   end

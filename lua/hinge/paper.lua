@@ -1,5 +1,5 @@
--- What the scripts of scripts/paper share: measures of error, tables, and the structure as figures 4 and 5 show it.
--- Described for editors in library.d.lua.
+-- Functions for the scripts of scripts/paper: error measures, tables, and the structure as in figures 4 and 5.
+-- library.d.lua describes the calls.
 local core = require "hinge.core"
 local check = require "hinge.check"
 
@@ -15,7 +15,8 @@ local captions = {
 --- Root of the mean square difference of two histories over the largest value of the second.
 function paper.error(history, reference)
   if #history ~= #reference then
-    check.fail("paper.error: the history has %d values, the reference %d; must be as many", #history, #reference)
+    check.fail("paper.error: the history has %d values, the reference %d; both must have the same number", #history,
+      #reference)
   end
   local sum, peak = 0, 0
   for i, wanted in ipairs(reference) do
@@ -54,7 +55,7 @@ function paper.needed(errors, limit)
   return fewest or "> " .. sizes[#sizes]
 end
 
---- An error as a table shows it; what is rounding is 0.
+--- An error as text for a table; rounding errors are 0.
 function paper.percent(error) return error < 1e-8 and "0" or ("%.3g"):format(100 * error) end
 
 --- One picture of a figure: a method's curves by number of elements, { x =, y = }, and the converged one, dashed.
@@ -87,19 +88,17 @@ function paper.table(title, head, rows)
   print(table.concat(lines, "\n"))
 end
 
---- What is said of a run that ended by itself, { run = name, time =, reason = }; nil of any other.
+--- Name, time and reason of a run that failed, { run = name, time =, reason = }; nil for any other run.
 function paper.ended(run, name)
   if run.verdict ~= "failed" then return nil end
   return { run = name, time = run.time, reason = run.reason }
 end
 
---- Prints how many of `of` runs ended by themselves, and of each its name, and when and why; the job notes it where
--- there are any.
+--- Prints how many of `of` runs failed, and the name and reason of each. If there are any, the job notes it.
 function paper.show_ended(job, ended, of)
-  if #ended == 0 then return print(("\nNone of %d runs ended by itself"):format(of)) end
+  if #ended == 0 then return print(("\nNone of %d runs failed"):format(of)) end
   print ""
-  local whom = #ended == 1 and "itself" or "themselves"
-  job:note(("%d of %d runs ended by %s, marked * in the tables"):format(#ended, of, whom))
+  job:note(("%d of %d runs failed, marked * in the tables"):format(#ended, of))
   for _, e in ipairs(ended) do print(("  %s: %s"):format(e.run, e.reason:match "^[^;]*")) end
 end
 

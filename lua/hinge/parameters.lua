@@ -102,7 +102,7 @@ function parameters.all_about_units(overrides)
   for _, override in ipairs(overrides or {}) do
     local name, text = override[1], override[2]
     local about = parameters.about_units(name, text)
-    if about ~= "" then lines = lines .. ("\n%s=%s is a text to the script%s"):format(name, text, about) end
+    if about ~= "" then lines = lines .. ("\n%s=%s is text for the script%s"):format(name, text, about) end
   end
   return lines
 end

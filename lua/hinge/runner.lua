@@ -91,7 +91,7 @@ local function plan_script(options)
     io.stderr:write("hinge: " .. failure.text .. "\n")
     return failure.status
   end
-  say(("the script was followed as far as it goes without results (%s)"):format(failure.text:match("^[^\n]*")))
+  say(("the rest of the script needs results, so it was not followed (%s)"):format(failure.text:match("^[^\n]*")))
   return done
 end
 

@@ -53,7 +53,7 @@ local function error_of(response, reference)
   return (response.ended or reference.ended) and math.huge or paper.error(response.y, reference.y)
 end
 
-local function percent(error) return error < math.huge and ("%.2f"):format(100 * error) or "ended by itself" end
+local function percent(error) return error < math.huge and ("%.2f"):format(100 * error) or "failed" end
 
 -- One load case: the table and pictures of a figure, and the parts of the error of two asi-gauss elements.
 -- count(response): called with each.
@@ -126,7 +126,7 @@ return hinge.scenario {
     local elastic = study(p, job, 11, "elastic", false, count)
     local plastic = study(p, job, 12, "elasto-plastic", true, count)
     paper.show_ended(job, ended, all)
-    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs ended by themselves") -- all converge
+    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs failed") -- all converge
     return { elastic = elastic, plastic = plastic, ended = ended, run_count = all }
   end,
 }

@@ -95,7 +95,7 @@ return hinge.scenario {
     local limit = push("asi-gauss", largest, true, p.quick and steps or 4 * steps)
     if #ended > 0 then -- nothing to compare with
       paper.show_ended(job, ended, all)
-      job:verdict("failed", "the reference ended by itself: " .. ended[1].reason)
+      job:verdict("failed", "the reference failed: " .. ended[1].reason)
       return { ended = ended }
     end
     local u, F = exact.x[#exact.x], limit.y[#limit.y]
@@ -144,7 +144,7 @@ return hinge.scenario {
     job:plot({ title = "Error against the converged solution", x_label = "elements a member", y_label = "error, %",
       log_x = true, log_y = true, width = 1500, height = 950, series = error_curves }, "error.png")
     paper.show_ended(job, ended, all)
-    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs ended by themselves")
+    job:verdict(#ended == 0 and "completed" or "failed", #ended .. " runs failed")
     results.ended, results.run_count = ended, all
     return results
   end,

@@ -82,7 +82,7 @@ local function tables(first, runs)
   end)
   row("kinetic energy brought, MJ", energy "own_kinetic")
   row("momentum brought, kN s", function(r) return ("%.0f"):format(r.brought / 1e3) end)
-  row("ended by itself, ms", function(r) return r.verdict == "failed" and ("%.1f *"):format(1e3 * r.time) or "no" end)
+  row("failed at, ms", function(r) return r.verdict == "failed" and ("%.1f *"):format(1e3 * r.time) or "no" end)
   row("columns fractured, inner", count "broken_inner")
   row("columns fractured, outer", count "broken_outer")
   row("beams fractured", count "broken_beams")
@@ -178,7 +178,7 @@ local function findings(first, runs)
     end
     if stopped then holds = nil end
     list[#list + 1] = { finding = what, holds = holds, undecided = stopped and true or nil, numbers = numbers }
-    local answer = stopped and ("undecided, a run of Case %s ended by itself"):format(stopped)
+    local answer = stopped and ("undecided, a run of Case %s failed"):format(stopped)
       or holds and "holds" or "does not hold"
     print(("\n%d. %s: %s\n   %s"):format(#list, what, answer, numbers))
   end

@@ -312,7 +312,7 @@ return hinge.scenario {
     local base = causes[1].ended
     job:verdict((base or #ended > #results / 3) and "failed" or "completed",
       base and "as reconstructed: " .. base.reason
-        or ("%d of %d runs ended by themselves, more than a third"):format(#ended, #results))
+        or ("%d of %d runs failed, more than a third"):format(#ended, #results))
     return { findings = found, variants = variants, why = causes, weak = cut, ended = ended, unstable_count = unstable,
       run_count = #results }
   end,

@@ -117,7 +117,7 @@ local function over_dt(p, job, count)
       result[#result + 1] = { rule = rules[i].key, beta = beta, dt_us = x, percent = y }
     end
   end
-  paper.table("Largest energy error over the time step, % of the initial energy (*: until the run ended by itself)",
+  paper.table("Largest energy error over the time step, % of the initial energy (*: until the run failed)",
     { "dt, us", "surface, beta 0.4", "gap, beta 0.4", "surface, beta 0.25", "gap, beta 0.25" }, rows)
   job:plot({ title = "What the step costs: two-beam impact", x_label = "time step, us", log_x = true, log_y = true,
     y_label = "largest energy error, % of the energy", series = series }, "energy_error_over_dt.png")
@@ -184,7 +184,7 @@ return hinge.scenario {
     result.ended, result.run_count = ended, all
     must_hold = #ended - long_steps
     job:verdict(must_hold == 0 and "completed" or "failed",
-      must_hold .. " runs in the script's own step ended by themselves")
+      must_hold .. " runs with the time step of the script failed")
     return result
   end,
 }

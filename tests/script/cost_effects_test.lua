@@ -218,8 +218,8 @@ local command = ("%s cost %s --effects --case moon --out %s/p"):format(program, 
 local status, printed, complaint = support.run(command)
 equal(status, 0, "status: " .. complaint)
 for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
-  "own error: how far the setting is from one twice as fine (dt 0.0005)",
-  "not in this scene: plasticity, fracture, friction",
+  "own error: difference from a setting twice as fine (dt 0.0005)",
+  "not in this scenario: plasticity, fracture, friction",
   "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
   expect(printed:find(part, 1, true), "hinge cost --effects does not say '%s':\n%s", part, printed)
 end

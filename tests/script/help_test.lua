@@ -54,7 +54,7 @@ end
 expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
 expect(select(2, asks "friction"):find("^`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
   "a field is told with its class: %s", select(2, asks "friction"))
-expect(select(2, asks "verdict"):find("fields, too: `hinge.run.verdict`", 1, true), "fields of a call's name")
+expect(select(2, asks "verdict"):find("Fields with this name: `hinge.run.verdict`", 1, true), "fields of a call's name")
 equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
   .. reference.preamble .. "\n```\n", "what examples start from")
 
@@ -62,8 +62,8 @@ for name, message in pairs {
   ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
     .. "`hinge reference -s WORD` searches it\n",
   ["buckling"] = "hinge: nothing is called 'buckling'; `hinge reference -s buckling` finds 1 mention of it\n",
-  ["-s nowhereatall"] = "hinge: the reference does not speak of 'nowhereatall'\n",
-  ["-s dampng"] = "hinge: the reference does not speak of 'dampng' (did you mean 'damping'?)\n",
+  ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
+  ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
 } do
   local status_of, said, complaint = asks(name)
   equal(status_of, 2, "status of " .. name)
@@ -130,8 +130,8 @@ for typed, wanted in pairs {
   equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
 end
 expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
-expect(support.says(select(2, types 'help "buckling"'),
-  "Nothing is called 'buckling'. The texts have it here:\n\nmodel:static(options?)\n    ..."), "a word in the texts")
+expect(support.says(select(2, types 'help "buckling"'), "Nothing is called 'buckling'. The reference mentions it here:"
+  .. "\n\nmodel:static(options?)\n    ..."), "a word in the texts")
 equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
 
 -- The page on the prompt: its session prints what stands there, and its commands find something.

@@ -128,16 +128,16 @@ function look.two_beam_impact(r, printed)
   end
   equal(#r.over_dt, 4, "rules and beta over the step")
   -- The guard ends the longest step with gap elements. It is a row that says so, and its figure is there.
-  equal(#r.ended, 1, "runs that ended by themselves")
+  equal(#r.ended, 1, "runs that failed")
   local e = r.ended[1] or { run = "none", reason = "" }
-  equal(e.run, "gap, beta 0.4, dt 40 us", "the run that did")
+  equal(e.run, "gap, beta 0.4, dt 40 us", "the run that failed")
   expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the energy balance no longer closes", "its reason: %s", e.reason)
   expect(e.time > 0 and e.time < 0.03, "its time: %s", e.time)
   local figures = pick(r.over_dt, { rule = "gap", beta = 0.4 })
   near(figures.dt_us[2], 40, 1e-9, "its step")
   expect(figures.percent[2] > 10, "its energy error is %s %%, and the guard ends it above 10", figures.percent[2])
   expect(printed:find "\n  40 +[%d.]+  +[%d.]+%*  +[%d.]+  +[%d.]+\n", "the table does not mark it:\n%s", printed)
-  local note = "\nnote: 1 of 39 runs ended by itself, marked * in the tables\n  gap, beta 0.4, dt 40 us: step "
+  local note = "\nnote: 1 of 39 runs failed, marked * in the tables\n  gap, beta 0.4, dt 40 us: step "
   expect(printed:find(note, 1, true), "the list at the end:\n%s", printed)
 end
 
@@ -217,12 +217,12 @@ for i = 2, #arg do
   if expect(type(summary.results) == "table", "%s: no results", name) then look[name](summary.results, printed) end
 end
 
--- Where runs end by themselves that should not, all tables are there, and then the script has failed.
+-- If runs fail that should not, all tables are there, and the script fails after them.
 local two_beams = quote(support.root .. "scripts/paper/two_beam_impact.lua")
 local status, printed, complaint = support.run(("%s run %s quick=true dt=4e-5 duration=0.021 --out %s"):format(
   quote(arg[1] .. "/hinge"), two_beams, quote(folder .. "/long_steps")))
 equal(status, 1, "status with a step that is too long; " .. complaint)
-local failed = "hinge: the run failed: %d+ runs in the script's own step ended by themselves\n"
+local failed = "hinge: the run failed: %d+ runs with the time step of the script failed\n"
 expect(complaint:find(failed), "it says: %s", complaint)
 expect(printed:find "\n  gap%* ", "its first table:\n%s", printed)
 expect(printed:find "\nOther crossings.*\n  90 .*\nnote: %d+ of 39 ", "its last table:\n%s", printed)

@@ -78,7 +78,7 @@ for arguments, message in pairs {
   ["run " .. ten_storey .. " speed=400km/h"] = "hinge: speed=400km/h: speed is '400km/h'; must be a number in SI units "
     .. "or a sum such as 440/3.6; a number in SI units, without its unit, is speed=111.1111111",
   ["run " .. script("adds.lua", "local p = ...\nreturn p.load + 1\n") .. " load=2kN"] =
-    "hinge: ...adds.lua:2: attempt to ...\n  at ...adds.lua:2\nload=2kN is a text to the script; a number in SI units, "
+    "hinge: ...adds.lua:2: attempt to ...\n  at ...adds.lua:2\nload=2kN is text for the script; a number in SI units, "
       .. "without its unit, is load=2000",
   ["run " .. ten_storey .. " size=-15"] =
     "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
@@ -146,7 +146,7 @@ for geometric, line in pairs { ["true"] = "on +part of large displacement", ["fa
 end
 status, printed = run(hinge .. " plan " .. script("plans.lua", beam ..
   "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
-expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "as far as it goes",
+expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "needs results, so it was not followed",
   "a loop is described once: %s", printed)
 equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2,
   "status of a plan that fails before a run")

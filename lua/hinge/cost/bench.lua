@@ -165,7 +165,7 @@ end
 function Bench:scatter(setting)
   local _, changed = self:parameters(setting, 1)
   if changed == 0 then
-    return nil, "no number of the scenario could be changed a little, so chaos was not looked for"
+    return nil, "the scenario has no number to change slightly, so there was no check for chaos"
   end
   local scatter = {}
   for variation = 1, perturbations do
@@ -173,7 +173,7 @@ function Bench:scatter(setting)
       (perturbations - variation + 1) * self:estimate(setting, variation))
     local record = (self:record(setting, variation) or self:fits(self:estimate(setting, variation)))
       and self:run(setting, variation)
-    if not record then return next(scatter) and scatter or nil, "the budget ended before chaos was looked for" end
+    if not record then return next(scatter) and scatter or nil, "the budget ended before the check for chaos" end
     for name, answer in pairs(setting.record.answers) do
       local error = record.failed and math.huge or compare.error(record.answers[name], answer)
       scatter[name] = compare.larger(scatter[name] or 0, error)

@@ -57,14 +57,14 @@ function report.show(result)
   effects_table(result)
   answers_table(result)
   print ""
-  if result.finer then print(("own error: how far the setting is from one twice as fine (%s)"):format(result.finer)) end
-  print(("scatter: when every number changes by %g of itself"):format(result.perturbation))
+  if result.finer then print(("own error: difference from a setting twice as fine (%s)"):format(result.finer)) end
+  print(("scatter: change of the answer when every number changes by a relative %g"):format(result.perturbation))
   for _, note in ipairs(result.notes) do print("note: " .. note) end
   for _, row in ipairs(result.effects) do
     if row.failed then print(("%s cannot be left out: %s"):format(row.name, row.failed)) end
   end
-  if #result.absent > 0 then print("not in this scene: " .. table.concat(result.absent, ", ")) end
-  if #result.left_out > 0 then print("left out by the budget: " .. table.concat(result.left_out, ", ")) end
+  if #result.absent > 0 then print("not in this scenario: " .. table.concat(result.absent, ", ")) end
+  if #result.left_out > 0 then print("not tried because of the budget: " .. table.concat(result.left_out, ", ")) end
   local small = {}
   for _, row in ipairs(result.effects) do
     local scatter = row.lost and result.answers[row.worst].scatter or 0
@@ -72,7 +72,7 @@ function report.show(result)
   end
   print(#small > 0
     and ("changes no more than %s, each by itself: %s"):format(percent(result.within), table.concat(small, ", "))
-    or ("every effect of this scene changes an answer by more than %s"):format(percent(result.within)))
+    or ("every effect of this scenario changes an answer by more than %s"):format(percent(result.within)))
 end
 
 local function csv(result)

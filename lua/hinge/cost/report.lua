@@ -13,9 +13,9 @@ local percent, bytes, sorted = text.percent, text.bytes, text.sorted
 local most_rows = 14 -- answers shown; cost.csv has them all
 
 local states = {
-  chaotic = "chaotic: it scatters by %s when every number changes by %g of itself, so it has no error",
-  unsettled = "not settled: two references, each finer than all settings, differ by %s; "
-    .. "give finer settings, or a greater --within",
+  chaotic = "chaotic: it changes by %s when every number changes by a relative %g, so it has no error",
+  unsettled = "not converged: two references, each finer than all settings, differ by %s; "
+    .. "give finer settings, or a larger --within",
   moving = "differs from run to run of the same setting (%s): a measured time, or a random number; left out",
 }
 
@@ -131,7 +131,7 @@ local function equal_tables(result)
       end
     end
     paper.table("Time at equal error, over the shortest (a to b: on the straight line between two settings, "
-      .. "on logarithmic axes; >: not even the best one is as near)", head, rows)
+      .. "on logarithmic axes; >: even the best one has a larger error)", head, rows)
   end
 end
 
@@ -149,14 +149,14 @@ function report.show(result)
       if q.state == "sound" then worst = compare.larger(worst or 0, q.agreement) end
     end
     print(("reference: %s; a coarser one (%s) %s"):format(result.references[2].label, result.references[1].label,
-      worst and "agrees with it to " .. percent(worst) or "agrees with it on nothing"))
+      worst and "agrees with it to " .. percent(worst) or "agrees with it in no answer"))
   end
   for _, line in ipairs(doubts(result)) do print(line) end
   for _, note in ipairs(result.notes) do print("note: " .. note) end
   for _, s in ipairs(result.failed) do print(("no answer: %s: %s"):format(s.label, s.failed)) end
   local out = result.left_out[1]
   if out then
-    print(("left out by the budget: %s, such as %s, about %.2g s and %.2g s for its reference")
+    print(("left out because of the budget: %s, such as %s, about %.2g s and %.2g s for its reference")
       :format(check.count(#result.left_out, "setting"), out.label, out.estimate, out.rest))
   end
   local sound, all = 0, 0
