@@ -1,4 +1,4 @@
--- A portal that is loaded at once, computed with several elements and time steps: see accuracy.md.
+-- A portal that is loaded suddenly, computed with several elements and time steps: see accuracy.md.
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }

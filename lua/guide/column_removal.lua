@@ -1,4 +1,4 @@
--- A frame loses its middle column at once: see column_removal.md.
+-- A frame suddenly loses its middle column: see column_removal.md.
 local hinge = require "hinge"
 
 local g, span, lost_at = 9.80665, 6, 0.05 -- m/s^2, m, s

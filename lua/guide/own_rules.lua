@@ -41,7 +41,7 @@ model:fracture {
   end,
 }
 
--- A function that is told of contacts.
+-- A function that is called at contacts.
 local first
 model:contact { between = { "mast", "bar" }, on_contact = function(event) first = first or event end }
 

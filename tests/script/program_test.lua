@@ -146,7 +146,7 @@ for geometric, line in pairs { ["true"] = "on +part of large displacement", ["fa
 end
 status, printed = run(hinge .. " plan " .. script("plans.lua", beam ..
   "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
-expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "needs results, so it was not followed",
+expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "needs results, so it",
   "a loop is described once: %s", printed)
 equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2,
   "status of a plan that fails before a run")
