@@ -62,7 +62,7 @@ local function fields_at(text, at)
   return own and fields(own) or {}
 end
 
---- Names of the parameters and cases of a script by its text, as far as it shows them: two lists.
+--- Two lists: the names of the parameters and of the cases of a script that its text shows.
 function completion.names(text)
   local code = bare(text)
   local from, to = code:match "%f[%w_]scenario%s*%(?%s*()%b{}()"

@@ -1,8 +1,8 @@
--- What accuracy costs in time: a scenario over its accuracy settings, each compared with a
--- reference that is tested itself.
+-- What accuracy costs in time: a scenario with each of its accuracy settings. Each is compared with a reference, which
+-- is tested itself.
 --
--- Every setting runs in this process, with models of its own: a scenario is a function of this Lua state, its start-up
--- is then in no time, and runs of different settings can take turns. The most memory held is counted anew for each
+-- Every setting runs in this process, with its own models, since a scenario is a function of this Lua state. So
+-- start-up is not in the times, and runs of different settings can alternate. The most memory is measured anew for each
 -- (/proc/self/clear_refs).
 local check = require "hinge.check"
 local scenarios = require "hinge.scenario"
@@ -29,8 +29,8 @@ local function references(knobs, compared)
   return { ladder.reference(knobs, compared, 1), ladder.reference(knobs, compared, 2) }
 end
 
--- The setting whose numbers are changed a little: the scenario's default, or the most
--- laborious where that was not reached.
+-- The setting whose numbers are changed slightly: the scenario's default, or the slowest one if the default was not
+-- run.
 local function default_of(knobs, compared)
   for _, s in ipairs(compared) do
     local all = true
@@ -47,9 +47,10 @@ local function still_to_come(bench, knobs, compared)
   return seconds + bench:changed_runs(default_of(knobs, compared), compared[#compared])
 end
 
--- Runs settings, the cheap ones first, while they and what they are to be compared with fit into the budget; where that
--- does not even fit for those that there are, while they fit themselves. Returns those that have an answer, those that
--- failed, and those left out.
+-- Runs settings, the cheap ones first, as long as they and their references fit into the budget. If the references do
+--         not
+-- fit at all, it runs settings as long as these fit. Returns those that have an answer, those that failed, and those
+-- left out.
 local function run_settings(bench, knobs, settings)
   local compared, failed, left_out = {}, {}, {}
   local function leave_out(s, own, rest)

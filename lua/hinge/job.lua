@@ -1,4 +1,4 @@
--- A job: where one run of a script puts its pictures, frames and notes.
+-- A job: the pictures, frames and notes of one run of a script.
 local core = require "hinge.core"
 local check = require "hinge.check"
 
@@ -101,7 +101,7 @@ function Job:plot(plot, filename, ...)
   try(self, filename, core.write_plot, plot, picture_path(named(self, "plot"), self, filename))
 end
 
---- Says something worth keeping: printed now, and kept in summary.json.
+--- Prints a text and keeps it in summary.json.
 function Job:note(text, ...)
   check.no_more(named(self, "note"), ...)
   text = tostring(text)
@@ -120,16 +120,16 @@ function Job:verdict(verdict, reason, ...)
   self.whole = { verdict = verdict, reason = verdict == "failed" and reason or nil }
 end
 
--- For runs that are only measured: draws nothing and says nothing.
+-- A job for runs that are only measured. It draws nothing and prints nothing.
 local function quiet(case)
   local job = new("", case)
   for _, name in ipairs { "frame", "picture", "strip", "plot", "note", "verdict" } do job[name] = function() end end
   return job
 end
 
-local current -- where hinge.picture and the like put what they make
+local current -- the job of hinge.picture and similar calls
 
---- From now on hinge.picture and the like belong to this job; returns the one before.
+--- Sets the job of hinge.picture and similar calls; returns the one before.
 local function use(job)
   local before = current
   current = job

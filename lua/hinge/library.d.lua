@@ -163,7 +163,7 @@ function ten_storey.add(model, options) end
 ---@field length? number nose to last frame, default 1
 ---@field nose? number nose to first frame, default 0.10
 ---@field droop? number nose joint below the fuselage's axis, default 0.02
----@field body? number side of the square frames amidships, default 0.12265
+---@field body? number side of the square frames in the middle of the fuselage, default 0.12265
 ---@field span? number default 1
 ---@field wing_tip? number default 0.09
 ---@field wing_sweep? number default 0.10

@@ -1,13 +1,13 @@
--- The settings of a script that is made of plain statements, which does not say what parameters it has: which of them
--- it reads.
+-- The settings of a script of plain statements. Such a script has no list of parameters, so this file finds which
+-- settings it reads.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local values = require "hinge.values"
 
 local parameters = {}
 
--- A script's text without comments, and with nothing between the quotes of its strings but where one stands for a name,
--- as in p["speed"].
+-- A script's text without comments and without the content of its strings. A string that is a field name stays, as in
+-- p["speed"].
 local function bare(text)
   local parts, at = {}, 1
   while true do
@@ -34,7 +34,7 @@ local function bare(text)
   return table.concat(parts) .. text:sub(at)
 end
 
--- Whether a text may run other code, which may give back a scenario: `load` as a function, not as a name of its own.
+-- Whether a text may run other code, which may return a scenario: `load` as the function of Lua, not as another name.
 local function runs_other_code(text)
   for _, word in ipairs { "loadfile", "dofile" } do
     if text:find("%f[%w_:.]" .. word .. "%f[^%w_]") then return true end
@@ -45,8 +45,8 @@ local function runs_other_code(text)
   return false
 end
 
---- The names that a text reads off the variable that holds its `...`, as keys, {} where it has no `...`; nil where
--- only running it can tell, for it hands them on or loads other code.
+--- The names that a text reads from the variable with its `...`, as keys; {} if it has no `...`. nil if only a run can
+-- show them, because the text passes the variable on or loads other code.
 function parameters.names_in(whole)
   for module in whole:gmatch "%f[%w_]require%f[^%w_]%s*(.[^\n]*)" do
     if not module:find "^%(?%s*[\"']hinge[\"'%.]" then return nil end
@@ -90,7 +90,7 @@ local function without_unit(text)
   return size and number * size
 end
 
---- What to say where a setting looks like a number with a unit: "" where it does not.
+--- The advice for a setting that looks like a number with a unit, else "".
 function parameters.about_units(name, text)
   local number = without_unit(text)
   return number and ("; a number in SI units, without its unit, is %s=%.10g"):format(name, number) or ""

@@ -6,8 +6,8 @@ local runner = require "hinge.runner"
 
 local prompt = {}
 
--- The text as a function, first as an expression; else nil, what is wrong with it, and
--- whether more text could mend that.
+-- The text as a function, first as an expression. If it is neither expression nor statement: nil, the error, and
+-- whether more text could complete it.
 local function compile(text, name)
   local expression, lacking = load("return " .. text, name, "t")
   if expression then return expression end
@@ -16,7 +16,7 @@ local function compile(text, name)
   return nil, problem, (problem:find "<eof>$" or lacking:find "<eof>$") ~= nil
 end
 
--- The globals of those who type; a script's own `help` stays.
+-- The globals at the prompt. A `help` that the script has defined stays.
 local function set_globals()
   _G.hinge = require "hinge"
   if rawget(_G, "help") == nil then _G.help = require "hinge.help".at_prompt end
@@ -46,7 +46,7 @@ end
 local keywords = { "and", "break", "do", "else", "elseif", "end", "false", "for", "function", "goto", "if", "in",
   "local", "nil", "not", "or", "repeat", "return", "then", "true", "until", "while" }
 
--- Names that a value answers to: its own, and those of its kind. methods: only what can be called.
+-- Names of the fields and methods of a value. methods: only those that can be called.
 local function names_of(value, methods)
   local names = {}
   local function add(map)
@@ -67,7 +67,7 @@ local function names_of(value, methods)
   return names
 end
 
--- What a chain of names such as model.section stands for; reading it may run nothing but a field's own function.
+-- The value of a chain of names such as model.section. Reading it may call only the function of a field.
 local function value_of(chain)
   local value = _G
   for name in chain:gmatch "[%a_][%w_]*" do

@@ -1,4 +1,4 @@
--- Values as a person reads them: tables by their fields, on one line where they fit; objects by tostring.
+-- Values as readable text: tables by their fields, on one line if they fit; objects by tostring.
 local width, most, deepest = 100, 40, 6 -- columns; items of one table; tables within tables
 
 local reserved = {}

@@ -1,4 +1,4 @@
--- Tables at the end of a run: what became of the members, the energy balance, and where the seconds went.
+-- Tables at the end of a run: the damage of the members, the energy balance, and the wall time by stage.
 local check = require "hinge.check"
 
 local report = {}

@@ -65,8 +65,9 @@ function runner.load(path, overrides, sandbox)
   return nil, result, plain, must_be_read
 end
 
--- Runs a script without a step, so that its runs describe themselves. What it does with results it cannot have is not
--- its fault; what the engine finds wrong is, where the script is to be checked.
+-- Runs a script without steps, so that its runs describe themselves. Errors of the script because results are missing
+--         do
+-- not count. For a check, errors that the engine raises count.
 local function plan_script(options)
   local checking = options.verb == "check"
   core.plan(checking)
@@ -159,7 +160,7 @@ function runner.guard(f, memory)
   if result == out_of_memory then
     local more = memory and ("; the sandbox's limit is %s, --memory gives more"):format(memory) or ""
     result = { status = run_failed, text = out_of_memory .. more }
-  elseif type(result) ~= "table" then -- the error stumbled over itself
+  elseif type(result) ~= "table" then -- an error in the error message
     result = { status = wrong_input, text = tostring(result) }
   end
   core.event("error", { status = result.status, message = result.text })

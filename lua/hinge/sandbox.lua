@@ -1,5 +1,5 @@
--- What a script that is not trusted can reach: Lua without files, processes, native modules and what looks into
--- functions, and a copy of the library of its own. Its limits are the program's (src/script/sandbox.h).
+-- The globals of a script that is not trusted: Lua without files, processes, native modules and debug functions, and a
+-- separate copy of the library. src/script/sandbox.h has its limits.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local scenario = require "hinge.scenario" -- shared: its module table never leaves the library
@@ -20,7 +20,7 @@ local own_modules = { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.mo
   "hinge.models.space_frame", "hinge.models.ten_storey", "hinge.models.ten_storey_impact", "hinge.paper",
   "hinge.report", "hinge.section", "hinge.shapes", "hinge.values" }
 
--- A table that says why it lacks what Lua has. Its metatable is out of reach.
+-- A table that explains why a function of Lua is missing. The script cannot reach its metatable.
 local function guarded(copy, original, prefix)
   return setmetatable(copy, { __metatable = false, __index = function(_, key)
     if original[key] ~= nil then check.fail("%s%s is not available to a script in the sandbox", prefix, key) end

@@ -1,5 +1,5 @@
--- A scenario: a script's parameters with their defaults, its named cases, the settings that trade accuracy for time,
--- and the function that runs it.
+-- A scenario: a script's parameters with their defaults, its named cases, its settings of accuracy against time, and
+-- the function that runs it.
 local check = require "hinge.check"
 local settings = require "hinge.parameters"
 local values = require "hinge.values"
@@ -30,7 +30,8 @@ local function each_parameter(parameters)
   end
 end
 
--- Whether `return hinge.scenario { ... }` is the end of a script that Lua's own interpreter runs: nothing would follow.
+-- Whether `return hinge.scenario { ... }` ends a script under Lua's own interpreter. Nothing would then run the
+-- scenario.
 local function ends_a_script()
   local caller = debug.getinfo(3, "S")
   return debug.getinfo(2, "t").istailcall and caller and caller.what == "C" and not debug.getinfo(4, "S")
@@ -112,7 +113,7 @@ local function same(a, b)
   return true
 end
 
---- Of these values those that differ from the case's, or from the defaults.
+--- The values that differ from those of the case, or from the defaults.
 function Scenario:changed(case, parameters)
   local changed = {}
   for name, value in pairs(self:values(case)) do

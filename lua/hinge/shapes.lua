@@ -32,7 +32,7 @@ local function torsion_of_rectangle(b, d)
   return a * c ^ 3 * (1 / 3 - 64 / pi ^ 5 * c / a * sum)
 end
 
---- Fully plastic torque over shear yield stress of a rectangle: Nadai's heap of sand, m^3.
+--- Fully plastic torque over shear yield stress of a rectangle: Nadai's sand-heap analogy, m^3.
 local function sand_heap(b, d)
   local a, c = math.max(b, d), math.min(b, d)
   return c * c * (3 * a - c) / 6
@@ -88,8 +88,8 @@ function shapes.box(options)
 end
 
 --- H, also called I or wide flange: outer depth and width, thickness of web and flange. The web lies along y, so Ix is
--- the strong axis. J = sum b t^3 / 3 of the three plates; plastic torque: their heaps of sand, the web's without
--- slopes at its ends. Neither counts the fillets. Shear along x: 5/6 of the flanges.
+-- the strong axis. J = sum b t^3 / 3 of the three plates; plastic torque: the sand-heap analogy for each plate,
+-- for the web without slopes at its ends. Neither includes the fillets. Shear along x: 5/6 of the flanges.
 function shapes.h(options)
   local where = "hinge.section.h"
   local o = check.options(where, options, { depth = length, width = length, web = length, flange = length })

@@ -167,8 +167,8 @@ end
 -- The paper's findings against the numbers. Each: what, holds or not, and the numbers.
 local function findings(first, runs)
   local list = {}
-  -- `cases`: those that it looks at, the first run of Case I where that is all. One that ended by itself leaves it
-  -- undecided.
+  -- `cases`: the cases that the finding needs; the first run of Case I if there are no more. If one of them failed, the
+  -- finding is undecided.
   local function find(what, cases, holds, numbers)
     local stopped
     for case in cases:gmatch "%a+" do

@@ -1,5 +1,5 @@
 -- Hard cases: in its own step every scene keeps its energy and momenta in bounds to the end, or ends with the words
--- that it states. In other settings a run may also end by itself, with a verdict that says step, time, place and cause.
+-- that it states. In other settings a run may also fail, with a reason that says step, time, place and cause.
 --
 -- Run     cmake --build build --target hard         (or: lua5.4 tests/hard/suite.lua [quick] [words of a scene's name])
 -- Shows   each scene in its own step, and in the other settings below, slow ones in longer steps alone and long ones in
@@ -9,7 +9,7 @@
 --
 -- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; energy_error and
 -- momentum, its bounds; free, nothing acts on it from outside; rests, what may still move at its end, as a part of the
--- largest energy. names or says: it is refused, or ends by itself, with these words; all others must hold in their
+-- largest energy. names or says: it is refused, or fails, with these words; all others must hold in their
 -- own step.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.path
@@ -60,7 +60,7 @@ local function balance(energy)
   return left, most
 end
 
--- What came of a scene in a setting: said (ended by itself, or was refused), in bounds, or a
+-- What came of a scene in a setting: said (failed, or was refused), in bounds, or a
 -- breach of the rule. Nil: not tried.
 local function try(scene, setting)
   local out = { times = setting.times }
@@ -126,7 +126,7 @@ local function breach(scene, out, own_step)
     return ("the accounts and the energy error are %.2g apart"):format(out.uncounted)
   end
   if out.verdict == "failed" then
-    if own_step then return "ended by itself in its own step: " .. out.reason end
+    if own_step then return "failed in its own step: " .. out.reason end
     local placed = out.reason:find "step %d+" and out.reason:find "t = "
     return not placed and "failed without a step and a time: " .. out.reason or nil
   end
@@ -213,7 +213,7 @@ if not quick then
   for i, setting in ipairs(settings) do
     shares[i] = ("%s: %d of %d"):format(setting[1], holding[setting] or 0, tried[setting] or 0)
   end
-  print("in other settings " .. table.concat(shares, ", ") .. "; the others ended by themselves or were refused")
+  print("in other settings " .. table.concat(shares, ", ") .. "; the others failed or were refused")
 end
 if #as_printed > 0 then print "eq 15 as printed, one solve a step from du = 0, does not hold in" end
 for _, l in ipairs(as_printed) do print("  " .. l:gsub("%. The state.*", "")) end

@@ -124,7 +124,7 @@ goes_on("rules of the script's own", {
   end,
 }, 4)
 
--- A run that ends by itself, and goes back to a state from before the checkpoint.
+-- A run that fails, and goes back to a state from before the checkpoint.
 local strict = { run = { energy_tolerance = 1e-3 } }
 local failed = impact_run(strict)
 failed:finish()

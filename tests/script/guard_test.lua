@@ -1,4 +1,4 @@
--- A run whose energy balance no longer closes ends by itself, says where, and goes back to its last good state.
+-- A run whose energy balance no longer closes fails, says where, and goes back to its last good state.
 --
 -- Run: lua5.4 tests/script/guard_test.lua BUILD, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path

@@ -23,6 +23,14 @@ local dropped = {
   ["to-the-letter"] = "as printed",
   ["by-turns"] = "alternately",
   ["energy-turned-over"] = "the largest energy",
+  ["end-by-itself ends-by-itself ended-by-itself end-by-themselves ended-by-themselves"] = "fail",
+  ["unaccounted"] = "energy error",
+  ["heap-of-sand heaps-of-sand"] = "sand-heap analogy",
+  ["hands-in handed-in"] = "give, pass",
+  ["askew"] = "inclined",
+  ["amidships"] = "in the middle of the fuselage",
+  ["laborious"] = "slow",
+  ["stands-without-a-name"] = "has no name",
 }
 
 -- Legitimate uses: where, a pattern of the path; the word; what stands before it, a pattern, or any; why.

@@ -43,7 +43,7 @@ struct Swinging {
 
 }  // namespace
 
-TEST_CASE("guard: a run that gains energy ends by itself, and goes back to where its balance closed", "[guard]") {
+TEST_CASE("guard: a run that gains energy fails, and goes back to where its balance closed", "[guard]") {
     for (const bool in_explicit_steps : {true, false}) {
         INFO((in_explicit_steps ? "explicit" : "Newmark, beta 1/6"));
         const Swinging scene(in_explicit_steps);

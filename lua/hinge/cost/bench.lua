@@ -1,5 +1,5 @@
--- The bench: runs settings of a scenario within a budget, keeps what is finished, times alternately, and
--- knows how long others would take.
+-- The bench: runs settings of a scenario within a budget, keeps finished measurements, times settings alternately, and
+-- estimates the time of others.
 local core = require "hinge.core"
 local ladder = require "hinge.cost.ladder"
 local measure = require "hinge.cost.measure"
@@ -46,8 +46,8 @@ end
 
 function Bench:record(setting, variation) return self.store:get(self:key(setting, variation or 0)) end
 
--- How the time grows as a number is refined: the median exponent over finished settings that differ in it alone; else
--- what is usual, corrected by how the time of all grew with what is usual.
+-- How the time grows when a number is refined: the median exponent over finished settings that differ in this number
+-- alone. If there are none, it is the usual exponent, corrected by the growth of all finished settings.
 function Bench:growth(knob)
   local found, all = {}, {}
   for i, a in ipairs(self.timed) do
@@ -67,8 +67,8 @@ function Bench:growth(knob)
   return math.max(0, compare.median(found) or knob.side.work * (compare.median(all) or 1))
 end
 
---- Seconds that a setting would take once, from the finished one nearest to it in work. 0 while nothing is known, and
--- for what is finished.
+--- Seconds that a setting would take once, from the finished setting with the nearest amount of work. 0 if nothing is
+-- known yet, and for a finished setting.
 function Bench:estimate(setting, variation)
   if self:record(setting, variation) or #self.timed == 0 then return 0 end
   local nearest, from = math.huge, nil
@@ -92,7 +92,7 @@ function Bench:measure(setting, variation)
     self.budget and self.start + self.budget, setting.without)
 end
 
---- Its measurement: the one that is kept, or a new one. nil where the budget ended it.
+--- The measurement of a setting: the kept one, or a new one. nil if the budget ended it.
 function Bench:run(setting, variation)
   local key = self:key(setting, variation or 0)
   local record = self.store:get(key)
@@ -108,8 +108,8 @@ function Bench:run(setting, variation)
   return record
 end
 
---- Times a finished setting once more. What its answers are must not have changed: names of those
--- that did are put into `moving`.
+--- Times a finished setting once more. Its answers should not change. The names of answers that did are put into
+-- `moving`.
 function Bench:time_again(setting, moving)
   local record, again = self:record(setting), self:measure(setting, 0)
   if not again or again.failed then return end
@@ -122,7 +122,7 @@ function Bench:time_again(setting, moving)
   record.moving = moving
 end
 
---- Keeps what was timed again.
+--- Keeps the new times of a setting.
 function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
 
 --- Times settings again, one after the other so that a slow moment of the machine affects all of them. Returns the
@@ -149,7 +149,7 @@ function Bench:time_alternately(compared, repeats)
   return moving
 end
 
---- Seconds that the changed runs of a setting would take: see scatter. `like`: one of which it is known.
+--- Seconds that the changed runs of a setting would take: see scatter. `like`: a setting with known changed runs.
 function Bench:changed_runs(setting, like)
   local seconds = 0
   for variation = 1, perturbations do
@@ -160,8 +160,9 @@ function Bench:changed_runs(setting, like)
   return seconds
 end
 
---- By name, how far a setting's answers scatter when every number that is not whole changes by a part of 1e-9; nil and
--- why where none could be changed.
+--- By name, the scatter of a setting's answers when every number that is not whole changes by a part of 1e-9. If there
+--- is
+-- no such number: nil and the reason.
 function Bench:scatter(setting)
   local _, changed = self:parameters(setting, 1)
   if changed == 0 then
@@ -182,7 +183,7 @@ function Bench:scatter(setting)
   return scatter
 end
 
---- A line on stderr: what is being done, how far along, and how long the rest will take.
+--- A line on stderr: the work in hand, its progress, and the time left.
 function Bench:progress(what, done, all, left)
   if not self.say or self.said and core.clock() - self.said < 0.5 then return end
   self.said = core.clock()

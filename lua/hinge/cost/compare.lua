@@ -1,4 +1,4 @@
--- Comparing answers: how far two are apart, at which order they converge, and which settings nothing else beats.
+-- Comparing answers: the difference of two, the order of convergence, and the settings on the Pareto front.
 local compare = {}
 -- The part of an error by which a slower setting must be better to be on the front: less is rounding.
 local least_gain = 1e-3
@@ -57,8 +57,8 @@ local function distance(a, b)
   return count > 0 and math.sqrt(sum / count) or math.huge
 end
 
---- How far an answer is from another, as a part of that one's size (a number's value, a history's largest): root mean
--- square for histories. math.huge where either holds a number that is not finite.
+--- The difference of an answer from another, as a part of the other's size (the value of a number, the largest value of
+-- a history); root mean square for histories. math.huge if one of them has a number that is not finite.
 function compare.error(answer, reference)
   if answer == nil or reference == nil then return math.huge end
   local d, scale = distance(answer, reference), size(reference)
@@ -68,7 +68,7 @@ function compare.error(answer, reference)
 end
 
 --- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio
--- of their differences. nil where none between 0.02 and 16 fits; 0 differences mean exact: math.huge.
+-- of their differences. nil if none between 0.02 and 16 fits; math.huge (exact) if the differences are 0.
 function compare.order(h, answers)
   local first, second = distance(answers[1], answers[2]), distance(answers[2], answers[3])
   local noise = 1e-9 * size(answers[3])
@@ -84,9 +84,9 @@ function compare.order(h, answers)
   return (low + high) / 2
 end
 
---- The Pareto front of { { time =, error = }, ... }: the items that none beats in one and equals or beats in the other,
--- by time. Items without an error, or with one that is not a number, are none of it, nor those better by less than a
--- thousandth.
+--- The Pareto front of { { time =, error = }, ... }, by time. An item is on it if no other item is better in one value
+-- and equal or better in the other. Left out are items without an error, or with one that is not a number, and items
+-- that are better by less than a thousandth.
 function compare.front(items)
   local sorted, front, least = {}, {}, math.huge
   for _, item in ipairs(items) do

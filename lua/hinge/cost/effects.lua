@@ -1,8 +1,8 @@
--- What effects cost: a scenario with one of its effects left out at a time; what that changes
--- in the answers, and in the time.
+-- What effects cost: a scenario is run without one of its effects at a time. The change of its answers and of its time
+-- is measured.
 --
--- The script is not rewritten: while it runs, the engine takes back what its models declare
--- of the effect (core.leave_out).
+-- The script does not change. While it runs, the engine removes the declarations of the effect from its models
+-- (core.leave_out).
 local check = require "hinge.check"
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
@@ -27,8 +27,8 @@ local function saved(all, rest)
   return compare.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
 end
 
--- The answer that changes most of those that change by more than they scatter; where none does, of all, and true if
--- that one scatters more.
+-- The answer that changes most, of those that change by more than their scatter. If there are none, it is the one of
+-- all that changes most, and true if its scatter is larger.
 local function worst(changes, scatter, chosen)
   local name, most
   for _, candidate in ipairs(check.keys(changes)) do
@@ -41,8 +41,8 @@ local function worst(changes, scatter, chosen)
   return name, most == 1
 end
 
--- How far the setting is from one twice as fine in all that has a finer side, by answer; nil
--- and why where that is not known.
+-- The difference of the setting from one twice as fine in all numbers with a finer side, by answer. If it is not known:
+-- nil and the reason.
 local function own_error(bench, knobs, all)
   local numbers = {}
   for _, knob in ipairs(knobs) do numbers[#numbers + 1] = knob.side and knob end

@@ -1,4 +1,4 @@
--- What came out of leaving out effects: a table for the reader, effects.csv and summary.json.
+-- The results of leaving out effects: a printed table, effects.csv and summary.json.
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
 local paper = require "hinge.paper"

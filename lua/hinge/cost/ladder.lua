@@ -1,11 +1,10 @@
--- The settings that trade accuracy for time: which there are, which side of each is finer, and
--- what is finer than all of them.
+-- The settings of accuracy against time: their list, the finer side of each, and references that are finer than all.
 local check = require "hinge.check"
 
 local ladder = {}
 
 -- Numbers whose finer side is known by their name. ratio: from one reference to the next; order: of the error, in
--- theory; work: how the time grows as the number is refined, to plan with until something was measured.
+-- theory; work: how the time grows when the number is refined, for estimates until there are measurements.
 local sides = {
   { "^dt$", finer = "smaller", ratio = 2, order = 2, work = 1,
     why = "Newmark's method and central differences, smooth motion" },
@@ -16,8 +15,8 @@ local sides = {
   { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "stiffness of elements that have rotated" },
 }
 
--- Words, the finest first: the reference takes the first of them that is compared. Of other words
--- it takes the script's default.
+-- Words, the finest first: the reference has the first one that is compared. For other words it has the default of the
+-- script.
 local words = {
   formulation = { "asi-gauss", "asi", "conventional" }, integrator = { "newmark", "explicit" },
   displacement = { "large", "small" },
@@ -32,7 +31,7 @@ local function side_of(name, options)
   return finer and { finer = finer, ratio = 2, work = 1 }
 end
 
--- What is tried where a script gives no list: its own value first.
+-- Values for a setting without a list: the script's own value first.
 local function usual(name, value)
   local list = { value }
   if type(value) == "number" then
@@ -52,7 +51,7 @@ local function usual(name, value)
 end
 
 --- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }.
--- What is in `held` keeps its value. options: accuracy, finer, orders (see hinge.cost).
+-- Parameters in `held` keep their values. options: accuracy, finer, orders (see hinge.cost).
 function ladder.knobs(where, scenario, options, held)
   local lists, knobs = options.accuracy or scenario.accuracy, {}
   if next(lists) == nil then
@@ -80,7 +79,7 @@ function ladder.knobs(where, scenario, options, held)
   return knobs
 end
 
---- A value as tables and keys show it.
+--- A value as text for tables and keys.
 function ladder.text(value) return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value) end
 
 function ladder.label(knobs, values)
@@ -89,7 +88,7 @@ function ladder.label(knobs, values)
   return table.concat(parts, ", ")
 end
 
---- How much finer a number is than another one of its knob: above 1 where it is.
+--- How much finer a number is than another one of its knob; above 1: it is finer.
 function ladder.finer(knob, value, than)
   return knob.side.finer == "smaller" and than / value or value / than
 end
@@ -103,7 +102,7 @@ function ladder.setting(knobs, values)
   return { values = values, label = ladder.label(knobs, values), weight = weight }
 end
 
---- All combinations, the cheapest first as far as can be told before anything is measured.
+--- All combinations, the cheapest first, by an estimate before any measurement.
 function ladder.grid(knobs)
   local all = { {} }
   for _, knob in ipairs(knobs) do

@@ -1,4 +1,4 @@
--- One run of a scenario as a measurement: its answers (numbers and histories), and what it took.
+-- One run of a scenario as a measurement: its answers (numbers and histories), its time and its memory.
 local core = require "hinge.core"
 local jobs = require "hinge.job"
 local compare = require "hinge.cost.compare"
@@ -31,8 +31,8 @@ local function flatten(answers, value, name, depth)
   end
 end
 
--- What probes recorded, by their names; of several with one name, and of one that a result has too,
--- the others are "uz#2" and so on.
+-- The records of probes, by their names. If a name is used more than once, by probes or results, the others are "uz#2"
+-- and so on.
 local function add_histories(answers, histories)
   for _, h in ipairs(histories) do
     local name, n = h.name, 1
@@ -44,7 +44,7 @@ local function add_histories(answers, histories)
   end
 end
 
--- What a run that is over leaves; it is released then, so that what it held does not count as the next one's memory.
+-- The results of a finished run. The run is then freed, so that its memory does not count for the next run.
 local function harvest(result, histories, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
@@ -64,7 +64,7 @@ end
 -- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
 -- remainder = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
 -- hashes = of the states at the end, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
--- Models are the scenario's own, made anew by each call.
+-- Each call makes its own models.
 function measure.once(scenario, parameters, case, deadline, without)
   local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {} }
   local runs, histories, expired, say = {}, {}, false, print
@@ -111,8 +111,7 @@ function measure.once(scenario, parameters, case, deadline, without)
   return result
 end
 
--- Numbers that a run does not depend on by design: a change of this part, up and down alternately,
--- shows whether its answer does.
+-- A small relative change of all numbers, up and down alternately, shows whether an answer is chaotic.
 local function changed(value, by)
   if math.type(value) == "float" and value ~= 0 then return value * (1 + by) end
   if type(value) ~= "table" then return value end

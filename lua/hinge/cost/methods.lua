@@ -1,5 +1,5 @@
--- Methods at equal error: how long each value of a word (formulation, integrator, ...) takes to come
--- equally near to the reference.
+-- Methods at equal error: the time that each value of a word (formulation, integrator, ...) takes to reach the same
+-- error.
 local compare = require "hinge.cost.compare"
 
 local methods = {}
@@ -14,9 +14,10 @@ function methods.front(settings)
   return compare.front(items)
 end
 
---- What a front takes for an error: { seconds =, settings = { one, or two between which it lies } }. Between two of its
--- points it is straight on logarithmic axes. Where even its best is worse, `more` is true and seconds those of the
--- best; nil for an empty front.
+--- The time of a front for an error: { seconds =, settings = { one, or the two around it } }. Between two of its points
+--- it
+-- is straight on logarithmic axes. If even its best setting is worse, `more` is true and seconds are those of the best
+-- setting. nil for an empty front.
 function methods.time_at(front, error)
   for i, item in ipairs(front) do
     if item.error <= error then
@@ -31,9 +32,9 @@ function methods.time_at(front, error)
   return last and { seconds = last.time, settings = { last.setting }, more = true }
 end
 
--- The errors at which a knob's values are compared: the one that is asked for, that of the cheapest
--- setting within it, and the least that all of them reach. What is rounding, or the same as one before to
--- a part in a hundred, is left out.
+-- The errors at which the values of a knob are compared: the wanted error, that of the cheapest setting within it, and
+-- the smallest that all values reach. Rounding errors are left out, and errors that differ from an earlier one by less
+-- than a hundredth.
 local function levels(fronts, within, best)
   local common, wanted, found = 0, { within, best and best.error }, {}
   for _, front in ipairs(fronts) do common = compare.larger(common, #front > 0 and front[#front].error or 0) end

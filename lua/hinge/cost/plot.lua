@@ -34,8 +34,8 @@ local function group(result)
   return groups
 end
 
--- The points of a method's line: where one number is varied all of them, the coarsest first; of
--- several numbers the best there are.
+-- The points of a method's line. If one number is varied, these are all settings, the coarsest first. If several
+-- numbers are varied, these are the best settings.
 local function line_of(numbers, settings)
   if #numbers == 1 then
     table.sort(settings, function(a, b)
@@ -48,7 +48,7 @@ local function line_of(numbers, settings)
   return best
 end
 
--- Whether half of a line's points or more lie on those of earlier lines, which a solid line would hide.
+-- Whether half or more of the points of a line lie on points of earlier lines. A solid line would hide these.
 local function hides(line, others)
   local hidden = 0
   for i, x in ipairs(line.x) do

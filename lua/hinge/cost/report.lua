@@ -1,4 +1,4 @@
--- What came out of a comparison: tables for the reader, cost.csv and summary.json.
+-- The results of a comparison: printed tables, cost.csv and summary.json.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local jobs = require "hinge.job"
@@ -19,7 +19,7 @@ local states = {
   moving = "differs from run to run of the same setting (%s): a measured time, or a random number; left out",
 }
 
--- What keeps answers from having an error, in their own words; those that share words stand together.
+-- Why answers have no error. Answers with the same reason are on one line.
 local function doubts(result)
   local lines = {}
   for _, name in ipairs(sorted(result.quantities)) do
@@ -107,7 +107,7 @@ local function orders_table(result)
   if #rows > 0 then paper.table("Order of convergence", { "", "observed", "theory", "" }, rows) end
 end
 
--- The numbers and words of one setting, or of two between which it lies, but for one knob.
+-- The numbers and words of one setting, or of the two around it, without those of one knob.
 local function others(result, settings, but)
   local parts = {}
   for _, knob in ipairs(result.knobs) do
@@ -197,7 +197,7 @@ local function csv(result)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- As result.equal, with labels in the place of settings.
+-- The same as result.equal, with labels instead of settings.
 local function equal_summary(result)
   local all = {}
   for name, rows in pairs(result.equal) do

@@ -1,4 +1,4 @@
--- Measurements that outlive the process: finished.lua in the output folder, one line each, by what was run.
+-- Measurements that are kept between calls: finished.lua in the output folder, one line each.
 local core = require "hinge.core"
 
 local store = {}
@@ -39,8 +39,9 @@ local function read(path)
   return content
 end
 
---- folder: nil keeps nothing. `run`: the scenario's function; where its file can be read, that
--- file's content is part of every key.
+--- folder: nil keeps nothing. `run`: the scenario's function. If its file can be read, the content of the file is part
+--- of
+-- every key.
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
   if not self.path then return self end
@@ -55,7 +56,7 @@ function store.open(folder, run)
   return self
 end
 
---- The key of a run: its parameters and what else decides it, such as which change of them.
+--- The key of a run: its parameters and all else that changes its result, such as the small change of its numbers.
 function store.key(parameters, more) return text(parameters) .. (more or "") end
 
 function Store:get(key) return self.lines[key] end
@@ -63,7 +64,7 @@ function Store:get(key) return self.lines[key] end
 --- Keeps a measurement; a later one of the same key takes its place.
 function Store:put(key, record)
   self.lines[key] = record
-  -- after a line that was cut short, too
+  -- also after a line that was cut short
   if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end
 end
 

@@ -1,4 +1,4 @@
--- How the reports of hinge cost write what they found.
+-- Numbers and cells as text, for the reports of hinge cost.
 local text = {}
 
 function text.percent(part)

@@ -1,5 +1,5 @@
--- What is known of the answers and the settings once all has been run: which answers can be
--- trusted, errors, orders, the front.
+-- Results when all settings have been run: which answers can be trusted, the errors, the orders of convergence, and the
+-- Pareto front.
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 
@@ -7,7 +7,7 @@ local verdict = {}
 local rounding = 1e-10     -- errors below it are the same to the front
 local least_scatter = 1e-6 -- of an answer: what stays below is rounding, however strict `within` is
 
---- What is known of every answer: whether it can be trusted to `within`, and if not why.
+--- For every answer: whether it can be trusted to `within`, and if not, why.
 function verdict.answers(refs, scatter, moving, compared, within)
   local quantities = {}
   local sample = refs and refs[2].record.answers or compared[#compared].record.answers
@@ -24,8 +24,9 @@ function verdict.answers(refs, scatter, moving, compared, within)
   return quantities
 end
 
---- The errors of each setting, and its own: the worst of what can be trusted, or the chosen answer's; not below what
--- the references differ by.
+--- The errors of each setting by answer, and one error of the setting: the largest of the trusted answers, or that of
+--- the
+-- chosen answer. It is not below the difference of the references.
 function verdict.errors(compared, refs, quantities, chosen)
   for _, s in ipairs(compared) do
     s.errors = {}
@@ -43,8 +44,8 @@ function verdict.errors(compared, refs, quantities, chosen)
   end
 end
 
---- For each knob whose finer side is known, the order at which answers converge along it, all others at their finest;
--- by the finest three.
+--- For each knob with a known finer side: the order of convergence of the answers, from its finest three values. All
+-- other knobs have their finest value.
 function verdict.orders(knobs, compared, refs, quantities, chosen)
   local result, sided = {}, 0
   for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
@@ -80,8 +81,9 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
   return result
 end
 
---- Fills in what each setting took and whether it is on the front, and sorts them by time. Returns the front and the
--- cheapest within `within`.
+--- Sets the time of each setting and whether it is on the Pareto front, and sorts the settings by time. Returns the
+--- front
+-- and the cheapest setting with an error up to `within`.
 function verdict.front(compared, within)
   local cheapest, items = math.huge, {}
   for i, s in ipairs(compared) do

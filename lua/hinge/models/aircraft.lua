@@ -37,13 +37,13 @@ local shape_rules = {
   length = share(1.00), -- nose to last frame
   nose = share(0.10), -- nose to first frame
   droop = { "number", default = 0.02 }, -- nose joint below the fuselage's axis
-  body = share(0.12265), -- side of the square frames amidships
+  body = share(0.12265), -- side of the square frames in the middle of the fuselage
   span = share(1.00), wing_tip = share(0.09), wing_sweep = { "number", default = 0.10 },
   tail_span = share(0.40), tail_tip = share(0.05), tail_sweep = { "number", default = 0.04 },
   fin_height = share(0.16), fin_tip = share(0.05), fin_sweep = { "number", default = 0.07 },
 }
 
--- Side of each frame, nose to tail, over that amidships.
+-- Side of each frame, nose to tail, over that of the frames in the middle.
 local taper = { 0.75, 0.95, 1, 1, 1, 1, 0.95, 0.85, 0.72, 0.58, 0.45 }
 local wing_frames, tail_frames = { 4, 6 }, { 10, 11 } -- where front and rear spar start
 

@@ -64,7 +64,7 @@ local function simulate(p)
   }
 end
 
-if ... then -- the program: it hands in the settings
+if ... then -- the program: it gives the settings
   return hinge.scenario {
     parameters = parameters,
     cases = { weak = { impulse = 3e3 }, tall = { height = 6 } },
