@@ -1,4 +1,4 @@
--- hinge reference, and help at the prompt: a call's text, what speaks of a word, the calls used most.
+-- hinge reference, and help at the prompt: the text of a call, the places that mention a word, the calls used most.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local reference = require "hinge.reference"

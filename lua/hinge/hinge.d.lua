@@ -420,7 +420,7 @@ function model:loads() end
 function model:cases() end
 
 ---Frees the memory of the model and of its runs at once, even if handles still exist. Any later use of such a handle is
----an error, which says where the model was closed. A model without any handle is freed by itself. It is an error to
+---an error, which says where the model was closed. A model without any handle is freed automatically. It is an error to
 ---call close inside a step of a run of the same model.
 ---```lua
 ---for storeys = 1, 3 do
