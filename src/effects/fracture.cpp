@@ -392,7 +392,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
         return;
     }
     Flows flows(of_.w_.yielding);
-    const double r = end == 1 ? -1 : 1;
+    const double r = end == 2 ? 1 : -1;
     for (int index : elements_) {
         const beam::Flow* flow = flows.of(index);
         const Element& e = of_.w_.structure.elements()[index];

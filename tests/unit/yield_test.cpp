@@ -89,6 +89,69 @@ TEST_CASE("1e5 random returns, both ends: on the surface, nearest point, never n
     CHECK(none > 1000);
 }
 
+TEST_CASE("returns of elements with loads between their nodes: the whole forces are on the surface, and the tangent") {
+    Dice dice(38);
+    double off_surface = 0, beyond = 0, off_normal = 0, off_work = 0, least_dissipation = 0, off_tangent = 0;
+    long one = 0, both = 0, compared = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Trial t = random_trial(dice);
+        FixedEnd fixed;
+        const auto limit = [](double w) { return 1 / std::sqrt(w); };
+        for (int end : {0, 1})
+            fixed.add(end, dice(-2, 2) * limit(t.w.x), dice(-2, 2) * limit(t.w.y), dice(-0.2, 0.2) * limit(t.w.n),
+                      dice(-0.2, 0.2) * limit(t.w.z));
+        const Vec6 s[2] = {fixed.at(-1), fixed.at(1)};
+        const auto returned = [&](const Vec6& p) { return return_to_surface(p, t.k, t.w, ends, 2, fixed); };
+        const Flow flow = returned(t.p);
+        if (flow.lambda[0] == 0 && flow.lambda[1] == 0) {
+            REQUIRE(flow.p == t.p);
+            for (int i = 0; i < 2; ++i) REQUIRE(yield_function(Vec6(t.p + s[i]), ends[i], t.w) <= 1);
+            continue;
+        }
+        const bool active[2] = {flow.lambda[0] > 0, flow.lambda[1] > 0};
+        ++(active[0] && active[1] ? both : one);
+        Vec6 plastic = Vec6::Zero();
+        double dissipation = 0, part = 0;
+        for (int i = 0; i < 2; ++i) {
+            const Vec6 whole = flow.p + s[i], there = flow.lambda[i] * yield_gradient(whole, ends[i], t.w);
+            const double f = yield_function(whole, ends[i], t.w);
+            if (active[i]) off_surface = largest_of(off_surface, std::abs(f - 1));
+            beyond = largest_of(beyond, f - 1);
+            plastic += there, dissipation += whole.dot(there), part += s[i].dot(there);
+        }
+        const double size = size_of(t.p, t.w) + size_of(s[0], t.w);
+        off_normal = largest_of(off_normal, size_of(t.p - t.k.times(plastic) - flow.p, t.w) / size);
+        off_work = largest_of(off_work, std::abs(flow.dissipation / dissipation - 1),
+                              std::abs(work_of(fixed, flow, t.w, ends, 2, fixed) - part) / dissipation);
+        least_dissipation = smallest_of(least_dissipation, flow.dissipation);
+        // Near a corner, or hardly flowing, there is no derivative to compare with.
+        const Mat6 tangent = plastic_tangent(flow.p, t.k, t.w, ends, flow.lambda, active, 2, fixed);
+        bool same_ends = true;
+        double worst = 0;
+        for (int j = 0; j < 6; ++j) {
+            const double unit = limit(j < 2 ? t.w.x : j < 4 ? t.w.y : j == 4 ? t.w.n : t.w.z) / t.k.matrix()(j, j);
+            const Vec6 way = t.k.times(1e-4 * unit * Vec6::Unit(j));
+            const auto at = [&](double by) -> Vec6 {
+                const Flow there = returned(t.p + by * way);
+                for (int i = 0; i < 2; ++i) same_ends = same_ends && (there.lambda[i] > 0) == active[i];
+                return there.p;
+            };
+            const Vec6 slope = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12e-4 * unit);
+            worst = largest_of(worst, unit * size_of(tangent.col(j) - slope, t.w));
+        }
+        if (same_ends) off_tangent = largest_of(off_tangent, worst), ++compared;
+    }
+    CHECK_FIGURE("distance of a flowing end from the surface, |f - 1|", off_surface, 1e-11);
+    CHECK_FIGURE("an end beyond the surface, f - 1", beyond, 1e-11);
+    CHECK_FIGURE("way back against k times the gradients", off_normal, 1e-10);
+    CHECK_FIGURE("dissipation and the fixed-end part's work on it", off_work, 1e-9);
+    CHECK_FIGURE("negative dissipation, J", -least_dissipation, 0);
+    CHECK_FIGURE("tangent of the return against differences", off_tangent, 1e-4);
+    CHECK(one > 1000);
+    CHECK(both > 1000);
+    CHECK(compared > 2000);
+}
+
 TEST_CASE("no other admissible state is nearer to the trial in the energy norm (1e4 random ones)") {
     Dice dice(32);
     double worst = 0;
