@@ -648,8 +648,8 @@ function model:fracture(rule) end
 ---@field time number s
 ---@field dt number s
 ---@field step integer from 1
----@field member integer
----@field element integer
+---@field member integer from 1, as member.index
+---@field element integer from 1, counted over the whole model; messages and member:state count within the member
 ---@field end integer end of the element, 1 or 2; written section["end"], since end is a keyword of Lua
 ---@field node integer? index of the joint at this section; nil: it is inside the member
 ---@field group string? name of the member's first group
@@ -676,8 +676,9 @@ function model:fracture(rule) end
 
 ---All elements of the members of a fracture rule, always in the same order. `count` is their number (also `#elements`).
 ---Every field of a section has an array with one number for each element. Mx, My, f_y, node and plastic have one array
----for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is 1 or 0. Broken elements keep their positions,
----with broken = 1 and zeros. An array is the same table at every step; it is filled when the function reads it.
+---for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is 1 or 0. Loads along a member change N and Mz
+---along it; the arrays have those of end 1. Broken elements keep their positions, with broken = 1 and zeros. An array
+---is the same table at every step; it is filled when the function reads it.
 ---@class hinge.element_list
 ---@field count integer
 ---@field time number s
