@@ -152,7 +152,7 @@ suspicious("too large, in statics", { more = "model:load { node = b, force = { 2
   "the loads would strain member 1 by 5.2 % in a linear solution", "model:load",
   { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static { to_limit = true }" })
 suspicious("too large for what yields", { more = "model:load { node = b, force = { 1e6, 0, 0 } }", make = "static {}" },
-  "the loads ask of member ... 14 times what yields it, in a linear solution of them; the largest of them is 1e+06 N, "
+  "the loads ask of member 3 14 times what yields it, in a linear solution of them; the largest of them is 1e+06 N, "
     .. "on node 2", "model:load", { more = "model:load { node = b, force = { 2e5, 0, 0 } }", make = "static {}" })
 suspicious("a step as long as a period", { make = "dynamic { dt = 0.1, duration = 1 }" },
   "dt is 0.1 s, and the longest natural period 0.", "model:dynamic", {})
