@@ -6,6 +6,7 @@
 // effect holds only what it does. README.md in src/ shows how to add one.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -187,6 +188,11 @@ public:
     virtual bool has_fixed_ends() const { return false; }
     virtual void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const {
         (void)at, (void)factor, (void)all;
+    }
+    /// The same in the place of what `all` has.
+    virtual void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const {
+        std::fill(all.begin(), all.end(), beam::FixedEnd());
+        add_fixed_ends(at, factor, all);
     }
 
     // ---- a step of dynamics, in this order ------------------------------------------------------------------------

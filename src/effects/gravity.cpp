@@ -53,7 +53,10 @@ public:
 
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
     void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
-        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, all);
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, false, all);
+    }
+    void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, true, all);
     }
 
     /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.

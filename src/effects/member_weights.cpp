@@ -7,6 +7,33 @@
 #include "effects/connectors.h"
 
 namespace hinge {
+namespace {
+
+/// In the order in which Eigen adds up.
+[[gnu::always_inline]] inline Lanes dot(const Lanes (&a)[3], const Lanes (&b)[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+[[gnu::always_inline]] inline Lanes dot(const Lanes (&a)[3], const Vec3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Adds y, rotated by these nodes' quaternions.
+void add_rotated(const std::vector<Quat>& rotation, const int* node, const Lanes* y, Lanes (&to)[3]) {
+    Lanes q[lane_count];  // x y z w
+    pick_rows<4>(rotation.data()->coeffs().data(), node, 4, q);
+    Lanes across[3];
+    for (int i : {0, 1, 2}) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        across[i] = q[j] * y[k] - q[k] * y[j];
+        across[i] += across[i];
+    }
+    for (int i : {0, 1, 2}) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        to[i] += y[i] + q[3] * across[i] + (q[j] * across[k] - q[k] * across[j]);
+    }
+}
+
+}  // namespace
 
 MemberWeights::MemberWeights(const Structure& s) {
     std::map<std::tuple<const void*, double, int>, int> known;  // members that are alike
@@ -29,8 +56,6 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
         for (int end : {0, 1}) at_node[i + end] += s.inertia(ends.first + i).weight(end);
     Kind kind;
     for (int i = 0; i < n; ++i)
-        for (int end : {0, 1}) kind.share.push_back(s.inertia(ends.first + i).weight(end));
-    for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k)
             kind.c += gauss_weight[k] * e.length * per_length * clamped.of_force(0, 0, (i + gauss_point[k]) / n);
     for (int k = 0; k <= n; ++k) kind.c -= at_node[k] * clamped.arrives(k, 1, 3);
@@ -39,6 +64,11 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
         const double z = k * e.length;
         kind.bow[k] = 0.5 * per_length * z * (length - z);
         for (int j = 1; j < n; ++j) kind.bow[k] -= at_node[j] * std::min(j, k) * (n - std::max(j, k)) * e.length / n;
+    }
+    for (int i = 0; i < n; ++i) {
+        const beam::Inertia weights = s.inertia(ends.first + i);
+        const double first = kind.c + kind.bow[i], second = kind.c + kind.bow[i + 1];
+        kind.by_gravity.push_back({{-first, second, first, -second}, {weights.weight(0), -weights.weight(1)}, {0, 0}});
     }
     return kind;
 }
@@ -53,59 +83,118 @@ bool MemberWeights::carries_itself(const Structure& s, const Vec3& g, int member
 
 void MemberWeights::choose(const Structure& s, const std::vector<int>& members) {
     chosen_.assign(ends_.size(), 0);
-    list_.clear();
+    blocks_.clear();
     joints_.clear();
+    others_.clear();
     std::vector<int> place(s.position().size(), -1);
-    for (const int m : members) {
+    const int rows = (int(members.size()) + lane_count - 1) / lane_count * lane_count;
+    for (int row = 0; row < rows; ++row) {
+        const int m = members[std::min(row, int(members.size()) - 1)], i = row % lane_count;
+        if (i == 0) blocks_.emplace_back();
+        Block& block = blocks_.back();
+        if (row < int(members.size())) block.count = i + 1;
         chosen_[m] = 1;
         const MemberEnds& ends = ends_[m];
         const Element &a = s.elements()[ends.first], &b = s.elements()[ends.first + ends.count - 1];
-        Chosen c{m, {a.node[0], b.node[1]}, {}, double(ends.count) * a.chord, kinds_[kind_[m]].c};
+        block.member[i] = m;
+        block.node[0][i] = a.node[0], block.node[1][i] = b.node[1];
         for (int end : {0, 1}) {
-            int& at = place[c.node[end]];
-            if (at < 0) at = int(joints_.size()), joints_.push_back(c.node[end]);
-            c.joint[end] = at;
+            const int node = block.node[end][i];
+            int& at = place[node];
+            if (at < 0) at = int(joints_.size()), joints_.push_back(node);
+            block.joint[end][i] = at;
         }
-        list_.push_back(c);
+        const Vec3 span = double(ends.count) * a.chord;
+        const Vec3 y = a.axes * Vec3::UnitY();
+        for (int c : {0, 1, 2}) block.span[c][i] = span[c], block.y[c][i] = y[c];
+        block.c[i] = kinds_[kind_[m]].c;
     }
+    for (int i = 0; i < int(s.elements().size()); ++i)
+        if (!chosen_[s.elements()[i].member]) others_.push_back(i);
+}
+
+/// And its length.
+Lanes MemberWeights::find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const {
+    for (int c : {0, 1, 2}) span[c] = b.span[c];
+    if (large) {
+        Lanes u[2][lane_count];
+        for (int end : {0, 1}) pick_rows<3>(at.displacement.data()->data(), b.node[end], 3, u[end]);
+        for (int c : {0, 1, 2}) span[c] += u[1][c] - u[0][c];
+    }
+    return square_root(dot(span, span));
 }
 
 void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, std::vector<Vec3>& out) const {
     out.assign(joints_.size(), Vec3::Zero());
-    const bool large = s.large();
-    for (const Chosen& c : list_) {
-        Vec3 span = c.span;
-        if (large) span += at.displacement[c.node[1]] - at.displacement[c.node[0]];
-        const Vec3 m = (c.c / span.norm()) * g.cross(span);
-        out[c.joint[0]] += m;
-        out[c.joint[1]] -= m;
+    for (const Block& b : blocks_) {
+        Lanes span[3];
+        const Lanes k = b.c / find_span(b, s.large(), at, span);
+        const Lanes m[3] = {k * (g.y() * span[2] - g.z() * span[1]), k * (g.z() * span[0] - g.x() * span[2]),
+                            k * (g.x() * span[1] - g.y() * span[0])};
+        for (int i = 0; i < b.count; ++i) {
+            const Vec3 of(m[0][i], m[1][i], m[2][i]);
+            out[b.joint[0][i]] += of;
+            out[b.joint[1][i]] -= of;
+        }
     }
 }
 
-/// `g`: in the member's axes.
-void MemberWeights::add_fixed_end(const Kind& kind, int place, const Vec3& g, beam::FixedEnd& to) {
-    for (int end : {0, 1}) {
-        const double moment = kind.c + kind.bow[place + end], share = kind.share[2 * place + end];
-        to.add(end, moment * g.y(), -moment * g.x(), end == 0 ? share * g.z() : -share * g.z(), 0);
-    }
+/// Gravity in the members' axes, as by MemberEnds::axes and to the same bits.
+void MemberWeights::find_local(const Structure& s, const Block& b, const Vec3& g, const Places& at,
+                               Lanes (&local)[3]) const {
+    const auto one_by_one = [&](const Lanes& size) {
+        for (int i = 0; i < lane_count; ++i) {
+            if (size[i] > 0.1) continue;
+            const Vec3 of = ends_[b.member[i]].axes(s, at).transpose() * g;
+            for (int c : {0, 1, 2}) local[c][i] = of[c];
+        }
+    };
+    if (!s.large()) return one_by_one(Lanes{});
+    Lanes z[3], y[3] = {};
+    const Lanes length = find_span(b, true, at, z);
+    for (Lanes& c : z) c /= length;
+    for (int end : {0, 1}) add_rotated(at.rotation, b.node[end], b.y, y);
+    const Lanes along = dot(z, y);
+    for (int c : {0, 1, 2}) y[c] -= along * z[c];
+    const Lanes size = square_root(dot(y, y));
+    for (Lanes& c : y) c /= size;
+    const Lanes x[3] = {y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0]};
+    local[0] = dot(x, g), local[1] = dot(y, g), local[2] = dot(z, g);
+    if (any_not_below(-size, -0.1)) one_by_one(size);  // ends that point apart
 }
 
 beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at, int element) const {
     const int member = s.elements()[element].member;
     const MemberEnds& ends = ends_[member];
-    beam::FixedEnd part;
-    add_fixed_end(kinds_[kind_[member]], element - ends.first, ends.axes(s, at).transpose() * g, part);
+    const Vec3 local = ends.axes(s, at).transpose() * g;
+    beam::FixedEnd part = kinds_[kind_[member]].by_gravity[element - ends.first];
+    for (int i : {0, 1}) part.moment[i] *= local.y(), part.moment[2 + i] *= local.x(), part.N[i] *= local.z();
     return part;
 }
 
-void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at,
+void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at, bool anew,
                                    std::vector<beam::FixedEnd>& all) const {
-    pool.share(int(list_.size()), 64, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) {
-            const MemberEnds& ends = ends_[list_[i].member];
-            const Vec3 local = ends.axes(s, at).transpose() * g;
-            const Kind& kind = kinds_[kind_[list_[i].member]];
-            for (int k = 0; k < ends.count; ++k) add_fixed_end(kind, k, local, all[ends.first + k]);
+    static_assert(sizeof(beam::FixedEnd) == sizeof(Lanes));
+    if (anew)
+        for (const int i : others_) all[i] = {};
+    pool.share(int(blocks_.size()), 16, [&](int first, int end, int) {
+        for (int block = first; block < end; ++block) {
+            const Block& b = blocks_[block];
+            Lanes local[3];
+            find_local(s, b, g, at, local);
+            const Lanes components[lane_count] = {local[1], local[1], local[0], local[0], local[2], local[2], {}, {}};
+            Lanes of[lane_count];  // each member's own, in the places of FixedEnd
+            transpose(components, of);
+            for (int i = 0; i < b.count; ++i) {
+                const MemberEnds& ends = ends_[b.member[i]];
+                const Kind& kind = kinds_[kind_[b.member[i]]];
+                const LanesAnywhere* by_gravity = reinterpret_cast<const LanesAnywhere*>(kind.by_gravity.data());
+                LanesAnywhere* to = reinterpret_cast<LanesAnywhere*>(&all[ends.first]);
+                for (int k = 0; k < ends.count; ++k) {
+                    const Lanes part = by_gravity[k] * of[i];
+                    to[k] = anew ? part : to[k] + part;
+                }
+            }
         }
     });
 }

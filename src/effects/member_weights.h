@@ -7,6 +7,7 @@
 // is, so they are across gravity and the chord, in all directions alike.
 #pragma once
 
+#include "core/lanes.h"
 #include "effects/clamped_member.h"
 
 namespace hinge {
@@ -29,7 +30,8 @@ public:
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
     void find_moments(const Structure& structure, const Vec3& g, const Places& at, std::vector<Vec3>& moments) const;
-    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at,
+    /// Of all elements. `anew`: what `all` has does not count.
+    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at, bool anew,
                         std::vector<beam::FixedEnd>& all) const;
     beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Places& at, int element) const;
     void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
@@ -37,24 +39,30 @@ public:
 
 private:
     struct Kind {
-        double c = 0;               ///< moment at the first end about x by gravity along y, kg m
-        std::vector<double> bow;    ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
-        std::vector<double> share;  ///< of its elements at their two nodes, kg
+        double c = 0;             ///< moment at the first end about x by gravity along y, kg m
+        std::vector<double> bow;  ///< moment that the nodes' weights miss between pinned ends, at each node, kg m
+        /// Of its elements, in the places of FixedEnd: each is to be multiplied by the component of gravity that it
+        /// follows, y y x x z z in the member's axes and none, kg m and kg.
+        std::vector<beam::FixedEnd> by_gravity;
     };
-    /// A chosen member.
-    struct Chosen {
-        int member, node[2], joint[2];
-        Vec3 span;  ///< from its first to its second end at the start, m
-        double c;   ///< kg m
+    /// Eight chosen members; where there are fewer, the last one stands for the rest.
+    struct Block {
+        int count;
+        int member[lane_count], node[2][lane_count], joint[2][lane_count];
+        Lanes span[3];  ///< from the first to the second end at the start, m
+        Lanes y[3];     ///< axis at the start
+        Lanes c;        ///< kg m
     };
-    static void add_fixed_end(const Kind& kind, int place, const Vec3& g, beam::FixedEnd& to);
+    Lanes find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const;
+    void find_local(const Structure& s, const Block& b, const Vec3& g, const Places& at, Lanes (&local)[3]) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
 
     std::vector<Kind> kinds_;
     std::vector<int> kind_;         ///< of each member
     std::vector<MemberEnds> ends_;  ///< likewise
     std::vector<char> chosen_;      ///< likewise
-    std::vector<Chosen> list_;
+    std::vector<Block> blocks_;     ///< of those that are chosen
+    std::vector<int> others_;       ///< elements of the other members
     std::vector<int> joints_;
 };
 

@@ -135,9 +135,14 @@ void Run::find_fixed_ends(double factor) {
     const bool asked = structure_->can_yield() || !structure_->model().fracture().empty();
     if (!asked || std::none_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->has_fixed_ends(); }))
         return all.clear();
-    all.assign(structure_->elements().size(), {});
-    for (const auto& e : effects_)
-        if (e->has_fixed_ends()) e->add_fixed_ends(w_.trial, factor, all);
+    all.resize(structure_->elements().size());
+    bool first = true;
+    for (const auto& e : effects_) {
+        if (!e->has_fixed_ends()) continue;
+        if (first) e->set_fixed_ends(w_.trial, factor, all);
+        else e->add_fixed_ends(w_.trial, factor, all);
+        first = false;
+    }
 }
 
 Run::Counts Run::count_members(int group) const {
