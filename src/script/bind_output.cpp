@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "output/plot.h"
 #include "script/element_count.h"
 #include "script/events.h"
@@ -433,6 +434,13 @@ int write_summary(lua_State* L) {
     }
     if (told > most_failed)
         std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
+    if (const int idle = c->runs - c->begun; idle > 0 && c->begun == 0) {
+        const std::string text = count_text(idle, "run") + " made, and none has taken a step";
+        j["warnings"].push_back(text);
+        if (c->warns)
+            std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
+                         text.c_str());
+    }
     if (!c->out_dir.empty()) {
         take_folder(*c);
         write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -441,6 +441,7 @@ int dynamic_run(lua_State* L) {
     for (Warning& w : idle_histories(structure->model(), before ? &before->run->structure().model() : nullptr,
                                      start.time, s.duration, automatic ? 0 : s.dt))
         doubts.push_back(std::move(w));
+    for (Warning& w : massless_loads(*structure, where(L))) doubts.push_back(std::move(w));
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));

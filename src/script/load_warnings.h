@@ -19,6 +19,9 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
 /// that act for less than two steps.
 std::vector<Warning> idle_histories(const Model& model, const Model* before, double begin, double duration, double dt);
 
+/// Of a dynamic run: loads that weigh many times what the model's mass does. They have no inertia of their own.
+std::vector<Warning> massless_loads(const Structure& structure, const std::string& line);
+
 /// Load cases that a run takes and that hold nothing.
 std::vector<Warning> empty_cases(const ScriptModel& declared, const LoadChoice& choice, const std::string& line);
 

@@ -177,6 +177,10 @@ local live = "dynamic { dt = 1e-5, duration = 1, loads = { live = 1 } }"
 suspicious("an empty load case", { more = "model:case 'live'", make = live },
   "load case 'live', which this run takes, has no load and no gravity", "model:dynamic",
   { more = "model:load { node = b, force = { 1, 0, 0 }, case = model:case 'live' }", make = live })
+local carried = "dynamic { dt = 'auto', duration = 1 }"
+suspicious("floors that are loads, in dynamics", { more = "model:load { node = b, force = { 0, 0, -3e4 } }",
+  make = carried }, "the loads along gravity, 3e+04 N, are 3.9 times the weight of the model's 785 kg", "model:dynamic",
+  { more = "model:load { node = b, force = { 0, 0, -2e4 } } model:mass { node = b, mass = 3000 }", make = carried })
 local general = "local odd = hinge.section.general { area = 0.01, Ix = 1e-5, Iy = 1e-5, J = 1e-5, "
   .. "size = { width = 0.1, depth = 0.1 }%s } model:member { c, joint(6, 0, 3), section = odd, material = steel }"
 suspicious("a section that never yields", { more = general:format "" }, "the section (general) of member 4 has no "

@@ -388,4 +388,11 @@ support.write(folder .. "/used.lua", "local s = dofile 'returned.lua'\nprint(req
 status, printed = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 used.lua"):format(folder, quote(arg[1])))
 expect(status == 0 and printed == "true\n", "a scenario that another script loads: %s %s", status, printed)
 
+-- A run that nobody steps has no results: it is told.
+status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1 }")
+expect(status == 0 and complaint:find("warning: 1 run made, and none has taken a step; call run:finish()", 1, true),
+  "a run without a step: %s %s", status, complaint)
+status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1e-3 } run:finish()")
+expect(status == 0 and not complaint:find("taken a step", 1, true), "a run that was stepped: %s %s", status, complaint)
+
 checks.done()
