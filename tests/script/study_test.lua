@@ -94,6 +94,13 @@ for _, name in ipairs { "tip.mm-load.png", "tip.mm-length.png" } do
 end
 equal(support.json(support.read(folder .. "/a/cases/00005/summary.json")).parameters.length, 1.5, "a case's own folder")
 
+-- What identifies a case are the files that it reads, and none that the study writes.
+local last
+for line in support.read(folder .. "/a/cases.jsonl"):gmatch "[^\n]+" do last = support.json(line) end
+local names_read = {}
+for i, one in ipairs(last.files) do names_read[i] = one[1]:match "[^/]*$" end
+equal(table.concat(names_read, " "), "bar.lua s.lua", "files of the last case")
+
 -- One process at a time, or eight: the same files, byte for byte.
 study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 1 --out b"
 study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 8 --out c"

@@ -26,7 +26,7 @@ function case.flat(results)
 end
 
 local function energy_of(folder)
-  local file = io.open(folder .. "/summary.json")
+  local file = files.open(folder .. "/summary.json")
   local summary = file and core.from_json(file:read "a") or {}
   if file then file:close() end
   return summary
@@ -67,11 +67,11 @@ end
 
 --- What a case has left in its folder, as { verdict =, reason =, results =, ... }, given how its process ended.
 function case.outcome(folder, ended)
-  local file = io.open(folder .. "/case.json")
+  local file = files.open(folder .. "/case.json")
   local kept = file and core.from_json(file:read "a") or {}
   if file then file:close() end
   local said = ""
-  local output = io.open(folder .. "/output.txt")
+  local output = files.open(folder .. "/output.txt")
   if output then
     said = output:read "a"
     output:close()

@@ -7,6 +7,7 @@ local read = {} -- path = fingerprint, in the order of reading kept by `order`
 local order = {}
 
 local opened = io.open
+files.open = opened -- for the study's own files, which say nothing about a case
 local own = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" -- the study's own files say nothing about a case
 
 local function note(path)

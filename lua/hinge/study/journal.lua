@@ -7,7 +7,7 @@ local finished = require "hinge.study.case".finished
 local journal = {}
 
 local function lines_of(path)
-  local file = io.open(path, "rb")
+  local file = require "hinge.study.files".open(path, "rb")
   local text = file and file:read "a" or ""
   if file then file:close() end
   return text
