@@ -625,7 +625,18 @@ function model:fracture(rule) end
 ---@field curvature_x? number 1/m, either sign
 ---@field curvature_y? number 1/m, either sign
 ---@field axial_strain? number no unit; either sign unless tension_only
----@field tension_only? boolean default false
+---no unit, either sign and direction: Q / (G A), mean over the element. It is elastic, because eq 14 has no shear; in
+---members that yield it stays below 2 M_p / (L G A), with L of the element. Not in the paper
+---@field shear_strain? number
+---@field tension_only? boolean default false; true: the axial strain counts in tension only
+---which curvature the limits mean. element (default): that of the whole element, eq 16. Rotations of the hinges at its
+---two ends cancel where the element bends like an S. section: that at each end. It is the elastic curvature of the
+---element, plus the rotation of the hinge at this end over the element's length. The other strains are the element's in
+---both. The conventional element has one hinge in its middle, so both mean the same
+---@field reading? "element"|"section"
+---true: the limits count only where the section is fully plastic in the step. Members that cannot yield then break by no
+---limit. Default false
+---@field plastic_only? boolean
 ---a function that is called for a section where no limit is reached. If it returns true, the element breaks. The
 ---argument is the same object at every call; it can be read only while the function runs
 ---@field rule? fun(section: hinge.section_view): boolean?
@@ -643,7 +654,8 @@ function model:fracture(rule) end
 ---@field group? hinge.group_like only its members, default all
 
 ---The section that a fracture rule gets, with the values at the end of the step. Strains are those of the element: the
----sum of elastic and plastic, the plastic part, and the change over the step divided by dt.
+---sum of elastic and plastic, the plastic part, and the change over the step divided by dt. The rotation of a hinge is
+---that of the section alone.
 ---@class hinge.section_view
 ---@field time number s
 ---@field dt number s
@@ -672,13 +684,18 @@ function model:fracture(rule) end
 ---@field Mz number N m
 ---@field f_y number eq 14
 ---@field plastic_work number J, of the element up to now
+---@field shear_x number elastic: Q / (G A), mean over the element; Q = dM_y/dz
+---@field shear_y number Q = dM_x/dz
+---@field hinge_rotation_x number rad, plastic, of this section's own hinge; positive like curvature_x
+---@field hinge_rotation_y number rad
 ---@field broken number 0
 
 ---All elements of the members of a fracture rule, always in the same order. `count` is their number (also `#elements`).
----Every field of a section has an array with one number for each element. Mx, My, f_y, node and plastic have one array
----for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is 1 or 0. Loads along a member change N and Mz
----along it; the arrays have those of end 1. Broken elements keep their positions, with broken = 1 and zeros. An array
----is the same table at every step; it is filled when the function reads it.
+---Every field of a section has an array with one number for each element. Mx, My, f_y, hinge_rotation_x,
+---hinge_rotation_y, node and plastic have one array for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is
+---1 or 0. Loads along a member change N and Mz along it; the arrays have those of end 1. Broken elements keep their
+---positions, with broken = 1 and zeros. An array is the same table at every step; it is filled when the function reads
+---it.
 ---@class hinge.element_list
 ---@field count integer
 ---@field time number s
@@ -729,6 +746,10 @@ function model:contact(rule) end
 ---gap: eqs 17-19 as printed, default false. They are checked only at the beginning of a step, so fast members can pass
 ---through each other. release is then "time"
 ---@field as_printed? boolean
+---with as_printed: how eq 19 takes f of eq 17. absolute (default): |f| <= alpha. as printed: f <= alpha. f is negative
+---on one side of an element, so that eq 19 holds there at any distance. Which side it is depends on the order of the
+---elements and of their ends
+---@field sign_of_f? "absolute"|"as printed"
 
 ---@class hinge.contact_event
 ---@field time number s

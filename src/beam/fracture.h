@@ -1,29 +1,70 @@
 // When an element breaks: eq 16.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/types.h"
 
 namespace hinge::beam {
 
-/// Strains of the element as eq 16 reads them; the same at every section, since only shear depends on the point.
+/// Strains that a limit of fracture is compared with.
 struct FractureStrains {
     double curvature_x, curvature_y;  ///< 1/m
     double axial;                     ///< -
     double twist;                     ///< 1/m
+    double shear_x = 0, shear_y = 0;  ///< -, of directions x and y
 };
 
-/// d: deformation of the element (timoshenko.h), elastic and plastic; L: its length, m.
+/// Of the whole element, as eq 16 has them: the same at every section. d: deformation of the element (timoshenko.h),
+/// elastic and plastic; L: its length, m. Without shear.
 inline FractureStrains fracture_strains(const Vec6& d, double L) {
     return {(d[1] - d[0]) / L, (d[3] - d[2]) / L, d[4] / L, d[5] / L};
 }
 
-/// Eq 16: true when one of kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1. Bending and (unless
-/// tension_only) axial strain count in both directions.
-inline bool reached(const FractureStrains& e, double curvature_x, double curvature_y, double axial, bool tension_only) {
-    return std::abs(e.curvature_x) >= curvature_x || std::abs(e.curvature_y) >= curvature_y ||
-           (tension_only ? e.axial : std::abs(e.axial)) >= axial;
+/// Rotation of the hinge at end 1 or 2 about x (plane 0) or y (plane 1), rad; positive like the curvature. plastic: the
+/// plastic part of d.
+inline double hinge_rotation(const Vec6& plastic, int end, int plane) {
+    return end == 1 ? -plastic[2 * plane] : plastic[2 * plane + 1];
+}
+
+/// Of the section at end 1 or 2: as the element's, but a curvature is the elastic one and what the section's own hinge
+/// has rotated, over the element's length. The hinge at the other end does not count.
+inline FractureStrains section_strains(const Vec6& elastic, const Vec6& plastic, double L, int end) {
+    FractureStrains e = fracture_strains(elastic + plastic, L);
+    e.curvature_x = (elastic[1] - elastic[0] + hinge_rotation(plastic, end, 0)) / L;
+    e.curvature_y = (elastic[3] - elastic[2] + hinge_rotation(plastic, end, 1)) / L;
+    return e;
+}
+
+/// Shear strains from the forces p of an element (timoshenko.h): Q / (G A), with Q_y = dM_x/dz and Q_x = dM_y/dz as
+/// means over the element. They are elastic, since shear is not part of the yield surface (eq 14).
+inline void add_shear(FractureStrains& e, const Vec6& p, double GAx, double GAy, double L) {
+    e.shear_y = (p[0] + p[1]) / (L * GAy);
+    e.shear_x = (p[2] + p[3]) / (L * GAx);
+}
+
+/// Limits of strain. One that is left at infinity is not tested.
+struct FractureLimits {
+    double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
+    double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
+    double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
+    double shear_strain = std::numeric_limits<double>::infinity();  ///< -, either direction, either sign
+    bool tension_only = false;
+
+    bool none() const {
+        return std::isinf(curvature_x) && std::isinf(curvature_y) && std::isinf(axial_strain) &&
+               std::isinf(shear_strain);
+    }
+};
+
+/// Eq 16: true when one of kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1; or, which is not in the
+/// paper, a shear strain its limit.
+inline bool reached(const FractureStrains& e, const FractureLimits& limit) {
+    return std::abs(e.curvature_x) >= limit.curvature_x || std::abs(e.curvature_y) >= limit.curvature_y ||
+           (limit.tension_only ? e.axial : std::abs(e.axial)) >= limit.axial_strain ||
+           std::max(std::abs(e.shear_x), std::abs(e.shear_y)) >= limit.shear_strain;
 }
 
 }  // namespace hinge::beam

@@ -190,7 +190,7 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
                    (rule.rule == ContactRuleKind::surface
                         ? closest.distance < (1 - 1e-6) * candidate.contact_distance  // resting on each other is apart
                         : closest.distance <= candidate.contact_distance ||
-                              coplanar(two, rule.coplanarity_tolerance))) {
+                              coplanar(two, rule.coplanarity_tolerance, rule.signed_f))) {
             candidate.state = PairState::joined;
         }
         observe(candidate, two, closest);
@@ -267,7 +267,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
         look_at_[i] = never;
         return true;
     }
-    const RuleNumbers numbers{rule.contact_length, rule.coplanarity_tolerance, pair.contact_distance};
+    const RuleNumbers numbers{rule.contact_length, rule.coplanarity_tolerance, pair.contact_distance, rule.signed_f};
     const Meeting meeting = rule.as_printed ? printed_meeting(moving, closest, pair.normal, numbers)
                                             : first_meeting(moving, closest, pair.normal, numbers);
     if (!meeting.found) return false;

@@ -59,6 +59,7 @@ struct ContactSettings {
     double binding_time = 0.5e-3;         ///< s (the paper's value)
     bool as_printed = false;  ///< eqs 17-19 as printed, looked at only where a step begins; otherwise swept over the
                               ///< step, and the axes must also come within the sum of the half depths
+    bool signed_f = false;    ///< eq 19 as printed, f <= alpha with the sign of f; otherwise |f| <= alpha
     bool hold_until_parting = true;  ///< after its binding time a tie stays until the bars part and its stored energy
                                      ///< is at a low minimum, and what is left springs back as an impulse; false: cut
                                      ///< at the binding time, what it stores is gone
@@ -76,7 +77,7 @@ struct ContactSettings {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.rule, s.sleep, s.stiffness, s.friction, s.contact_length, s.coplanarity_tolerance, s.binding_time,
-          s.as_printed, s.hold_until_parting, s.parting_energy, s.longest_hold, s.shortest_gap);
+          s.as_printed, s.signed_f, s.hold_until_parting, s.parting_energy, s.longest_hold, s.shortest_gap);
     }
 };
 

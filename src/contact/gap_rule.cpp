@@ -34,8 +34,11 @@ bool within_contact_length(const Two& two, double contact_length) {
     return std::isinf(contact_length) || spread(two) <= contact_length * lengths(two);
 }
 
-// Eq 19.
-bool coplanar(const Two& two, double alpha) { return std::abs(coplanarity(two)) <= alpha + coplanarity_noise(two); }
+// Eq 19. Its f has the sign of the side of a's second end on which b lies, by the order of their ends.
+bool coplanar(const Two& two, double alpha, bool signed_f) {
+    const double f = coplanarity(two);
+    return (signed_f ? f : std::abs(f)) <= alpha + coplanarity_noise(two);
+}
 
 Two Moving::at(double tau) const {
     Two two;
@@ -187,7 +190,8 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& no
 
 Meeting printed_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers) {
     const Two& now = moving.start;
-    if (!within_contact_length(now, numbers.contact_length) || !coplanar(now, numbers.alpha)) return {};
+    if (!within_contact_length(now, numbers.contact_length) || !coplanar(now, numbers.alpha, numbers.signed_f))
+        return {};
     const Approach found = approach(moving, now, begin, normal, 0);
     if (!(found.rate > 1e-12 * lengths(now))) return {};
     return {true, 0, begin.s, begin.t, found.direction};

@@ -28,7 +28,7 @@ bool within_contact_length(const Two& two, double contact_length);
 
 /// Eq 19, |f| <= alpha. (Printed without the bars; a signed f would let half of all approaches through from any
 /// distance.)
-bool coplanar(const Two& two, double alpha);
+bool coplanar(const Two& two, double alpha, bool signed_f = false);
 
 /// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines,
 /// so that at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
@@ -60,6 +60,7 @@ struct RuleNumbers {
     double contact_length;    ///< C_l of eq 18; infinite: eq 18 always holds
     double alpha;             ///< eq 19, m^3
     double contact_distance;  ///< sum of the half depths, m (not used by the rule as printed)
+    bool signed_f = false;    ///< f with its sign (used by the rule as printed alone)
 };
 
 /// A contact found: when, and where on the two axes.

@@ -28,8 +28,10 @@ constexpr double least_bending = 0.25;
 /// Whether limits alone could be reached by elastic strain on top of the plastic one. Elastic curvature is a mean of
 /// the two end moments over EI, and neither is above the fully plastic one. Where bending follows N (`p_delta`), S and
 /// A of beam/beam_column.h at the fully plastic compression take from EI, and the chord shortens by bowing.
-bool within_reach(const FractureRule& rule, const Element& e, const beam::FractureStrains& plastic, bool p_delta) {
-    if (e.yield.elastic()) return true;
+/// The elastic shear force is at most that between two fully plastic moments.
+bool within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, bool p_delta) {
+    if (e.yield.elastic()) return !rule.plastic_only;
+    if (rule.plastic_only) return false;
     const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
     double curvature[2] = {elastic(e.yield.x, e.rigidity.EIx), elastic(e.yield.y, e.rigidity.EIy)},
            axial = elastic(e.yield.n, e.rigidity.EA);
@@ -41,9 +43,16 @@ bool within_reach(const FractureRule& rule, const Element& e, const beam::Fractu
             axial += 0.5 * std::abs(of.S1) * std::pow(curvature[plane] * e.length, 2);
         }
     }
-    return rule.curvature_x <= std::abs(plastic.curvature_x) + curvature[0] ||
-           rule.curvature_y <= std::abs(plastic.curvature_y) + curvature[1] ||
-           rule.axial_strain <= std::abs(plastic.axial) + axial;
+    const double shear = 2 * (1 + 1e-6) / e.length *
+                         std::max(resultant(e.yield.x) / e.rigidity.GAy, resultant(e.yield.y) / e.rigidity.GAx);
+    const auto out_of_reach = [&](const beam::FractureStrains& stays) {
+        return rule.curvature_x > std::abs(stays.curvature_x) + curvature[0] &&
+               rule.curvature_y > std::abs(stays.curvature_y) + curvature[1] &&
+               rule.axial_strain > std::abs(stays.axial) + axial && rule.shear_strain > shear;
+    };
+    if (rule.reading == FractureRule::Reading::element) return !out_of_reach(beam::fracture_strains(plastic, e.length));
+    return !(out_of_reach(beam::section_strains(Vec6::Zero(), plastic, e.length, 1)) &&
+             out_of_reach(beam::section_strains(Vec6::Zero(), plastic, e.length, 2)));
 }
 
 /// Calls a rule of the script's own; where it fails, the message says which rule, and asked of whom.
@@ -115,6 +124,8 @@ private:
     Vec6 deformation_before(int element) const;
     int weaker_end(int element, const beam::Flow* flow) const;
     /// Resultants in the places of p, with those of loads between the nodes; f_y of them.
+    bool flows_at(const beam::Flow* flow, int end, int weaker) const;
+    int end_at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
     Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.sweep.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
         return beam::yield_function(resultants_at(element, r), r, w_.structure.elements()[element].yield);
@@ -177,7 +188,7 @@ void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    if (within_reach(rule, e, beam::fracture_strains(w_.state.plastic[index], e.length), w_.structure.p_delta()) ||
+    if (within_reach(rule, e, w_.state.plastic[index], w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
@@ -268,6 +279,31 @@ Vec6 Fracture::deformation_before(int index) const {
     return stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
 }
 
+/// Whether the section at an end flows in the step.
+bool Fracture::flows_at(const beam::Flow* flow, int end, int weaker) const {
+    return flow && (w_.structure.conventional() ? end == weaker : flow->lambda[end - 1] > 0);
+}
+
+/// The end at which a limit of the element's rule is reached, 0: at neither.
+int Fracture::end_at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
+    const Element& e = w_.structure.elements()[index];
+    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    if (rule.none() || (rule.plastic_only && !flow)) return 0;
+    const bool by_section = rule.reading == FractureRule::Reading::section && !w_.structure.conventional();
+    const auto at_limit = [&](beam::FractureStrains strains) {
+        if (std::isfinite(rule.shear_strain))
+            beam::add_shear(strains, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);
+        return beam::reached(strains, rule);
+    };
+    if (!by_section) return at_limit(beam::fracture_strains(elastic + plastic, e.length)) ? weaker_end(index, flow) : 0;
+    const int weaker = weaker_end(index, flow);
+    for (const int end : {weaker, 3 - weaker})
+        if ((!rule.plastic_only || flows_at(flow, end, weaker)) &&
+            at_limit(beam::section_strains(elastic, plastic, e.length, end)))
+            return end;
+    return 0;
+}
+
 /// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
 /// of. `news`: the element is strained as never before.
 void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
@@ -276,14 +312,12 @@ void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     Vec6 plastic = w_.state.plastic[index];
     if (flow) plastic += flow->plastic;
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
-    const beam::FractureStrains strains = beam::fracture_strains(elastic + plastic, e.length);
-    if (beam::reached(strains, rule.curvature_x, rule.curvature_y, rule.axial_strain, rule.tension_only))
-        return step_->breaks.push_back({index, weaker_end(index, flow)});
+    if (const int end = end_at_limit(index, elastic, plastic, flow)) return step_->breaks.push_back({index, end});
     if (!rule.hook) return;
     if (!asked_.empty() && w_.structure.elements()[asked_.back().element].fracture != e.fracture) ask_sections();
     const int weaker = weaker_end(index, flow);
     for (int side : {weaker, 3 - weaker}) {
-        const bool flows = flow && (w_.structure.conventional() ? side == weaker : flow->lambda[side - 1] > 0);
+        const bool flows = flows_at(flow, side, weaker);
         const int bit = w_.structure.conventional() ? hinge_at_middle : side == 1 ? hinge_at_1 : hinge_at_2;
         const bool asked = flows || e.yield.elastic() || rule.where == Where::all ||
                            ((rule.where == Where::yielded || news) && w_.state.yielded[index] & bit);
@@ -313,6 +347,11 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     v.Mx = beam::moment_at(p[0], p[1], r), v.My = beam::moment_at(p[2], p[3], r), v.N = p[4], v.Mz = p[5];
     v.f_y = yield_at(index, r);
     v.plastic_work = w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
+    beam::FractureStrains shear{};
+    beam::add_shear(shear, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);
+    v.shear_x = shear.shear_x, v.shear_y = shear.shear_y;
+    v.hinge_rotation_x = beam::hinge_rotation(plastic, side, 0);
+    v.hinge_rotation_y = beam::hinge_rotation(plastic, side, 1);
     if (w_.structure.model().fracture()[e.fracture].keep.empty()) return;
     v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
 }
@@ -398,6 +437,15 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
         const Element& e = of_.w_.structure.elements()[index];
         const Vec6 p = of_.resultants_at(index, r);
         const bool broken = of_.w_.state.broken[index];
+        const auto shear = [&] {
+            beam::FractureStrains s{};
+            beam::add_shear(s, p, e.rigidity.GAx, e.rigidity.GAy, e.length);
+            return s;
+        };
+        const auto rotation = [&](int plane) {
+            const Vec6& before = of_.w_.state.plastic[index];
+            return beam::hinge_rotation(flow ? Vec6(before + flow->plastic) : before, end, plane);
+        };
         const auto value = [&]() -> double {
             switch (field) {
                 case SectionField::member: return e.member + 1;
@@ -418,6 +466,10 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
                 case SectionField::My: return beam::moment_at(p[2], p[3], r);
                 case SectionField::N: return p[4];
                 case SectionField::Mz: return p[5];
+                case SectionField::shear_x: return shear().shear_x;
+                case SectionField::shear_y: return shear().shear_y;
+                case SectionField::hinge_rotation_x: return rotation(0);
+                case SectionField::hinge_rotation_y: return rotation(1);
                 case SectionField::plastic:
                     return flow && (of_.w_.structure.conventional() || flow->lambda[end - 1] > 0);
                 default: return of_.yield_at(index, r);

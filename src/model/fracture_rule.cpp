@@ -20,6 +20,10 @@ const std::vector<std::string> section_field_names = {"curvature_x",
                                                       "Mz",
                                                       "f_y",
                                                       "plastic_work",
+                                                      "shear_x",
+                                                      "shear_y",
+                                                      "hinge_rotation_x",
+                                                      "hinge_rotation_y",
                                                       "member",
                                                       "element",
                                                       "end",
@@ -50,6 +54,10 @@ double value_of(const SectionView& v, SectionField field) {
         case SectionField::Mz: return v.Mz;
         case SectionField::f_y: return v.f_y;
         case SectionField::plastic_work: return v.plastic_work;
+        case SectionField::shear_x: return v.shear_x;
+        case SectionField::shear_y: return v.shear_y;
+        case SectionField::hinge_rotation_x: return v.hinge_rotation_x;
+        case SectionField::hinge_rotation_y: return v.hinge_rotation_y;
         case SectionField::member: return v.member + 1;
         case SectionField::element: return v.element + 1;
         case SectionField::end: return v.end;
@@ -65,7 +73,8 @@ double value_of(const SectionView& v, SectionField field) {
 
 bool at_ends(SectionField field) {
     return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y ||
-           field == SectionField::node || field == SectionField::plastic;
+           field == SectionField::node || field == SectionField::plastic || field == SectionField::hinge_rotation_x ||
+           field == SectionField::hinge_rotation_y;
 }
 
 }  // namespace hinge

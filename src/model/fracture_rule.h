@@ -3,14 +3,15 @@
 
 #include <concepts>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "beam/fracture.h"
+
 namespace hinge {
 
-/// A section of an element as a rule of the script's own sees it, at the end of the step. Strains are the element's:
-/// only shear depends on the section (beam/fracture.h).
+/// A section of an element as a rule of the script's own sees it, at the end of the step. Strains are the element's
+/// (beam/fracture.h); the rotation of the hinge is the section's own.
 struct SectionView {
     double time, dt;           ///< s, of the step's end; of the step
     double step;               ///< from 1
@@ -22,7 +23,9 @@ struct SectionView {
     double Mx, My, N, Mz;                                                      ///< N m, N
     double f_y;                                                                ///< eq 14
     double plastic_work;                                                       ///< J, of the element so far
-    bool plastic;                                                              ///< fully plastic in this step
+    double shear_x, shear_y;                    ///< -, elastic: Q / (G A), mean over the element
+    double hinge_rotation_x, hinge_rotation_y;  ///< rad, of the section's own hinge
+    bool plastic;                               ///< fully plastic in this step
     double* kept = nullptr;  ///< the rule's own numbers of this section (FractureRule::keep), 0 at the start
 };
 
@@ -61,6 +64,10 @@ enum class SectionField : int {
     Mz,
     f_y,
     plastic_work,
+    shear_x,
+    shear_y,
+    hinge_rotation_x,
+    hinge_rotation_y,
     member,
     element,
     end,
@@ -88,18 +95,20 @@ public:
     /// (at_ends).
     virtual void read(SectionField field, int end, double* out) const = 0;
 };
-bool at_ends(SectionField field);  ///< Mx, My, f_y, node, plastic
+bool at_ends(SectionField field);  ///< Mx, My, f_y, hinge rotations, node, plastic
 /// Fills `breaks` with the places in the list of the elements that break: at the section that flows, else at the one
 /// nearer to it.
 using FractureBatch = std::function<void(const ElementList&, std::vector<int>& breaks)>;
 
-/// Eq 16. A criterion left at infinity is not tested. The paper's 0.0004 is per millimetre: 0.4 1/m.
-struct FractureRule {
-    double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
-    double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
-    double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
-    bool tension_only = false;
-    FractureHook hook;  ///< asked where no limit is reached
+/// Eq 16, and other readings of it. The paper's 0.0004 is per millimetre: 0.4 1/m.
+struct FractureRule : beam::FractureLimits {
+    enum class Reading {
+        element,
+        section
+    } reading = Reading::element;  ///< element: the limits are compared with the strains of the whole element;
+                                   ///< section: with those at each end, from its own hinge (section_strains)
+    bool plastic_only = false;     ///< limits count only where the section is fully plastic in the step
+    FractureHook hook;             ///< asked where no limit is reached
     enum class Where {
         plastic,
         yielded,

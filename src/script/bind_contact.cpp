@@ -13,11 +13,16 @@ void read_numbers(Options& o, bool gap, contact::ContactSettings& c) {
     c.coplanarity_tolerance = o.number("coplanarity_tolerance", "m^3", Range::positive, c.coplanarity_tolerance);
     c.binding_time = o.number("binding_time", "s", Range::positive, c.binding_time);
     c.as_printed = o.flag("as_printed", c.as_printed);
+    const char* sign_of_f = c.signed_f ? "as printed" : "absolute";
+    c.signed_f = o.word("sign_of_f", {"absolute", "as printed"}, sign_of_f) == "as printed";
+    if (c.signed_f && !c.as_printed && o.has("sign_of_f"))
+        o.complain("sign_of_f", "'as printed'", "belongs to as_printed = true");
     c.hold_until_parting =
         o.word("release", {"parting", "time"}, c.as_printed || !c.hold_until_parting ? "time" : "parting") == "parting";
     for (const char* field : {"stiffness", "friction"})
         if (gap && o.has(field)) o.complain(field, "given", "belongs to rule 'surface'; rule is 'gap'");
-    for (const char* field : {"contact_length", "coplanarity_tolerance", "binding_time", "as_printed", "release"})
+    for (const char* field :
+         {"contact_length", "coplanarity_tolerance", "binding_time", "as_printed", "sign_of_f", "release"})
         if (!gap && o.has(field)) o.complain(field, "given", "belongs to rule 'gap'; rule is 'surface', the default");
 }
 
@@ -54,7 +59,7 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, Con
             if (lua_istable(L, -1)) {
                 Options o(L, lua_gettop(L), who);
                 o.expect({"rule", "stiffness", "friction", "contact_length", "coplanarity_tolerance", "binding_time",
-                          "as_printed", "release"});
+                          "as_printed", "sign_of_f", "release"});
                 read_numbers(o, reads_gap(o, usual.rule == contact::ContactRuleKind::gap), *found);
             } else if (lua_isboolean(L, -1) && !lua_toboolean(L, -1)) {
                 found.reset();
@@ -96,7 +101,7 @@ int contact_rule(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:contact").value;
     Options o(L, 2, "model:contact", true);
     o.expect({"rule", "groups", "between", "stiffness", "friction", "binding_time", "release", "contact_length",
-              "coplanarity_tolerance", "sleep", "as_printed", "pairs", "on_contact", "on_release"});
+              "coplanarity_tolerance", "sleep", "as_printed", "sign_of_f", "pairs", "on_contact", "on_release"});
     ContactRule rule;
     read_numbers(o, reads_gap(o, false), rule.settings);
     rule.settings.sleep = o.flag("sleep", rule.settings.sleep);

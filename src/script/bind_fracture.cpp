@@ -347,6 +347,18 @@ std::vector<std::string> read_keep(Options& o) {
     return keep;
 }
 
+/// How the limits are compared with an element: options that mean nothing where no limit is given.
+void read_reading(Options& o, FractureRule& rule) {
+    rule.tension_only = o.flag("tension_only", false);
+    rule.plastic_only = o.flag("plastic_only", false);
+    rule.reading = o.word("reading", {"element", "section"}, "element") == "section" ? FractureRule::Reading::section
+                                                                                     : FractureRule::Reading::element;
+    for (const char* field : {"reading", "plastic_only"})
+        if (rule.none() && o.has(field))
+            o.complain(field, "given",
+                       "belongs to limits; give curvature_x, curvature_y, axial_strain or shear_strain");
+}
+
 }  // namespace
 
 int fracture_rule(lua_State* L) {
@@ -359,15 +371,16 @@ int fracture_rule(lua_State* L) {
         if (!lua_istable(L, 2))
             throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
         Options o(L, 2, "model:fracture");
-        o.expect(
-            {"curvature_x", "curvature_y", "axial_strain", "tension_only", "rule", "batch", "where", "keep", "group"});
+        o.expect({"curvature_x", "curvature_y", "axial_strain", "shear_strain", "tension_only", "reading",
+                  "plastic_only", "rule", "batch", "where", "keep", "group"});
         const auto take = [&](const char* field, const char* unit, double& limit) {
             if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
         };
         take("curvature_x", "1/m", rule.curvature_x);
         take("curvature_y", "1/m", rule.curvature_y);
         take("axial_strain", "", rule.axial_strain);
-        rule.tension_only = o.flag("tension_only", false);
+        take("shear_strain", "", rule.shear_strain);
+        read_reading(o, rule);
         rule.keep = read_keep(o);
         const int type = o.push_field("rule");
         if (type == LUA_TFUNCTION) rule.hook = read_rule(L, -1, m, rule.keep);
@@ -393,10 +406,10 @@ int fracture_rule(lua_State* L) {
                            "belongs to a rule that is asked section by section; give rule = a function");
         if (o.push_field("group") != LUA_TNIL) rule.group = group_argument(L, -1, "model:fracture: field 'group'", *m);
         lua_pop(L, 1);
-        if (!rule.hook && !rule.batch && !std::isfinite(rule.curvature_x) && !std::isfinite(rule.curvature_y) &&
-            !std::isfinite(rule.axial_strain))
+        if (!rule.hook && !rule.batch && rule.none())
             throw InputError(
-                "model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function");
+                "model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
+                "or a function");
     }
     m->add_fracture(std::move(rule));
     m->ask("fracture", where(L));

@@ -150,7 +150,9 @@ TEST_CASE("fracture: eq 16 holds just below each limit, and breaks at it and abo
           "[fracture]") {
     const double limit_x = 0.4, limit_y = 0.5, limit_axial = 0.3;
     const auto breaks = [&](const beam::FractureStrains& e, bool tension_only) {
-        return beam::reached(e, limit_x, limit_y, limit_axial, tension_only);
+        beam::FractureLimits limits{limit_x, limit_y, limit_axial};
+        limits.tension_only = tension_only;
+        return beam::reached(e, limits);
     };
     for (const bool tension_only : {false, true}) {
         CHECK_FALSE(breaks({0, 0, 0, 1e9}, tension_only));  // twist has no limit

@@ -264,6 +264,24 @@ TEST_CASE("contact: as printed without eq 18, every coplanar pair that approache
     CHECK(contact.detect(s.bars, false, s.motion(), 1e-5, 0) == 4);
 }
 
+TEST_CASE("contact: f with its sign, as printed: pairs on one side bind at any distance, on the other they do not",
+          "[contact]") {
+    for (const bool with_sign : {false, true}) {
+        int bound[2];
+        for (const int turned : {0, 1}) {
+            Scene s = crossing(50, 1.0, turned ? -pi / 2 : pi / 2);  // the ends of one bar in the other order
+            ContactSettings settings;
+            settings.as_printed = true;
+            settings.signed_f = with_sign;
+            settings.contact_length = infinite;
+            Contact contact(settings);
+            bound[turned] = contact.detect(s.bars, false, s.motion(), 1e-5, 0);
+        }
+        CHECK(std::max(bound[0], bound[1]) == (with_sign ? 4 : 0));
+        CHECK(std::min(bound[0], bound[1]) == 0);
+    }
+}
+
 TEST_CASE("contact: as printed, short bars with a large C_l bind from as far as eq 18 reaches", "[contact]") {
     // Bars one above the other, side by side: coplanar at any distance, so that eq 18 alone decides; far beyond the sum
     // of their half depths.

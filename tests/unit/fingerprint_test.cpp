@@ -135,7 +135,10 @@ const std::vector<Field> fields = {
     NUMBER("fracture rules", fracture.curvature_x),
     NUMBER("fracture rules", fracture.curvature_y),
     NUMBER("fracture rules", fracture.axial_strain),
+    NUMBER("fracture rules", fracture.shear_strain),
     CHANGE("fracture rules", "tension_only", d.fracture.tension_only = true),
+    CHANGE("fracture rules", "reading", d.fracture.reading = FractureRule::Reading::section),
+    CHANGE("fracture rules", "plastic_only", d.fracture.plastic_only = true),
     CHANGE(
         "fracture rules", "a function", d.fracture.hook = [](const SectionView&) { return false; }),
     CHANGE("fracture rules", "where", d.fracture.where = FractureRule::Where::all),
@@ -151,6 +154,7 @@ const std::vector<Field> fields = {
     NUMBER("contact rules", contact.settings.coplanarity_tolerance),
     NUMBER("contact rules", contact.settings.binding_time),
     CHANGE("contact rules", "as printed", d.contact.settings.as_printed = true),
+    CHANGE("contact rules", "signed f", d.contact.settings.signed_f = true),
     CHANGE("contact rules", "hold_until_parting", d.contact.settings.hold_until_parting = false),
     NUMBER("contact rules", contact.settings.parting_energy),
     NUMBER("contact rules", contact.settings.longest_hold),

@@ -147,6 +147,12 @@ TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
     CHECK(coplanar(cross(-0.74e-4), 3e-4));
     CHECK_FALSE(coplanar(cross(0.76e-4), 3e-4));
     CHECK_FALSE(coplanar(cross(-0.76e-4), 3e-4));
+    // f with its sign, as printed: on one side at any distance
+    const double side = coplanarity(cross(1)) < 0 ? 1 : -1;
+    CHECK(coplanar(cross(side), 3e-4, true));
+    CHECK_FALSE(coplanar(cross(-side), 3e-4, true));
+    CHECK(coplanar(cross(-0.74e-4 * side), 3e-4, true));
+    CHECK_FALSE(coplanar(cross(-0.76e-4 * side), 3e-4, true));
     // Rounding must not keep parallel bars from being flat, even with no tolerance at all.
     CHECK(coplanar({{{0.1, 0.2, 0.3}, {1.1, 2.2, 3.3}}, {{0.7, 0.9, 0.4}, {1.7, 2.9, 3.4}}}, 0));
     // End on, two bars of length 1 reach eq 18 only when they overlap by a tenth of their lengths' sum.
