@@ -24,13 +24,6 @@ local function text(value)
   return "{" .. table.concat(parts, ",") .. "}"
 end
 
--- Fowler, Noll and Vo's hash, 64 bits.
-local function digest(content)
-  local hash = 0xcbf29ce484222325
-  for i = 1, #content do hash = (hash ~ content:byte(i)) * 0x100000001b3 end
-  return ("%016x"):format(hash)
-end
-
 local function read(path)
   local file = io.open(path, "rb")
   if not file then return nil end
@@ -40,14 +33,13 @@ local function read(path)
 end
 
 --- folder: nil keeps nothing. `run`: the scenario's function. If its file can be read, the content of the file is part
---- of
--- every key.
+-- of every key.
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
   if not self.path then return self end
   local source = debug.getinfo(run, "S").source
   local content = source:sub(1, 1) == "@" and read(source:sub(2)) or source
-  self.mark = core.version .. " " .. digest(content)
+  self.mark = core.version .. " " .. core.fingerprint(content)
   for line in (read(self.path) or ""):gmatch "[^\n]+" do
     local f = load("return " .. line, "finished", "t", {})
     local ok, entry = pcall(f or error)
