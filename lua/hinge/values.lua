@@ -1,4 +1,7 @@
--- Values written as text on a command line: numbers and sums such as 440/3.6, true or false, lists in braces, strings.
+-- Values written as text on a command line: numbers and sums such as 440/3.6, true or false, lists in braces, strings,
+-- numbers with a unit.
+local check = require "hinge.check"
+
 local values = {}
 
 local literals = { "^%d+%.?%d*[eE][+-]?%d+", "^%.%d+[eE][+-]?%d+", "^%d+%.?%d*", "^%.%d+" }
@@ -97,6 +100,31 @@ end
 function values.guess(text)
   if text == "true" or text == "false" then return text == "true" end
   return list(text) or values.number(text) or text
+end
+
+--- The value of an option such as 60s, 500M or 1%, which must be above 0; nil without a text. units: what a number is
+-- multiplied by, by what stands behind it; allowed: for the message.
+function values.quantity(option, text, units, allowed)
+  if not text then return nil end
+  local number, unit = text:match "^%s*([%d.eE+-]+)%s*(%%?%a*)%s*$"
+  number = number and values.number(number)
+  if not number or not units[unit] or number <= 0 then check.fail("%s %s: must be %s", option, text, allowed) end
+  return number * units[unit]
+end
+
+--- The seconds of an option.
+function values.time(option, text)
+  return values.quantity(option, text, { [""] = 1, s = 1, min = 60, h = 3600 },
+    "a time above 0, such as 60s, 5min or 1h")
+end
+
+--- The whole number of an option, which must be at least `least`; nil without a text.
+function values.whole(option, text, least)
+  local number = text and math.tointeger(tonumber(text))
+  if text and (not number or number < least) then
+    check.fail("%s %s: must be a whole number of at least %d", option, text, least)
+  end
+  return number
 end
 
 return values
