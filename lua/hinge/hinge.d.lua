@@ -1508,7 +1508,8 @@ function hinge.study(scenario, options) end
 ---@field method? "lhs"|"sobol"|"plain"
 ---@field seed? integer the same one gives the same draws on every machine; default 1
 ---proposes what runs next: gets the cases that have ended, in order; returns a table of parameters, a list of such
----tables, or nil at the end. It is asked when all that it proposed before has ended
+---tables, or nil at the end. It is asked when all that it proposed before has ended. Single values of vary hold for all
+---cases then; several values of one name, cases, table, samples, method and seed are errors
 ---@field propose? fun(cases: hinge.study_case[]): table|nil
 ---@field jobs? integer cases at a time; default: the cores that there are
 ---@field timeout? number s, the most that a case may take

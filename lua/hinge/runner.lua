@@ -110,7 +110,8 @@ end
 --- The output folder for these parameters: options.out, with them in its name unless the user gave it.
 function runner.folder(options, changed)
   local folder = options.out
-  for _, name in ipairs(options.out_given and {} or check.keys(changed)) do
+  if options.out_given then return folder end
+  for _, name in ipairs(check.keys(changed)) do
     folder = ("%s-%s=%s"):format(folder, name_part(name), name_part(changed[name]))
   end
   return folder:sub(1, 160)
@@ -119,19 +120,23 @@ end
 -- The script's output folder, with the parameters that differ from their defaults in its name. `changed`: those.
 local function own_output(options, used, changed)
   if not options.out then return core.out_dir() end
-  local owner = { script = core.whole_path(options.script), case = options.case, parameters = used,
-    changed = changed }
+  local owner = { script = options.script and core.whole_path(options.script), case = options.case,
+    parameters = used, changed = changed }
   return job.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
 end
 
---- Runs a script and writes its summary. Returns the exit status; see runner.main for the options.
+--- Runs a script and writes its summary. Returns the exit status; see runner.main for the options. One more: scenario,
+-- where it is known; the script is not loaded then.
 function runner.run(options)
   local settings = parameters.given(options.overrides)
   local this = job.new(own_output(options, settings, settings), options.case)
   job.use(this)
 
   local used
-  local loaded, results, plain, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
+  local loaded, results, plain, must_be_read = options.scenario, nil, nil, nil
+  if not loaded then
+    loaded, results, plain, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
+  end
   if loaded then
     used = loaded:values(options.case, options.overrides)
     this.out = own_output(options, used, loaded:changed(options.case, used))

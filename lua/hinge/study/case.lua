@@ -1,20 +1,19 @@
--- One case of a study, in the process that runs it: the scenario's run, its summary, and what the study keeps of it.
+-- One case of a study: run in a process of its own, and what the study keeps of it.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local files = require "hinge.study.files"
-local job = require "hinge.job"
 local runner = require "hinge.runner"
 
 local case = {}
 
---- Results as a flat table: { ["damage.columns"] = 3 }; numbers, strings and booleans, tables of names four deep; items
+-- Results as a flat table: { ["damage.columns"] = 3 }; numbers, strings and booleans, tables of names four deep; items
 -- of lists are left out.
-function case.flat(results)
-  local flat = {}
+local function flat(results)
+  local all = {}
   local function add(prefix, value, depth)
     local kind = type(value)
     if kind == "number" or kind == "string" or kind == "boolean" then
-      flat[prefix == "" and "result" or prefix] = value
+      all[prefix == "" and "result" or prefix] = value
     elseif kind == "table" and depth < 4 then
       for key, item in pairs(value) do
         if type(key) == "string" then add(prefix == "" and key or prefix .. "." .. key, item, depth + 1) end
@@ -22,60 +21,39 @@ function case.flat(results)
     end
   end
   add("", results, 0)
-  return flat
+  return all
 end
 
-local function energy_of(folder)
-  local file = files.open(folder .. "/summary.json")
-  local summary = file and core.from_json(file:read "a") or {}
-  if file then file:close() end
-  return summary
+local function json(path)
+  local text = files.text(path)
+  return text and core.from_json(text) or nil
 end
 
---- Runs one case into `folder` and writes case.json there. what: scenario (or nil, and script: a path), case,
--- overrides ({ { name, text } }), values (those of hinge.study, by name). Returns the process's exit status.
+--- Makes the folder ready: what an earlier try has left there says nothing about this one.
+function case.prepare(folder)
+  core.write_text(folder .. "/output.txt", "")
+  for _, name in ipairs { "summary.json", "case.json" } do os.remove(folder .. "/" .. name) end
+end
+
+--- Runs one case into `folder`, as hinge run does, and writes case.json, the files that it has read. what: scenario, or
+-- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }). Returns the exit
+-- status of the process.
 function case.run(what, folder)
-  job.own_output(folder, { script = what.script, case = what.case, parameters = what.parameters }, true)
-  local this = job.new(folder, what.case)
-  job.use(this)
-  local kept = {}
   local status = runner.guard(function()
-    local results, used
-    local loaded, plain, must_be_read = what.scenario, nil, nil
-    if not loaded then loaded, results, plain, must_be_read = runner.load(what.script, what.overrides) end
-    if loaded then
-      used = loaded:values(what.case, what.overrides)
-      results = loaded.run(used, this)
-    else
-      used = plain
-    end
-    kept.results = case.flat(results)
-    kept.verdict, kept.reason = core.write_summary {
-      results = results, parameters = used, case = what.case, script = what.script, notes = this.notes,
-      whole = this.whole,
-    }
-    if must_be_read then must_be_read() end
-    if case.finished(kept.verdict) then core.drop_checkpoints() end
-    return runner.status(kept.verdict, kept.reason)
+    local result = runner.run { scenario = what.scenario, script = what.script, case = what.case,
+      overrides = what.overrides, out = folder, out_given = true }
+    if result == 0 then core.drop_checkpoints() end
+    return result
   end)
-  local summary = kept.verdict and energy_of(folder) or {}
-  kept.energy_error, kept.steps = summary.energy_error, summary.steps
-  kept.files = files.read(core.whole_path(folder))
-  core.write_text(folder .. "/case.json", core.to_json(kept) .. "\n")
+  core.write_json(folder .. "/case.json", { files = files.read(core.whole_path(folder)) })
   return status
 end
 
 --- What a case has left in its folder, as { verdict =, reason =, results =, ... }, given how its process ended.
 function case.outcome(folder, ended)
-  local file = files.open(folder .. "/case.json")
-  local kept = file and core.from_json(file:read "a") or {}
-  if file then file:close() end
-  local said = ""
-  local output = files.open(folder .. "/output.txt")
-  if output then
-    said = output:read "a"
-    output:close()
-  end
+  local summary, said = json(folder .. "/summary.json") or {}, files.text(folder .. "/output.txt") or ""
+  local kept = { verdict = summary.verdict, reason = summary.reason, results = flat(summary.results),
+    energy_error = summary.energy_error, steps = summary.steps, files = (json(folder .. "/case.json") or {}).files }
   if ended.late then
     kept.verdict, kept.reason = "timed out", ("stopped after %g s"):format(ended.late)
   elseif ended.kind == "signal" then
@@ -84,13 +62,11 @@ function case.outcome(folder, ended)
     kept.verdict, kept.reason = "out of memory", said:match "[^\n]*not enough memory[^\n]*"
   elseif ended.code == 3 or ended.code == 130 or ended.code == 143 then
     kept.verdict, kept.reason = "interrupted", nil
-  elseif not kept.verdict then
-    kept.verdict = "wrong"
+  elseif ended.code == 2 or not kept.verdict then
+    kept.verdict, kept.reason = "wrong", said:match "([^\n]*)\n*$"
     for line in said:gmatch "hinge: ([^\n]*)" do kept.reason = line end
-    kept.reason = kept.reason or said:match "([^\n]*)\n*$"
   end
   if kept.reason == "" then kept.reason = nil end
-  kept.results = kept.results or {}
   return kept
 end
 

@@ -1,17 +1,10 @@
 -- What a study has finished, as it goes: a line of JSON a case, added when the case has ended, so that a kill at any
 -- moment loses the cases in flight and no others. Tasks of a cluster have journals of their own in the same folder.
 local core = require "hinge.core"
-
+local files = require "hinge.study.files"
 local finished = require "hinge.study.case".finished
 
 local journal = {}
-
-local function lines_of(path)
-  local file = require "hinge.study.files".open(path, "rb")
-  local text = file and file:read "a" or ""
-  if file then file:close() end
-  return text
-end
 
 -- The journals of a folder: cases.jsonl, and those of tasks.
 local function names_in(folder)
@@ -29,7 +22,7 @@ end
 function journal.read(folder)
   local found = {}
   for _, name in ipairs(names_in(folder)) do
-    for line in lines_of(folder .. "/" .. name):gmatch "([^\n]*)\n" do
+    for line in (files.text(folder .. "/" .. name) or ""):gmatch "([^\n]*)\n" do
       local entry = core.from_json(line)
       if type(entry) == "table" and entry.id then
         local before = found[entry.id]

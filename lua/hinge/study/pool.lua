@@ -4,18 +4,17 @@ local case = require "hinge.study.case"
 
 local pool = {}
 
---- Runs tasks: next() gives { number =, folder =, what = } or nil; done(task, outcome) hears of each that has ended,
--- tick() is called several times a second. options: jobs, timeout (s) and memory (bytes), or nil. Returns true, or
--- false where a signal ended it: what was under way has been stopped then.
+--- Runs tasks: next(running) gives { number =, folder =, what =, resume = } or nil; done(task, outcome) hears of each
+-- that has ended, tick(running) is called several times a second. options: jobs, timeout (s) and memory (bytes), or
+-- nil. Returns true, or false where a signal ended it: what was under way has been stopped then.
 function pool.run(next, done, tick, options)
   local running, count, more = {}, 0, true
 
   local function start(task)
-    core.write_text(task.folder .. "/output.txt", "")
+    case.prepare(task.folder)
     task.began = core.clock()
     local process = core.start(function() return case.run(task.what, task.folder) end,
-      task.folder .. "/output.txt", options.memory or 0,
-      task.what.resume)
+      task.folder .. "/output.txt", options.memory or 0, task.resume)
     running[process] = task
     count = count + 1
   end

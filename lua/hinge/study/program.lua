@@ -1,31 +1,15 @@
 -- hinge study: reads the command line, runs the cases, prints and writes.
 local core = require "hinge.core"
+local case = require "hinge.study.case"
 local check = require "hinge.check"
 local runner = require "hinge.runner"
 local study = require "hinge.study"
 local tables = require "hinge.study.table"
+local values = require "hinge.values"
 local vary = require "hinge.study.vary"
 
 local program = {}
 
--- "60s", "5min", "2h", "1500" as a number.
-local function quantity(option, text, units, allowed)
-  if not text then return nil end
-  local number, unit = text:match "^%s*([%d.]+)%s*(%a*)%s*$"
-  number = tonumber(number)
-  if not number or not units[unit] or number <= 0 then check.fail("%s %s: must be %s", option, text, allowed) end
-  return number * units[unit]
-end
-
-local function whole(option, text, least)
-  local number = text and math.tointeger(tonumber(text))
-  if text and (not number or number < least) then
-    check.fail("%s %s: must be a whole number of at least %d", option, text, least)
-  end
-  return number
-end
-
-local times = { [""] = 1, s = 1, min = 60, h = 3600 }
 local sizes = { [""] = 1, K = 2 ^ 10, M = 2 ^ 20, G = 2 ^ 30, T = 2 ^ 40 }
 
 -- The scenario's cases that --cases names.
@@ -45,41 +29,40 @@ local function chosen_cases(text, scenario, script)
   return list
 end
 
+-- What the study is, as run.json and summary.json have it: the words, and the options that choose cases.
+local function said(options)
+  local parts = { table.concat(options.words, " ") }
+  for _, name in ipairs { "cases", "table", "propose", "samples", "method", "seed" } do
+    if options[name] then parts[#parts + 1] = ("--%s %s"):format(name, options[name]) end
+  end
+  return table.concat(parts, " ")
+end
+
+-- The scenario's function that --propose names.
+local function proposal(name, scenario, script)
+  if not scenario then check.fail("--propose %s: %s does not return a hinge.scenario", name, script) end
+  if not scenario.proposals[name] then
+    check.unknown("--propose", "proposal", name, check.keys(scenario.proposals))
+  end
+  return scenario.proposals[name]
+end
+
 --- What the command line says, for study.go.
 function program.read(options)
   local scenario = runner.load(options.script, {})
-  if not scenario and options.propose then
-    check.fail("--propose %s: %s does not return a hinge.scenario", options.propose, options.script)
-  end
-  local list = vary.from_words(options.words)
-  local plan = { list = list, cases = chosen_cases(options.cases, scenario, options.script),
-    samples = whole("--samples", options.samples, 1), seed = whole("--seed", options.seed, 0), method = options.method,
-    said = table.concat(options.words, " ") .. (options.cases and " --cases " .. options.cases or "")
-      .. (options.table and " --table " .. options.table or "") .. (options.propose and " --propose " .. options.propose
-      or "") .. (options.samples and " --samples " .. options.samples or "")
-      .. (options.method and " --method " .. options.method or "")
-      .. (options.seed and " --seed " .. options.seed or "") }
+  local propose = options.propose and proposal(options.propose, scenario, options.script)
+  local plan = { list = vary.from_words(options.words), cases = chosen_cases(options.cases, scenario, options.script),
+    samples = values.whole("--samples", options.samples, 1), seed = values.whole("--seed", options.seed, 0),
+    method = options.method, said = said(options) }
   if options.table then plan.rows, plan.row_names = vary.rows(options.table) end
-  local propose, fixed
-  if options.propose then
-    propose = scenario.proposals[options.propose]
-    if not propose then check.unknown("--propose", "proposal", options.propose, check.keys(scenario.proposals)) end
-    fixed = {}
-    for _, one in ipairs(list) do
-      if not one.values or #one.values > 1 then
-        check.fail("--propose %s: %s has several values; the function proposes them", options.propose, one.name)
-      end
-      fixed[one.name] = one.values[1]
-    end
-  end
-  return {
-    scenario = scenario, script = options.script, plan = plan, propose = propose, fixed = fixed,
-    jobs = whole("-j", options.jobs, 1) or core.cores(),
-    timeout = quantity("--timeout", options.timeout, times, "a time above 0, such as 60s, 5min or 1h"),
-    memory = quantity("--memory", options.memory, sizes, "a size above 0, such as 500M or 2G"),
-    out = options.out, out_given = options.out_given ~= nil, resume = options.resume ~= nil,
-    restart = options.restart ~= nil, progress = options.quiet == nil,
-  }
+  local what = { scenario = scenario, plan = plan, propose = propose,
+    fixed = propose and vary.fixed(plan, "--propose " .. options.propose, "--"),
+    jobs = values.whole("-j", options.jobs, 1) or core.cores(), timeout = values.time("--timeout", options.timeout),
+    memory = values.quantity("--memory", options.memory, sizes, "a size above 0, such as 500M or 2G"),
+    progress = options.quiet == nil }
+  for _, name in ipairs { "script", "out" } do what[name] = options[name] end
+  for _, name in ipairs { "out_given", "resume", "restart", "list", "collect" } do what[name] = options[name] ~= nil end
+  return what
 end
 
 -- "3" or "3-7" as a set, the first and the last of them.
@@ -101,7 +84,7 @@ local function print_list(all)
     local parts = { tostring(one.number) }
     if one.case then parts[2] = "case=" .. one.case end
     for _, name in ipairs(check.keys(one.parameters)) do
-      parts[#parts + 1] = name .. "=" .. require "hinge.study.case".text(one.parameters[name])
+      parts[#parts + 1] = name .. "=" .. case.text(one.parameters[name])
     end
     print(table.concat(parts, "\t"))
   end
@@ -133,7 +116,7 @@ local function status_of(of)
     return 3
   end
   for _, c in ipairs(of.cases) do
-    if not require "hinge.study.case".finished(c.verdict) then return 1 end
+    if not case.finished(c.verdict) then return 1 end
   end
   return 0
 end
@@ -144,8 +127,7 @@ function program.main(options)
   return runner.guard(function()
     local what = program.read(options)
     local only, first, last = numbers(options.number)
-    what.list = options.list ~= nil or options.slurm ~= nil
-    what.collect = options.collect ~= nil
+    what.list = what.list or options.slurm ~= nil
     what.resume = what.resume or what.collect or only ~= nil
     if what.propose and (what.list or what.collect or only) then
       check.fail("--propose %s: the next case follows from the results so far; there is no list of cases for --list, "
@@ -155,9 +137,9 @@ function program.main(options)
       what.only, what.journal = only, first == last and ("cases-%d.jsonl"):format(first)
         or ("cases-%d-%d.jsonl"):format(first, last)
     end
-    local of, all = study.go(what)
-    if options.slurm then return require "hinge.study.slurm".submit(options, #all) end
-    if what.list then return print_list(all) or 0 end
+    local of = study.go(what)
+    if options.slurm then return require "hinge.study.slurm".submit(options, #of.all) end
+    if what.list then return print_list(of.all) or 0 end
     if only then return status_of(of) end
     of.pictures = require "hinge.study.pictures".draw(of)
     study.write(of)

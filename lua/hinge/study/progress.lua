@@ -1,5 +1,6 @@
 -- How a study goes, while it goes: a line that is renewed on a terminal, lines now and then in a pipe.
 local core = require "hinge.core"
+local case = require "hinge.study.case"
 
 local progress = {}
 
@@ -33,7 +34,7 @@ function progress.new(options)
 
   function show.ended(task, outcome)
     done, spent = done + 1, spent + outcome.seconds
-    if require "hinge.study.case".finished(outcome.verdict) then return end
+    if case.finished(outcome.verdict) then return end
     failed = failed + 1
     if failed > 10 then return end
     if width then io.stderr:write "\r\27[K" end

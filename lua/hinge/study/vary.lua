@@ -79,6 +79,24 @@ function vary.from_table(given)
   return list
 end
 
+--- The values that all cases have where a function proposes the others, by name. Raises an error for what would ask for
+-- cases of its own. plan: see vary.cases; where: for messages; dashes: what options have before their names there.
+function vary.fixed(plan, where, dashes)
+  for _, one in ipairs { { "cases" }, { "table", "rows" }, { "samples" }, { "method" }, { "seed" } } do
+    if plan[one[2] or one[1]] then
+      check.fail("%s: %s%s has no effect; the function proposes the cases", where, dashes, one[1])
+    end
+  end
+  local fixed = {}
+  for _, one in ipairs(plan.list) do
+    if not one.values or #one.values > 1 then
+      check.fail("%s: %s has several values; the function proposes them", where, one.name)
+    end
+    fixed[one.name] = one.values[1]
+  end
+  return fixed
+end
+
 -- A line of CSV as fields; quotes as RFC 4180 has them.
 local function fields(line)
   local list, at = {}, 1
