@@ -127,7 +127,7 @@ for from, to in pairs {
   ["src/hinge.1"] = "man/man1/hinge.1",
   ["scripts/01_first_cantilever.lua"] = "doc/hinge/examples/01_first_cantilever.lua",
 } do
-  equal(support.read(prefix .. "/share/" .. to), support.read(support.root .. from), "the installed " .. to)
+  checks.same_files(prefix .. "/share/" .. to, support.root .. from, "the installed " .. to)
 end
 
 -- A library that Lua finds by itself, as LuaRocks lays it out, takes the engine alone out of the module.

@@ -45,7 +45,7 @@ for _, number in ipairs { "3", "1-2" } do
   local _, gathered = hinge_study "s.lua speed=5,10,20 steps=2000 --out parts --collect"
   expect(number == "1-2" or gathered:find "2 cases not ended yet", "what --collect says on the way: %s", gathered)
 end
-equal(support.read(folder .. "/parts/results.csv"), support.read(folder .. "/whole/results.csv"), "results of parts")
+checks.same_files(folder .. "/parts/results.csv", folder .. "/whole/results.csv", "results of parts")
 status, listed, complaint = hinge_study "s.lua speed=5 --case x"
 equal(listed, "", "what is printed where the number is wrong")
 expect(status == 2 and complaint:find "must be the number of a case", "a wrong number: %s", complaint)
@@ -101,8 +101,7 @@ expect(status == 0 and listed:find "Submitted batch job", "submitting: %s%s", li
 expect(wait_for(function() return queue() == "" end, 30), "the array does not end: %s", queue())
 status = slurm(program .. " study s.lua speed=5,10,20 steps=2000 --out array --collect")
 equal(status, 0, "exit status of --collect")
-equal(support.read(folder .. "/array/results.csv"), support.read(folder .. "/whole/results.csv"),
-  "results of the array")
+checks.same_files(folder .. "/array/results.csv", folder .. "/whole/results.csv", "results of the array")
 
 -- Long cases: one task gets the scheduler's signal, one is requeued without a word.
 local words = "s.lua speed=12,15 steps=150000"
@@ -120,13 +119,12 @@ slurm(("scontrol requeue %s_2"):format(job))
 expect(wait_for(function() return queue() == "" end, 90), "the requeued tasks do not end: %s", queue())
 status = slurm(program .. " study " .. words .. " --out requeued --collect")
 equal(status, 0, "exit status of --collect after a requeue")
-equal(support.read(folder .. "/requeued/results.csv"), support.read(folder .. "/long/results.csv"),
-  "results after a requeue")
+checks.same_files(folder .. "/requeued/results.csv", folder .. "/long/results.csv", "results after a requeue")
 for task = 1, 2 do
   local name = ("/cases/0000%d/summary.json"):format(task)
   local resumed, whole = support.json(support.read(folder .. "/requeued" .. name) or "{}"),
     support.json(support.read(folder .. "/long" .. name) or "{}")
   expect((resumed.resumed_at or 0) > 0, "task %d did not go on from its checkpoint", task)
-  equal(resumed.state_hash, whole.state_hash, ("bits of task %d"):format(task))
+  equal(resumed.state_hash or "none", whole.state_hash, ("bits of task %d"):format(task))
 end
 checks.done()

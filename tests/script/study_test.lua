@@ -95,18 +95,19 @@ end
 equal(support.json(support.read(folder .. "/a/cases/00005/summary.json")).parameters.length, 1.5, "a case's own folder")
 
 -- What identifies a case are the files that it reads, and none that the study writes.
-local last
-for line in support.read(folder .. "/a/cases.jsonl"):gmatch "[^\n]+" do last = support.json(line) end
-local names_read = {}
-for i, one in ipairs(last.files) do names_read[i] = one[1]:match "[^/]*$" end
-equal(table.concat(names_read, " "), "bar.lua s.lua", "files of the last case")
+local function files_of(name)
+  local last, read = nil, {}
+  for line in (support.read(folder .. "/" .. name .. "/cases.jsonl") or ""):gmatch "[^\n]+" do last = line end
+  for i, one in ipairs(last and support.json(last).files or {}) do read[i] = one[1]:match "[^/]*$" end
+  return table.concat(read, " ")
+end
+equal(files_of "a", "bar.lua s.lua", "files of the last case")
 
 -- One process at a time, or eight: the same files, byte for byte.
 study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 1 --out b"
 study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short -j 8 --out c"
 for _, name in ipairs { "results.csv", "summary.json" } do
-  local b, c = support.read(folder .. "/b/" .. name), support.read(folder .. "/c/" .. name)
-  expect(b and b == c, "%s differs between one process and eight", name)
+  checks.same_files(folder .. "/b/" .. name, folder .. "/c/" .. name, "one process and eight")
 end
 
 -- A case that crashes, hangs, takes too much memory or is wrong costs itself.
@@ -126,6 +127,7 @@ local function written(name) -- when each case's own summary was written
   return support.output(("cd %s/%s/cases && stat -c '%%n %%y' */summary.json 2>/dev/null"):format(folder, name))
 end
 local before = written "sick"
+equal(select(2, before:gsub("\n", "")), 2, "cases with a summary")
 study "s.lua sick=fine,crash,hang,memory,wrong,well --timeout 3s --memory 100M -j 3 --out sick --resume"
 equal(written "sick", before, "finished cases, which are kept")
 
@@ -136,6 +138,14 @@ expect(printed:find "12 cases: 12 completed", "the last lines after a change: %s
 equal(status, 0, "exit status after a change")
 expect(complaint:find "bar%.lua has changed: 12 cases run again", "message: %s", complaint)
 near(tonumber((results "b")[1]["tip.mm"]) / tip(1000, 1), 2, 1e-9, "the changed module's answer")
+-- One that now ends the process: what the case has answered before does not count.
+local bar = support.read(folder .. "/bar.lua")
+support.write(folder .. "/bar.lua", "return function() os.exit(0) end")
+study "s.lua load=1000,2000 length=1:2:0.5 --cases long,short --out c --resume"
+for i, row in ipairs(results "c") do
+  equal(row.verdict .. (row["tip.mm"] or ""), "wrong", "a case without an answer, row " .. i)
+end
+support.write(folder .. "/bar.lua", bar)
 
 -- kill -9 of the runner: its workers end with it, and all that was finished is kept.
 for round = 1, 3 do
@@ -176,6 +186,29 @@ local again = hinge.scenario { parameters = { x = 1 }, run = function(p) return 
 local good, said = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
 expect(not good and tostring(said):find "returned the parameters of case 1 again", "the same again: %s", said)
 
+-- With proposals a single value holds for all cases; what would ask for cases of its own is an error, at the line.
+local asked = hinge.scenario { parameters = { x = 1, y = 1 }, cases = { all = {} }, run = function(p)
+  return { sum = p.x + p.y }
+end }
+local function propose(cases) if #cases < 2 then return { x = #cases + 1 } end end
+local found = hinge.study(asked, { vary = { y = 10 }, propose = propose, out = folder .. "/fixed", pictures = false })
+equal(#found.cases == 2 and found.cases[2].results.sum, 12, "a value that holds for all cases")
+equal(table.concat(found.varied, " "), "x", "what varies")
+for wanted, options in pairs {
+  ["y has several values; the function proposes them"] = { vary = { y = { 1, 2 } } },
+  ["x has several values; the function proposes them"] = { vary = { x = "normal(1,2)" } },
+  ["cases has no effect; the function proposes the cases"] = { cases = { "all" } },
+  ["samples has no effect; the function proposes the cases"] = { samples = 3 },
+  ["table has no effect; the function proposes the cases"] = { table = folder .. "/p.csv" },
+} do
+  support.write(folder .. "/p.csv", "x\n1\n")
+  options.propose, options.out = propose, folder .. "/refused"
+  local line = debug.getinfo(1, "l").currentline + 1
+  local taken, why = pcall(hinge.study, asked, options)
+  equal(not taken and tostring(why):match "study_test%.lua:(.*)", line .. ": hinge.study: propose: " .. wanted, wanted)
+  expect(not support.is_there(folder .. "/refused"), "%s: a folder was made", wanted)
+end
+
 -- Rows of a table.
 support.write(folder .. "/t.csv", "load,length\n1000,1\n3000,\"2\"\r\n\n# a remark\n500,0.5\n")
 study "s.lua --table t.csv --out table"
@@ -196,6 +229,8 @@ for words, message in pairs {
   ["s.lua load=1 --timeout soon"] = "must be a time above 0",
   ["s.lua --table none.csv"] = "none.csv",
   ["s.lua --propose none"] = "unknown proposal 'none'",
+  ["s.lua --propose half load=1,2"] = "load has several values; the function proposes them",
+  ["s.lua --propose half --samples 3"] = "%-%-samples has no effect; the function proposes the cases",
 } do
   status, printed, complaint = study((words:gsub("[~()]", "\\%0")) .. " --out wrong")
   equal(printed, "", words .. ": what is printed")
@@ -249,6 +284,42 @@ for words, at in pairs { ["run within.lua --out within"] = "within", ["study wit
     expect(text and support.json(text)[wanted], "%s: %s/summary.json holds no %s", words, path, wanted)
   end
 end
+-- Plain Lua, where a run has had two threads and a module is there before the study begins.
+support.write(folder .. "/plain.lua", [[
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local hinge, post = require "hinge", require "post"
+local first = post(1)
+local scenario = hinge.scenario { parameters = { speed = 1 }, run = function(p)
+  local hash = first.hash
+  first = nil
+  collectgarbage()
+  return { same = post(p.speed).hash == hash }
+end }
+local study = hinge.study(scenario, { vary = { speed = { 1, 2 } }, out = "plain", timeout = 60, pictures = false })
+for _, c in ipairs(study.cases) do print(c.verdict, c.results.same) end
+]])
+support.write(folder .. "/post.lua", [[
+local hinge = require "hinge"
+return function(speed)
+  local model, below = hinge.model {}, nil
+  for k = 0, 300 do
+    local node = model:node { 0, 0, k }
+    if below then
+      model:member { below, node, section = hinge.section.solid { width = 0.5, depth = 0.5 },
+        material = hinge.material { E = 206e9, density = 7850 } }
+    else
+      model:fix(node, "all")
+    end
+    below = node
+  end
+  model:velocity(below, { speed, 0, 0 })
+  return model:dynamic { dt = 1e-4, duration = 2e-3, threads = 2 }:finish()
+end
+]])
+status, printed, complaint = support.run(("cd %s && LUA_CPATH=%s/?.so lua5.4 plain.lua"):format(folder, quote(arg[1])))
+equal(status, 0, "exit status in plain Lua: " .. complaint)
+equal(printed, "completed\ttrue\ncompleted\tfalse\n", "plain Lua, with threads")
+equal(files_of "plain", "plain.lua post.lua", "files of the last case in plain Lua")
 expect(not pcall(hinge.study, scenario, { vary = { w = { 1 } }, out = folder .. "/no" }),
   "an unknown parameter is taken")
 expect(not pcall(hinge.study, {}, {}), "something else than a scenario is taken")

@@ -27,7 +27,7 @@ function support.smallest_of(first, ...)
 end
 
 --- A list of checks: expect(ok, what), equal(value, wanted, what), near(value, wanted, within, what),
---- done() at the end.
+--- same_files(path, other, what), done() at the end.
 function support.checks(title)
   local count, failures = 0, {}
   local checks = {}
@@ -42,6 +42,12 @@ function support.checks(title)
   function checks.near(value, wanted, within, what)
     return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g",
       what, value, wanted, within)
+  end
+  --- Two files that are there and hold the same bytes.
+  function checks.same_files(path, other, what)
+    local text = support.read(path)
+    return checks.expect(text and text == support.read(other), "%s: %s %s", what, path, not text and "is not there"
+      or support.is_there(other) and "and " .. other .. " differ" or "is there, " .. other .. " is not")
   end
   function checks.done()
     if #failures > 0 then

@@ -30,7 +30,7 @@ for at = 1, 3 do -- first, in the middle, last
 end
 expect(largest_of(nan, math.huge) ~= math.huge and largest_of(math.huge, nan) ~= math.huge, "beside what is infinite")
 
--- checks.near, as all script tests have it
+-- checks.near and checks.same_files, as all script tests have them
 do
   local stderr, exit, output = io.stderr, os.exit, {}
   local inner = support.checks "inner"
@@ -38,12 +38,16 @@ do
   inner.near(1, nan, 0.1, "what was wanted")
   inner.near(1, 1, nan, "a limit")
   inner.near(1, 1.05, 0.1, "what is near")
+  inner.same_files("none", "none", "files that are not there")
+  inner.same_files(arg[0], "none", "a file that is not there")
+  inner.same_files(arg[0], support.folder .. "support.lua", "files that differ")
+  inner.same_files(arg[0], arg[0], "a file")
   io.stderr, os.exit = { write = function(_, text) output[#output + 1] = text end }, function() end
   local print_ = print
   print = function() end
   inner.done()
   print, io.stderr, os.exit = print_, stderr, exit
-  expect(table.concat(output):find("3 of 4 checks failed", 1, true), "checks.near: %s", table.concat(output))
+  expect(table.concat(output):find("6 of 8 checks failed", 1, true), "checks: %s", table.concat(output))
 end
 
 -- How tests collect numbers ------------------------------------------------------------------------------------------
