@@ -215,6 +215,12 @@ study "s.lua --table t.csv --out table"
 rows = results "table"
 equal(#rows, 3, "rows of the table")
 equal(rows[2].length .. " " .. rows[3].load, "2 500", "values of the table")
+support.write(folder .. "/empty.csv", "sick,load,wait\n,1000,0\nfine , 2000,\n")
+equal(study "s.lua --table empty.csv --out empty", 2, "exit status where a number is missing in the table")
+support.write(folder .. "/empty.csv", "load,sick\n1000,\n2000 , fine \n")
+equal(study "s.lua --table empty.csv --out empty", 0, "exit status where a text of the table is empty")
+rows = results "empty"
+equal(rows[1].sick .. "|" .. rows[2].sick .. "|" .. rows[2].load, "|fine|2000", "values of a table with an empty one")
 
 -- Wrong input is refused before anything runs.
 for words, message in pairs {
@@ -238,6 +244,12 @@ for words, message in pairs {
   expect(complaint:find(message), "%s: message: %s", words, complaint)
   expect(not support.is_there(folder .. "/wrong"), "%s: a folder was made", words)
 end
+
+-- A script of plain statements that does not read a setting: its case says so.
+support.write(folder .. "/unread.lua", "local p = ...\nlocal q = p\nreturn { a = q.y or 2 }")
+equal(study "unread.lua x=1 --out unread", 1, "exit status where a setting is not read")
+expect((results "unread")[1].verdict == "wrong" and (results "unread")[1].reason:find "reads no parameter 'x'",
+  "a setting that is not read: %s", (results "unread")[1].reason)
 
 -- From Lua, with functions that no file holds: the same numbers.
 local slope = 3

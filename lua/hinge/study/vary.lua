@@ -111,8 +111,8 @@ local function fields(line)
       list[#list + 1] = quoted
     else
       local text
-      text, stop = line:match("^%s*([^,]-)%s*()%f[,%z]", at)
-      list[#list + 1] = text
+      text, stop = line:match("^([^,]*)()", at)
+      list[#list + 1] = text:match "^%s*(.-)%s*$"
     end
     at = stop + 1
   until line:sub(stop, stop) ~= ","
