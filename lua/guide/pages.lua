@@ -10,21 +10,9 @@
 -- A picture pictures/FILE.png is one that the page's commands leave in a folder under out/.
 local pages = { folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" }
 
-local function quote(text) return "'" .. tostring(text):gsub("'", "'\\''") .. "'" end
-
-function pages.read(path)
-  local file = io.open(path, "rb")
-  if not file then return nil end
-  local text = file:read "a"
-  file:close()
-  return text
-end
-
-function pages.write(path, text)
-  local file = assert(io.open(path, "wb"))
-  assert(file:write(text))
-  assert(file:close())
-end
+local support = dofile(pages.folder .. "../../tests/script/support.lua")
+local quote = support.quote
+pages.read, pages.write = support.read, support.write
 
 --- The names of all pages, in the order of README.md.
 function pages.names()

@@ -21,13 +21,14 @@ end
 
 local function check_page(text)
   local folder, run, clean = pages.workplace(arg[1])
-  local script
+  local script, commands = nil, 0
   for _, block in ipairs(pages.blocks(text)) do
     if block.language == "lua" and not script then
       script = block.text
       equal(script, pages.read(pages.folder .. name .. ".lua") or "none", "the script on the page")
     elseif block.language == "console" then
       for _, c in ipairs(pages.commands(block.text)) do
+        commands = commands + 1
         local status, printed, complaint = run(c.command)
         expect(status == 0 or c.command:find ";", "%s: status %s\n%s", c.command, status, complaint)
         expect(pages.matches(c.output, printed), "%s prints\n%s\nand the page shows\n%s", c.command, printed, c.output)
@@ -35,6 +36,7 @@ local function check_page(text)
     end
   end
   expect(script, "the page has no script")
+  expect(commands > 0, "the page has no command")
   for i, text_of in ipairs(pages.snippets(text)) do
     support.write(folder .. "/snippet.lua", text_of)
     local status, _, complaint = run "lua5.4 snippet.lua"
@@ -56,9 +58,10 @@ if name then
   check_page(text)
 else
   check_links("README.md", support.read(pages.folder .. "README.md"))
-  local listed = {}
+  local listed, count = {}, 0
   for _, page in ipairs(pages.names()) do
     listed[page] = true
+    count = count + 1
     if not support.is_there(pages.folder .. page .. ".lua") then -- a page without a script of its own
       check_links(page .. ".md", support.read(pages.folder .. page .. ".md") or "")
     end
@@ -66,6 +69,7 @@ else
   for page in support.output("ls " .. pages.folder):gmatch "([%w_]+)%.md\n" do
     expect(listed[page] or page == "README", "README.md of the guide does not list %s.md", page)
   end
+  expect(count > 10, "README.md of the guide lists %d pages", count)
   -- "…" stands for anything on its line, or for lines, and for nothing else.
   expect(pages.matches("a …\n…\nb\n", "a 1\nx\ny\nb\n") and pages.matches("a\n…\nb\n", "a\nb\n"), "… matches")
   expect(not pages.matches("a …\nb\n", "a 1\nx\nb\n") and not pages.matches("a 1\n", "a 2\n"), "… matches too much")

@@ -40,11 +40,14 @@ local function as_stated(results, head)
 end
 
 local listed = assert(support.read(support.root .. "scripts/README.md"))
-local out = support.temporary_folder()
-local paths = support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(support.root)))
+local out, plain_folder = support.temporary_folder(), support.temporary_folder() -- plain Lua draws where it is started
+local root = support.output("realpath " .. quote(support.root)):gsub("\n$", "/")
+local paths = support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(root)))
+local count = 0
 for path in paths:gmatch "[^\n]+" do
+  count = count + 1
   local head = support.read(support.root .. path):match "^(.-)\nlocal "
-  local here = "cd " .. quote(support.root) .. " && "
+  local here = "cd " .. quote(root) .. " && "
   local status, printed, complaint = support.run(("%s%s run %s --out %s"):format(here, program, path, out))
   if equal(status, 0, path .. ": exit status; " .. complaint) then
     local summary = support.json(support.read(out .. "/summary.json"))
@@ -56,7 +59,7 @@ for path in paths:gmatch "[^\n]+" do
       for key, value in pairs(summary.results) do off[key] = key == name and value + changed - wanted[1] or value end
       expect(not as_stated(off, head), "%s: %s may be another number", path, name)
     end
-    local plain_status, plain = support.run(here .. lua .. " " .. path)
+    local plain_status, plain = support.run(("cd %s && %s %s"):format(plain_folder, lua, quote(root .. path)))
     equal(plain_status, 0, path .. ": exit status under lua5.4")
     equal(plain, (printed:gsub("written to [^\n]*\n", "")), path .. ": what it prints under lua5.4")
   end
@@ -67,4 +70,7 @@ for path in paths:gmatch "[^\n]+" do
   expect(lines <= 70, "%s has %d lines", path, lines)
   expect(listed:find(("](%s)"):format(path:match "^scripts/(.*)"), 1, true), "scripts/README.md does not list %s", path)
 end
+expect(count > 15, "ran %d scripts", count)
+expect(support.is_there(plain_folder .. "/lost_column.png") or not support.is_there(arg[1] .. "/libhinge_output.so"),
+  "plain Lua draws no picture where it is started")
 checks.done()
