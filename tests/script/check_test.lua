@@ -8,11 +8,8 @@ local checks = support.checks "check"
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local hinge = quote(arg[1] .. "/hinge")
-local folder = support.temporary_folder()
-local function check(text, arguments)
-  support.write(folder .. "/scene.lua", text)
-  return run(("cd %s && %s check scene.lua %s"):format(quote(folder), hinge, arguments or ""))
-end
+local hinge_on, folder = support.scenes(arg[1])
+local function check(...) return hinge_on("check", ...) end
 
 -- A scene with what is to be looked at in the places that $name marks.
 local usual = { E = "206e9", density = "7850", yields = "245e6", size = "width = 0.1, depth = 0.1",

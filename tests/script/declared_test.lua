@@ -620,17 +620,13 @@ do
 end
 
 -- Parameters of a script that is made of plain statements ------------------------------------------------------------
-local folder = support.temporary_folder()
-local function run_script(text, settings)
-  support.write(folder .. "/plain.lua", text)
-  return support.run(("cd %s && %s run plain.lua %s --out out"):format(quote(folder), quote(arg[1] .. "/hinge"),
-    settings))
-end
+local hinge_on, folder = support.scenes(arg[1])
+local function run_script(text, settings) return hinge_on("run", text, settings .. " --out out") end
 for text, wanted in pairs {
-  ["return 1"] = "zzz=3: plain.lua takes no parameters; it does not read its argument, '...'",
-  ["local p = ...\nprint(p.speed or p.height)"] = "zzz=3: plain.lua reads no parameter 'zzz'; it reads height, speed",
-  ["local p = ...\nprint(p.zz)"] = "zzz=3: plain.lua reads no parameter 'zzz' (did you mean 'zz'?); it reads zz",
-  ["local function f(q) return q.speed end\nprint(f((...)))"] = "zzz=3: plain.lua reads no parameter 'zzz'; it reads "
+  ["return 1"] = "zzz=3: scene.lua takes no parameters; it does not read its argument, '...'",
+  ["local p = ...\nprint(p.speed or p.height)"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads height, speed",
+  ["local p = ...\nprint(p.zz)"] = "zzz=3: scene.lua reads no parameter 'zzz' (did you mean 'zz'?); it reads zz",
+  ["local function f(q) return q.speed end\nprint(f((...)))"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads "
     .. "speed",
 } do
   local status, _, complaint = run_script(text, "zzz=3")
@@ -665,12 +661,11 @@ model:static { steps = 1 }:finish()
   local at_end = with_load:gsub("MORE", "load, (function(q) return q.what end)(p)")
   local at_once = with_load:gsub("MORE", "load")
   for what, text in pairs { ["at once"] = at_once, ["at the end"] = at_end } do
-    support.write(folder .. "/plain.lua", text)
     for _, verb in ipairs { "run", "plan" } do
-      local status, printed, complaint = support.run(("cd %s && rm -rf out && %s %s plain.lua laod=3")
-        :format(quote(folder), quote(arg[1] .. "/hinge"), verb))
+      support.run("rm -rf " .. quote(folder .. "/out"))
+      local status, printed, complaint = hinge_on(verb, text, "laod=3")
       equal(status, 2, verb .. ", " .. what)
-      expect(complaint:find("laod=3: plain.lua reads no parameter 'laod' (did you mean 'load'?); it reads load", 1,
+      expect(complaint:find("laod=3: scene.lua reads no parameter 'laod' (did you mean 'load'?); it reads load", 1,
         true), "%s, %s: %s", verb, what, complaint)
       -- What has been computed by then stays, and its summary says what is wrong with it.
       local left = support.output(("cat %s/out/*/summary.json 2>/dev/null"):format(quote(folder)))
@@ -683,9 +678,8 @@ model:static { steps = 1 }:finish()
       end
       if verb == "run" then equal(printed:find "begins" ~= nil, what == "at the end", "begins: " .. what) end
     end
-    local status = support.run(("cd %s && rm -rf out && %s run plain.lua load=3"):format(quote(folder),
-      quote(arg[1] .. "/hinge")))
-    expect(status == 0 and support.is_there(folder .. "/out/plain-load=3/summary.json"), "%s, as it should be", what)
+    local status = hinge_on("run", text, "load=3")
+    expect(status == 0 and support.is_there(folder .. "/out/scene-load=3/summary.json"), "%s, as it should be", what)
   end
 end
 

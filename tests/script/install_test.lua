@@ -81,16 +81,7 @@ expect(told:find(prefix .. "/share/hinge/lua/hinge/hinge.d.lua", 1, true), "edit
 
 -- Pictures, where they were built.
 if support.is_there(arg[1] .. "/libhinge_output.so") then
-  support.write(folder .. "/frame.lua", [[
-local hinge = require "hinge"
-return hinge.scenario { run = function(_, job)
-  local model = hinge.model()
-  local foot = model:node { 0, 0, 0 }
-  model:fix(foot)
-  model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
-    material = hinge.material { E = 1e9 } }
-  job:frame(model:static { steps = 1 }:finish())
-end }]])
+  support.write(folder .. "/frame.lua", support.frame_script())
   equal(run(("cd %s && %s/bin/hinge run frame.lua --out frame"):format(folder, quote(prefix))), 0,
     "a script with a frame")
   expect(support.is_there(folder .. "/frame/frames/frame_00001.vtp"),
@@ -98,14 +89,7 @@ end }]])
   -- the module, in the folder of Fedora's Lua, too
   run(("mkdir -p %s/lib64/lua/5.4 && cp %s/lib/lua/5.4/hinge.so %s/lib64/lua/5.4")
     :format(quote(prefix), quote(prefix), quote(prefix)))
-  support.write(folder .. "/picture.lua", [[
-local hinge = require "hinge"
-local model = hinge.model()
-local foot = model:node { 0, 0, 0 }
-model:fix(foot)
-model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
-  material = hinge.material { E = 1e9 } }
-hinge.frame(model:static { steps = 1 }:finish())]])
+  support.write(folder .. "/picture.lua", support.frame_script "plain")
   for _, place in ipairs { "lib", "lib64" } do
     local said = select(3, run(("mkdir -p %s/in_%s && cd %s/in_%s && LUA_CPATH=%s lua5.4 ../picture.lua")
       :format(folder, place, folder, place, quote(prefix .. "/" .. place .. "/lua/5.4/?.so"))))

@@ -58,17 +58,7 @@ equal(module, place .. "/usr/lib/" .. multiarch .. "/lua/5.4/hinge.so", "where t
 
 -- In an empty environment: an example of the package gives its number, a frame is written, plain Lua finds the same
 -- library, and none of it comes from the folders of the build. `usr`: where the package lies.
-local frame = [[
-local hinge = require "hinge"
-return hinge.scenario { run = function(_, job)
-  local model = hinge.model()
-  local foot = model:node { 0, 0, 0 }
-  model:fix(foot)
-  model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
-    material = hinge.material { E = 1e9 } }
-  job:frame(model:static { steps = 1 }:finish())
-end }]]
-support.write(folder .. "/frame.lua", frame)
+support.write(folder .. "/frame.lua", support.frame_script())
 local asks = "local hinge = require 'hinge' local section = require 'hinge.section' "
   .. "print(hinge.version, section ~= nil, package.searchpath('hinge', package.path))"
 local function works(usr, environment, lua_environment, what)

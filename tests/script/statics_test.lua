@@ -7,7 +7,6 @@ local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "statics"
 local expect, equal, near = checks.expect, checks.equal, checks.near
-local quote = support.quote
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local bar = hinge.section.solid { width = 0.05, depth = 0.06 } -- bends in one plane first
@@ -464,11 +463,7 @@ near(run.factor, 0.7047, 2e-3, "Vogel's frame, driven at the roof")
 
 -- The program ---------------------------------------------------------------------------------------------------------
 
-local program, folder = quote(arg[1] .. "/hinge"), support.temporary_folder()
-local function script(name, text)
-  support.write(folder .. "/" .. name, text)
-  return quote(folder .. "/" .. name)
-end
+local hinge_on, folder = support.scenes(arg[1])
 local scene = [[
 local hinge = require "hinge"
 local model = hinge.model { elements_per_member = 8 }
@@ -483,8 +478,7 @@ model:static { $options }:finish()
 ]]
 local function run_scene(verb, load, options)
   local text = scene:gsub("%$(%l+)", { load = load, options = options })
-  local out = verb == "run" and "--out " .. quote(folder .. "/out") or ""
-  return support.run(("%s %s %s %s"):format(program, verb, script("scene.lua", text), out))
+  return hinge_on(verb, text, verb == "run" and "--out out" or "")
 end
 local function summary() return support.json(support.read(folder .. "/out/summary.json")) end
 
@@ -532,7 +526,7 @@ model:member { a, b, material = steel, section = hinge.section.solid { width = 0
 model:dynamic { dt = 1e-5, duration = 1e-3 }:finish()
 ]]
 local function lines_of(changes)
-  local _, printed = support.run(("%s check %s"):format(program, script("many.lua", (many:gsub("%$(%l+)", changes)))))
+  local _, printed = hinge_on("check", (many:gsub("%$(%l+)", changes)))
   local lines = {}
   for line in printed:gmatch "warning: (members? [^\n]*)" do lines[#lines + 1] = line end
   return lines
@@ -563,8 +557,7 @@ local until_then = os.clock() + 2.2
 run:on_step(function(r) while r.index == 100 and os.clock() < until_then do end end)
 run:finish()
 ]]
-_, _, complaint = support.run(("%s run %s --out %s"):format(program, script("slow.lua", slow),
-  quote(folder .. "/slow")))
+_, _, complaint = hinge_on("run", slow, "--out slow")
 local percent = complaint:match "energy error ([-+.%de]+) %%"
 expect(percent and math.abs(tonumber(percent)) < 1, "energy error: %s", complaint)
 

@@ -114,6 +114,31 @@ function support.run(command)
   return kind == "exit" and status or kind .. " " .. status, printed, complaint
 end
 
+--- hinge_on(verb, text, arguments), and its folder, gone when the test ends: writes a script there and runs
+--- `hinge VERB scene.lua ARGUMENTS` of a build folder; returns what support.run does.
+function support.scenes(build)
+  local folder = support.temporary_folder()
+  return function(verb, text, arguments)
+    support.write(folder .. "/scene.lua", text)
+    return support.run(("cd %s && %s %s scene.lua %s"):format(support.quote(folder), support.quote(build .. "/hinge"),
+      verb, arguments or ""))
+  end, folder
+end
+
+--- A script that writes one frame: a scenario, or plain statements.
+function support.frame_script(plain)
+  local model = [[
+local model = hinge.model()
+local foot = model:node { 0, 0, 0 }
+model:fix(foot)
+model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { width = 1, depth = 1 },
+  material = hinge.material { E = 1e9 } }
+]]
+  local frame = "frame(model:static { steps = 1 }:finish())\n"
+  return 'local hinge = require "hinge"\n' .. (plain and model .. "hinge." .. frame
+    or "return hinge.scenario { run = function(_, job)\n" .. model .. "job:" .. frame .. "end }\n")
+end
+
 --- The least of `n` times that a command takes, in milliseconds.
 function support.milliseconds(command, n)
   local script = ("for i in $(seq %d); do a=${EPOCHREALTIME/[.,]/}; %s >/dev/null 2>&1; "

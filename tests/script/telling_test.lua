@@ -8,24 +8,24 @@ local checks = support.checks "telling"
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local hinge = quote(arg[1] .. "/hinge")
-local folder = support.temporary_folder()
-local function hinge_run(text, arguments)
-  support.write(folder .. "/scene.lua", text)
-  return run(("cd %s && %s run scene.lua %s"):format(quote(folder), hinge, arguments or ""))
-end
+local hinge_on, folder = support.scenes(arg[1])
+local function hinge_run(...) return hinge_on("run", ...) end
 local function summary() return support.json(support.read(folder .. "/out/scene/summary.json")) end
 
--- The lines of --json; each must be an object with an event.
+-- The lines of --json; each must be an object with an event. How many there are depends on how fast the machine is.
 local function events(printed)
-  local list = {}
+  local list, odd = {}, nil
   for line in printed:gmatch "[^\n]+" do
     local good, object = pcall(support.json, line)
-    if expect(good and type(object) == "table" and object.event, "no event: %s", line) then
+    if good and type(object) == "table" and object.event then
       list[#list + 1] = object
       list[object.event] = list[object.event] or {}
       table.insert(list[object.event], object)
+    else
+      odd = odd or line
     end
   end
+  expect(#list > 0 and not odd, "no event: %s", odd or "nothing is printed")
   return list
 end
 
@@ -153,10 +153,11 @@ io.stderr:write(os.clock() - clock, "\n")
 ]], "--json")
 said = events(printed)
 local taken = tonumber(complaint:match "^[%d.]+")
+local odd -- on a fast machine there is no progress to tell
 for _, e in ipairs(said.progress or {}) do
-  expect(e.part < 1 and e.step <= e.steps and e.halved, "while it is halved: part %s, step %s of %s", e.part, e.step,
-    e.steps)
+  if not (e.part < 1 and e.step <= e.steps and e.halved) then odd = e end
 end
+expect(not odd, "while it is halved: part %s, step %s of %s", odd and odd.part, odd and odd.step, odd and odd.steps)
 expect(taken and (taken < 2.5 or said.progress), "nothing was said for %s s", taken)
 expect(status == 1 and said.run_ended and said.run_ended[1].reason:find "a limit load, where .* gives way",
   "an overloaded frame: %s", printed)
@@ -235,10 +236,6 @@ model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 
   material = hinge.material { E = 206e9, density = 7850 } }
 model:load { node = tip, force = { 0, 0, -1000 } }
 ]]
-local function hinge_on(verb, text)
-  support.write(folder .. "/scene.lua", text)
-  return run(("cd %s && %s %s scene.lua"):format(quote(folder), hinge, verb))
-end
 _, printed = hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = 4e-3 }")
 expect(printed:find("static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n", 1, true)
   and printed:find("Newmark's method, steps of 2 ms\n", 1, true), "plan: %s", printed)
