@@ -634,8 +634,8 @@ function model:fracture(rule) end
 ---element, plus the rotation of the hinge at this end over the element's length. The other strains are the element's in
 ---both. The conventional element has one hinge in its middle, so both mean the same
 ---@field reading? "element"|"section"
----true: the limits count only where the section is fully plastic in the step. Members that cannot yield then break by no
----limit. Default false
+---true: the limits count only where the section is fully plastic in the step. Members that cannot yield then never
+---break by limits. Default false
 ---@field plastic_only? boolean
 ---a function that is called for a section where no limit is reached. If it returns true, the element breaks. The
 ---argument is the same object at every call; it can be read only while the function runs

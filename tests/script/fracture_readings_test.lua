@@ -14,7 +14,7 @@ local bar = hinge.section.solid { width = 0.02, depth = 0.02 }
 local steel = hinge.material { E = E, nu = 0.3, density = 7850, yield_stress = fy }
 local length = 0.5
 
--- A bar of one element between two clamped ends. One end moves by 1 mm a millisecond. Sideways, the bar bends like an S,
+-- A bar of one element between two clamped ends. One end moves by 1 mm in 1 ms. Sideways, the bar bends like an S,
 -- with a hinge at each end that rotates by the motion over the length. Along the bar, it is stretched.
 -- Returns how far the end had moved when the bar broke (nil: it held), and at which end.
 local function moved_bar(rule, o)
@@ -66,7 +66,8 @@ for i, s in ipairs(seen) do
   near(s.other, 0, 1e-9, "about y, end " .. i)
   near(math.abs(s.shear), 2 * M / length / (G * bar.shear_area_y), 1e-2 * 2 * M / length / (G * bar.shear_area_y),
     "shear strain at end " .. i)
-  expect(s.rotation * s.force > 0, "the hinge at end %d rotates with its moment: %g rad, %g N m", i, s.rotation, s.force)
+  expect(s.rotation * s.force > 0, "the hinge at end %d rotates with its moment: %g rad, %g N m", i, s.rotation,
+    s.force)
   near(s.zero, 0, 1e-12, "shear along x, end " .. i)
 end
 near((seen[1].rotation + seen[2].rotation) / length, seen[1].plastic, 1e-12, "both hinges make the plastic curvature")

@@ -275,6 +275,9 @@ TEST_CASE("contact: f with its sign, as printed: pairs on one side bind at any d
             settings.signed_f = with_sign;
             settings.contact_length = infinite;
             Contact contact(settings);
+            for (int n = 3; n < 6; ++n) s.x[n].z() = -1;  // first seen on the other side
+            CHECK(contact.detect(s.bars, true, s.motion(), 1e-5, 0) == 0);
+            for (int n = 3; n < 6; ++n) s.x[n].z() = 1;
             bound[turned] = contact.detect(s.bars, false, s.motion(), 1e-5, 0);
         }
         CHECK(std::max(bound[0], bound[1]) == (with_sign ? 4 : 0));
