@@ -59,7 +59,9 @@ CLI::App* add_study(CLI::App& app, Request& request) {
         "settings", request.overrides,
         "What varies: key=a,b,c, key=first:last:step, or drawn at random: key~normal(mean,deviation), "
         "key~lognormal(median,deviation of the logarithm), key~uniform(lowest,highest), "
-        "key~triangular(lowest,likeliest,highest), key~weibull(scale,shape). Cases are the product of all values");
+        "key~triangular(lowest,likeliest,highest), key~weibull(scale,shape), key~choice(a,b,...). Cases are the "
+        "product "
+        "of all values. Nothing given: what the scenario's own vary has");
     const auto study_option = [&](const char* flags, const char* name, const char* help) {
         return study_verb->add_option_function<std::string>(
             flags, [&request, name](const std::string& text) { request.study[name] = text; }, help);

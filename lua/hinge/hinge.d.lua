@@ -1423,6 +1423,9 @@ function hinge.scenario(options) end
 ---named functions for `hinge study --propose NAME`: each gets the cases that have ended and returns the parameters of
 ---the next, as `propose` of hinge.study
 ---@field proposals? table<string, fun(cases: hinge.study_case[]): table|nil>
+---what a study of the scenario varies, as `vary` of hinge.study. `hinge study SCRIPT` and hinge.study take it for the
+---names for which they get nothing else; with proposals it has no effect
+---@field vary? table<string, any>
 ---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
 
 ---@class hinge.scenario
@@ -1497,7 +1500,7 @@ function hinge.study(scenario, options) end
 ---@class hinge.study_options
 ---what varies, by name: a list of values; { from =, to =, by = }; or a distribution as text: "normal(mean,deviation)",
 ---"lognormal(median,deviation of the logarithm)", "uniform(lowest,highest)", "triangular(lowest,likeliest,highest)",
----"weibull(scale,shape)". A single value holds for all cases
+---"weibull(scale,shape)", "choice(a,b,...)" of texts or numbers. A single value holds for all cases
 ---@field vary? table<string, any>
 ---@field cases? string[] names of the scenario's cases, each with all values
 ---@field case? string the one case of the scenario that all cases of the study start from

@@ -47,7 +47,8 @@ function scenario.new(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, {
     parameters = { "table", default = {} }, cases = { "table", default = {} },
-    accuracy = { "table", default = {} }, proposals = { "table", default = {} }, run = { "function" },
+    accuracy = { "table", default = {} }, proposals = { "table", default = {} }, vary = { "table", default = {} },
+    run = { "function" },
   })
   each_parameter(o.parameters)
   local parameters = {}
@@ -77,8 +78,11 @@ function scenario.new(options, ...)
       check.fail("%s: proposals holds %s; each is written name = function(cases)", where, check.show(propose))
     end
   end
+  for name in pairs(o.vary) do
+    if parameters[name] == nil then check.unknown(where .. ": vary", "parameter", name, check.keys(parameters)) end
+  end
   return setmetatable({ parameters = parameters, cases = o.cases, accuracy = o.accuracy, proposals = o.proposals,
-    run = o.run }, Scenario)
+    vary = o.vary, run = o.run }, Scenario)
 end
 
 function scenario.is(value) return getmetatable(value) == Scenario end

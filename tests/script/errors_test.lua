@@ -220,7 +220,8 @@ wrong("model:velocity: target: no group 'amrs' (did you mean 'arms'?); the model
 wrong("model:velocity: target is member 1 of another model; use one of this model",
   function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
 wrong("model:velocity: velocity is nil; must be a table {x, y, z} in m/s", function(s) s.model:velocity(s.tip) end)
-wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, or a function",
+wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
+  .. "or a function",
   function(s) s.model:fracture {} end)
 wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m",
   function(s) s.model:fracture { curvature_x = -0.4 } end)
@@ -537,7 +538,7 @@ wrong("run:step: called from a function of this very run, in the middle of a ste
 
 wrong("hinge.scenario: field 'run' is missing; give a function", function() hinge.scenario {} end)
 wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?); there are accuracy, cases, parameters, "
-  .. "proposals, run", function() hinge.scenario { case = {}, run = print } end)
+  .. "proposals, run, vary", function() hinge.scenario { case = {}, run = print } end)
 wrong("ten_storey.add: field 'storey' is 0 m; must be a number above 0 m", function(s)
   require "hinge.models.ten_storey".add(s.model, { storey = 0 })
 end)

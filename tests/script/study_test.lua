@@ -175,6 +175,29 @@ status = study "s.lua load=1:40:1 wait=0.02 -j 4 --out killed1 --resume"
 equal(status, 0, "exit status with a cut journal")
 equal(#results "killed1", 40, "cases with a cut journal")
 
+-- What the scenario itself varies, where the study says nothing else.
+support.write(folder .. "/own.lua", [[
+local hinge = require "hinge"
+return hinge.scenario { parameters = { x = 1, y = 1, z = 1 }, vary = { x = { 1, 2 }, y = "choice(5,7)" },
+  run = function(p) return { sum = p.x + p.y + p.z } end }
+]])
+status = study "own.lua --samples 4 --method sobol --out own"
+equal(status, 0, "exit status of a study of what the scenario varies")
+rows = results "own"
+equal(#rows, 8, "cases of what the scenario varies")
+local sum = 0
+for _, row in ipairs(rows) do sum = sum + tonumber(row.sum) end
+equal(sum, 4 * (1 + 2) + 4 * (5 + 7) + 8, "sums of what the scenario varies")
+status = study "own.lua x=3 y=4 z=5:7:1 --out own2"
+equal(status, 0, "exit status with other values")
+equal(#results "own2", 3, "the study's own values come first")
+local own = hinge.scenario { parameters = { x = 1 }, vary = { x = { 1, 2, 3 } },
+  run = function(p) return { x = p.x } end }
+equal(#hinge.study(own, { out = folder .. "/own3", pictures = false }).cases, 3, "hinge.study of what it varies")
+equal(#hinge.study(own, { vary = { x = 1 }, out = folder .. "/own4", pictures = false }).cases, 1, "other values")
+local good, said = pcall(hinge.scenario, { parameters = { x = 1 }, vary = { y = { 1 } }, run = print })
+expect(not good and tostring(said):find("vary: unknown parameter 'y'", 1, true), "vary of no parameter: %s", said)
+
 -- Proposals: each asked with what has ended. The tip comes down by 10 mm at 10 / tip(1, 1) N (here twice as much).
 status = study "s.lua --propose half --out half"
 equal(status, 0, "exit status of proposals")
@@ -183,7 +206,7 @@ near(tonumber(rows[#rows].load), 10 / tip(1, 1), 100, "load at which the bar is 
 
 -- One that proposes the same again would never end: it is told of.
 local again = hinge.scenario { parameters = { x = 1 }, run = function(p) return { x = p.x } end }
-local good, said = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
+good, said = pcall(hinge.study, again, { propose = function() return { x = 2 } end, out = folder .. "/again" })
 expect(not good and tostring(said):find "returned the parameters of case 1 again", "the same again: %s", said)
 
 -- With proposals a single value holds for all cases; what would ask for cases of its own is an error, at the line.
@@ -368,6 +391,16 @@ near(draws.normal_quantile(1e-6), -4.753424308822899, 1e-11, "normal distributio
 local quantile = draws.distribution("lognormal(100,0.5)", "test").quantile
 near(quantile(0.5), 100, 1e-9, "median of a lognormal distribution")
 near(draws.distribution("weibull(10,2)", "test").quantile(1 - math.exp(-1)), 10, 1e-9, "a Weibull distribution's scale")
+local picked = {}
+for i = 0, 99 do
+  local value = draws.distribution("choice(gap, 2, surface, gap)", "test").quantile((i + 0.5) / 100)
+  picked[value] = (picked[value] or 0) + 1
+end
+equal(("%d %d %d"):format(picked.gap or 0, picked[2] or 0, picked.surface or 0), "50 25 25", "values of a choice")
+for _, text in ipairs { "choice(gap)", "choice(a,,b)", "choice()" } do
+  local ok, message = pcall(draws.distribution, text, "contact")
+  expect(not ok and message:find("choice", 1, true), "%s: %s", text, tostring(message))
+end
 near(draws.distribution("triangular(0,1,2)", "test").quantile(0.125), 0.5, 1e-12, "a triangular distribution")
 
 -- A fragility curve that the cases were drawn from is found again; its band holds it.

@@ -64,13 +64,26 @@ local distributions = {
   end, allowed = function(scale, shape) return scale > 0 and shape > 0 end },
 }
 
+-- choice(a,b,...): each value of a list, text or number, equally often.
+local function choice(text, inside, where)
+  local items = {}
+  for item in (inside .. ","):gmatch "([^,]*)," do items[#items + 1] = values.guess(item:match "^%s*(.-)%s*$") end
+  if #items < 2 then check.fail("%s: choice takes two values or more", where) end
+  for i, item in ipairs(items) do
+    if item == "" then check.fail("%s: value %d of choice is empty", where, i) end
+  end
+  return { text = text, quantile = function(u) return items[math.min(#items, math.floor(u * #items) + 1)] end }
+end
+
 --- "normal(122, 5)" as { text =, quantile = function(u) }. `where`: what stands before a message.
 function draws.distribution(text, where)
   local name, inside = text:match "^%s*(%a+)%s*%((.*)%)%s*$"
+  if name == "choice" then return choice(text, inside, where) end
   local known = name and distributions[name]
   if not known then
     check.fail("%s: '%s' is no distribution%s; there are normal(mean,deviation), lognormal(median,deviation of the "
-      .. "logarithm), uniform(lowest,highest), triangular(lowest,likeliest,highest) and weibull(scale,shape)", where,
+      .. "logarithm), uniform(lowest,highest), triangular(lowest,likeliest,highest), weibull(scale,shape) and "
+      .. "choice(a,b,...)", where,
       text, name and require "hinge.core".did_you_mean(name, check.keys(distributions)) or "")
   end
   local numbers = {}

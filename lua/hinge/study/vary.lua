@@ -79,6 +79,16 @@ function vary.from_table(given)
   return list
 end
 
+--- A list of settings, and those of the scenario's own `vary` that it does not name.
+function vary.with_own(list, scenario)
+  local given, all = {}, table.move(list, 1, #list, 1, {})
+  for _, one in ipairs(list) do given[one.name] = true end
+  for _, one in ipairs(vary.from_table(scenario and scenario.vary or {})) do
+    if not given[one.name] then all[#all + 1] = one end
+  end
+  return all
+end
+
 --- The values that all cases have where a function proposes the others, by name. Raises an error for what would ask for
 -- cases of its own. plan: see vary.cases; where: for messages; dashes: what options have before their names there.
 function vary.fixed(plan, where, dashes)
