@@ -154,6 +154,16 @@ function check.options(where, options, rules)
 end
 
 --- "1 setting", "2 settings"
+--- Options with what is missing from the design that `options.design` names.
+function check.design(where, options, designs)
+  local design = designs[options.design]
+  if not design then check.unknown(where .. ": field 'design'", "design", options.design, check.keys(designs)) end
+  for name, value in pairs(design) do
+    if options[name] == nil then options[name] = value end
+  end
+  return options
+end
+
 function check.count(n, what) return ("%d %s%s"):format(n, what, n == 1 and "" or "s") end
 
 return check

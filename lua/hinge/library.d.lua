@@ -99,12 +99,16 @@ function job:verdict(verdict, reason) end
 
 ---*reconstructed* means: not in the paper's text. The value is chosen here, because figure 16 is lost.
 ---@class ten_storey.options
+---bay, storey, column and beam that are not given. light (default): bays of 6.5 m, storeys of 3.5 m, columns box
+---200x200x6, beams H-200x100x5.5x8; the study scripts/paper/lost_inputs.lua chose it. heavy: 8 m, 4 m, box 400x400x22,
+---H-400x200x8x13; the aircraft cuts no column of it
+---@field design? "light"|"heavy"
 ---@field bays? integer[] bays along x and y, default { 4, 4 }
 ---@field storeys? integer default 10
----@field bay? number m, default 8, *reconstructed*
----@field storey? number m, default 4, *reconstructed*
----@field column? hinge.section default box 400x400x22, *reconstructed*; its y axis points along x
----@field beam? hinge.section default H-400x200x8x13, *reconstructed*; its y axis points up
+---@field bay? number m, *reconstructed*
+---@field storey? number m, *reconstructed*
+---@field column? hinge.section *reconstructed*; its y axis points along x
+---@field beam? hinge.section *reconstructed*; its y axis points up
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 325 MPa, *reconstructed*
 ---weight of all floors, divided by the own weight of the whole structure; default 20. It is put into the density of the
 ---beams (section 4.1)
@@ -127,9 +131,10 @@ function job:verdict(verdict, reason) end
 ---@field beam_density number kg/m^3
 
 ---@class ten_storey
+---@field designs table<string, ten_storey.options> "light" and "heavy"
 local ten_storey = {}
 
----Adds a steel frame with rigid joints and fixed feet. With the defaults it has 650 members, 250 free joints and 9805
+---Adds a steel frame with rigid joints and fixed feet. With the defaults it has 650 members, 250 free joints and 1807
 ---t.
 ---```lua
 ---local ten_storey = require "hinge.models.ten_storey"
@@ -148,11 +153,13 @@ function ten_storey.add(model, options) end
 ---@field size? number length and span, m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1); spread evenly over the members by their density (section 4.1)
 ---@field speed? number m/s along the heading; left out: see model:velocity
----m, front end of the fuselage's axis, default { -0.5, 16, 30 }: 0.5 m in front of the ten-storey frame,
+---m, front end of the fuselage's axis, default { -0.5, 13, 23.1 }: 0.5 m in front of the light ten-storey frame,
 ---*reconstructed*
 ---@field position? vec3
 ---@field heading? vec3 any direction but vertical, default { 1, 0, 0 }
----@field section? hinge.section of all members, default box 120x120x6, *reconstructed*
+---the section that is not given. stiff (default): box 300x300x16. slender: box 120x120x6
+---@field design? "stiff"|"slender"
+---@field section? hinge.section of all members, *reconstructed*
 ---default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; the model replaces its density
 ---@field material? hinge.material
 ---@field shape? aircraft.shape
@@ -184,6 +191,7 @@ function ten_storey.add(model, options) end
 ---@field groups string[] "fuselage", "wing", "tail"
 
 ---@class aircraft
+---@field designs table<string, aircraft.options> "stiff" and "slender"
 local aircraft = {}
 
 ---Adds an aircraft: a space frame of 199 members.
@@ -234,16 +242,18 @@ function space_frame.add(model, options) end
 ---Options of the impact of the paper's section 4. Other fields are ignored, so a script can pass its parameters as they
 ---are.
 ---@class impact.options
+---what is not given of height, contact, yield_stress, building and aircraft. light (default): the light building, the
+---stiff aircraft, 23.1 m, contact by surfaces. heavy: the heavy building, the slender aircraft, 30 m, gap elements
+---@field design? "light"|"heavy"
 ---@field speed? number m/s, default 440 km/h (table 1, Case I)
 ---@field size? number m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1)
----m, height of the fuselage's axis above ground; default 30, the middle of the eighth storey, *reconstructed*
----@field height? number
+---@field height? number m, height of the fuselage's axis above ground, *reconstructed*
 ---@field offset? number m to the left of the building's middle, default 0, *reconstructed*
 ---@field gap? number m from nose to facade, default 0.5
----@field contact? string rule of model:contact, default "gap"
+---@field contact? string rule of model:contact, *reconstructed*
 ---@field contact_limits? table further options of model:contact
----@field yield_stress? number Pa, of the building, default 325e6, *reconstructed*
+---@field yield_stress? number Pa, of the building, *reconstructed*
 ---@field building? ten_storey.options
 ---@field aircraft? aircraft.options
 ---@field fracture? fun(model: hinge.model, frame: ten_storey.frame) sets limits other than the paper's
@@ -253,8 +263,9 @@ function space_frame.add(model, options) end
 
 ---The results of one run. Counts have no unit, energies and works are in J, masses in kg, speeds in m/s, and times in s
 ---after first contact. inner and outer mean columns. broken_, hinged_, touched_ and work_ are given with inner, outer
----and beams. Further: broken_columns, hinged_columns, work_columns, work (building), worst_column (largest plastic work
----in one column), work_aircraft, broken_aircraft, lowest (lowest storey with a fracture, 0: none). Energies at the end:
+---and beams. Further: broken_columns, broken, hinged_columns, work_columns, work (building), worst_column (largest
+---plastic work in one column), work_aircraft, broken_aircraft, missed (members of the aircraft that touch nothing),
+---lowest (lowest storey with a fracture, 0: none). Energies at the end:
 ---kinetic, elastic, plastic, fracture, contact, remainder (energy error). brought: momentum of the aircraft.
 ---own_kinetic: its kinetic energy. given: the part of this momentum that the building has at the end. faint, felt and
 ---red, by storey: the time when f_y of a column has changed by 0.005, has changed by 0.05, is 1; -1: not within the
@@ -268,6 +279,7 @@ function space_frame.add(model, options) end
 ---@class impact
 ---@field order string[] "I", "II", "III", "IV"
 ---@field cases table<string, table> table 1, as changes of Case I
+---@field designs table<string, impact.options> "light" and "heavy"
 local impact = {}
 
 ---Returns the numbers and texts of the load case as scenario parameters, with those of the script added.

@@ -109,10 +109,9 @@ local function simulate(p, case, aside)
     run, tension = impact_run(p, model, rest, 0.5 * p.duration / run.planned_steps, watched)
   end
   local d = impact.damage(run, frame)
-  local touched = run:count { group = "aircraft", state = "touched" }
   return {
     inner = d.broken_inner, outer = d.broken_outer, beams = d.broken_beams, work = d.work / 1e6, lowest = d.lowest,
-    work_aircraft = d.work_aircraft / 1e6, broken_aircraft = d.broken_aircraft, missed = 199 - touched,
+    work_aircraft = d.work_aircraft / 1e6, broken_aircraft = d.broken_aircraft, missed = d.missed,
     moving = run.energy.kinetic / 1e6, ground = run:count { group = "storey 1", state = "yielded" },
     failed = run.verdict == "failed" and 1 or 0, again = again and 1 or 0, error = math.abs(run.energy_error),
   }, { f_y = f_y, floor = frame.floor_load, tension = tension or -1 }

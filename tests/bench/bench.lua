@@ -35,9 +35,9 @@ end
 local function text(format, value) return format:format(value) end
 local function energy_error(run) return run.energy.remainder / run.energy.initial end
 
--- Case I, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
+-- Case I with the heavy frame, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
 local function case_one(options, rule, breaks, p_delta)
-  local q = impact.parameters { dt = 1e-5 }
+  local q = impact.parameters { design = "heavy", dt = 1e-5 }
   local model = hinge.model { p_delta = p_delta or "chord", weight = "nodes" } -- as in the paper
   local _, plane = impact.add(model, q)
   if rule then model:contact(rule) end
@@ -188,7 +188,7 @@ local function frame(elements, o)
   collectgarbage()
   local before, start = memory "VmRSS" or 0, os.clock()
   local model = hinge.model {}
-  building.add(model, { bays = { bays, bays }, storeys = storeys })
+  building.add(model, { design = "heavy", bays = { bays, bays }, storeys = storeys })
   model:velocity("building", { 1, 0, 0 })
   if o.impact then
     model:contact {}

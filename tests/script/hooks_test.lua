@@ -51,7 +51,7 @@ do
   end
   local function case_one(rule)
     local model = hinge.model()
-    local _, plane = impact.add(model, impact.parameters { dt = 1e-5 })
+    local _, plane = impact.add(model, impact.parameters { design = "heavy", dt = 1e-5 })
     if rule then model:fracture(rule) end
     return model:dynamic { from = model:static { hold = plane }:finish(), dt = 1e-5, duration = 0.02,
       beta = 0.4 }:finish()

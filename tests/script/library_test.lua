@@ -160,7 +160,7 @@ complains(function() make { run = false } end, "'run'", "a function")
 
 -- Models: the paper's 1698 elements and 7308 degrees of freedom.
 local model = hinge.model { elements_per_member = 2 }
-local frame = building.add(model)
+local frame = building.add(model, { design = "heavy" })
 local counts = model:counts()
 expect(counts.members == 650 and counts.free_dofs == 6 * (250 + 650), "building: 650 members, 250 free joints")
 near(frame.mass, 9805e3, 1e-4, "mass of the building")
@@ -198,8 +198,10 @@ end
 local heard, pieces, total, facts = listen(aircraft.add, { heading = { 0, -2, 0 }, speed = 50, position = { 1, 2, 3 } })
 expect(pieces == 1, "the aircraft is in one piece")
 near(total, 229.5, 1e-3, "length of the aircraft's members")
-near(facts.length * facts.density * shapes.box { width = 0.12, depth = 0.12, thickness = 0.006 }.area, 15000, 1e-12,
-  "its mass")
+near(facts.length * facts.density * aircraft.designs.stiff.section.area, 15000, 1e-12, "its mass")
+near(select(2, aircraft.add(hinge.model {}, { design = "slender" })).density
+  * shapes.box { width = 0.12, depth = 0.12, thickness = 0.006 }.area * total, 15000, 1e-12, "mass of the slender one")
+complains(function() building.add(hinge.model {}, { design = "lihgt" }) end, "unknown design 'lihgt'", "'light'")
 expect(heard.speed[1] == 0 and heard.speed[2] == -50, "it flies where it heads")
 expect(heard.points[1][1] == 1 and heard.points[1][2] == 2, "its nose is where it was put")
 expect(select(2, listen(aircraft.add, { heading = { 1, 1, 0.5 } })) == 1, "any heading will do")

@@ -70,7 +70,7 @@ for arguments, message in pairs {
   ["run " .. plain .. " =5"] = "hinge: '=5' is not a setting; write key=value, for example speed=100",
   ["run " .. plain .. " --csae II"] = "...--csae...",
   ["run " .. plain .. " --case II"] = "hinge: --case II: ... has no cases; it does not return a hinge.scenario",
-  ["run " .. ten_storey .. " --case V"] = "hinge: --case: unknown case 'V'...; there are I, II, III, IV",
+  ["run " .. ten_storey .. " --case V"] = "hinge: --case: unknown case 'V'...; there are I, II, III, IV, heavy",
   ["run " .. ten_storey .. " sped=100"] =
     "hinge: sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ...",
   ["run " .. ten_storey .. " speed=fast"] =

@@ -233,7 +233,7 @@ end
 
 -- Case I of the ten-storey impact, from its rest; `rule` goes to model:contact.
 local function case_one(options, rule)
-  local p = impact.parameters()
+  local p = impact.parameters { design = "heavy" }
   p.contact, p.contact_limits = rule and rule.rule or "gap", rule and { sleep = rule.sleep } or {}
   local model = hinge.model {}
   local _, plane = impact.add(model, p)

@@ -34,7 +34,7 @@ end
 
 -- Case I of the ten-storey impact from its rest: half a metre of flight, the first contact after 2 ms, hinges.
 local model = hinge.model {}
-local _, plane = impact.add(model, impact.parameters())
+local _, plane = impact.add(model, impact.parameters { design = "heavy" })
 local loaded = model:static { hold = plane, record = false }
 loaded:finish()
 local steps = 500
@@ -52,7 +52,7 @@ hold("Case I", run, {
 -- An elastic frame of some 1000 elements that moves: one sweep a step and one for the acceleration at the start.
 local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 model = hinge.model {}
-building.add(model, { bays = { 4, 4 }, storeys = 8, material = elastic })
+building.add(model, { design = "heavy", bays = { 4, 4 }, storeys = 8, material = elastic })
 model:velocity("building", { 1, 0, 0 })
 local elements = model:counts().elements
 expect(elements > 1000, "a frame of %d elements", elements)
@@ -67,7 +67,7 @@ hold("elastic frame", run, {
 
 -- A linear frame under gravity: built once and factorised once, however many load steps there are.
 model = hinge.model { displacement = "small" }
-building.add(model, { material = elastic })
+building.add(model, { design = "heavy", material = elastic })
 model:gravity { 0, 0, -9.80665 }
 elements = model:counts().elements
 run = model:static { steps = 10, record = false }
@@ -80,7 +80,7 @@ hold("linear statics", run, {
 
 -- A frame at rest is swept once, to see that it is in balance; then only the bar that flies by.
 model = hinge.model {}
-building.add(model, { bays = { 1, 1 }, storeys = 2, material = elastic })
+building.add(model, { design = "heavy", bays = { 1, 1 }, storeys = 2, material = elastic })
 model:gravity { 0, 0, -9.80665 }
 model:member { model:node { -5, 0, 20 }, model:node { -5, 2, 20 },
   section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = elastic, group = "bar" }

@@ -10,8 +10,9 @@
 --   fin of 3 ribs                                     6        9
 -- Each square frame stands on its corner. Wings and tailplanes begin at the side joints, the fin at the top joints,
 -- each with its two spars. All dimensions are parts of `size`. They are chosen so that the total length of the members
--- is 229.5 m at a size of 15 m. Also reconstructed: members box 120x120x6, duralumin 2017-T4. From the paper: the mass
--- of the aircraft is spread evenly over its members, by their density.
+-- is 229.5 m at a size of 15 m. Also reconstructed: duralumin 2017-T4, and the section of the members, in two designs.
+-- `stiff` is the default, box 300x300x16; scripts/paper/lost_inputs.lua chose it. `slender` is box 120x120x6. From the
+-- paper: the mass of the aircraft is spread evenly over its members, by their density.
 local hinge = require "hinge"
 local check = require "hinge.check"
 local materials = require "hinge.models.materials"
@@ -19,13 +20,19 @@ local materials = require "hinge.models.materials"
 local aircraft = {}
 local where = "aircraft.add"
 
+aircraft.designs = {
+  stiff = { section = hinge.section.box { width = 0.3, depth = 0.3, thickness = 0.016 } },
+  slender = { section = hinge.section.box { width = 0.12, depth = 0.12, thickness = 0.006 } },
+}
+
 local rules = {
+  design = { "string", default = "stiff" },
   size = { "number", unit = "m", above = 0, default = 15 },
   mass = { "number", unit = "kg", above = 0, default = 15000 },
   speed = { "number", unit = "m/s", optional = true },
-  position = { "numbers", count = 3, unit = "m", default = { -0.5, 16, 30 } },
+  position = { "numbers", count = 3, unit = "m", default = { -0.5, 13, 23.1 } },
   heading = { "numbers", count = 3, default = { 1, 0, 0 } },
-  section = { "section", default = hinge.section.box { width = 0.12, depth = 0.12, thickness = 0.006 } },
+  section = { "section", optional = true }, -- of the design
   material = { "material", default = hinge.material { E = 70.6e9, nu = 0.33, density = 2800, yield_stress = 275e6 } },
   shape = { "table", default = {} },
 }
@@ -110,7 +117,7 @@ end
 --- Adds an aircraft to a model; returns its group and a table of its facts. Options: see library.d.lua.
 function aircraft.add(model, options)
   check.model(where, model)
-  local o = check.options(where, options, rules)
+  local o = check.design(where, check.options(where, options, rules), aircraft.designs)
   local shape = check.options(where .. " shape", o.shape, shape_rules)
   if shape.length <= shape.nose then
     check.fail("%s shape: field 'length' is %s; must be above nose, %s", where, check.show(shape.length),

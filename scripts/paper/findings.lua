@@ -1,0 +1,312 @@
+-- Which findings of the paper's section 4 hold, and for which frames and aircraft? From the study lost_inputs.lua.
+--
+-- Run     hinge run scripts/paper/findings.lua           (the cases in lost_inputs.csv)
+--         hinge run scripts/paper/findings.lua study=out/lost_inputs-study,out/near     (studies of your own)
+-- Shows   each finding: in how many frames it holds, by rule of contact and limit of curvature; the frames where all
+--         hold but one; where Case II does more damage than Case III; the frame in the middle of the region
+-- Expect  the tables of README.md in this folder; one picture a finding, over the two inputs that it depends on most;
+--         points.csv, the numbers that all this needs
+--
+-- Damage is the plastic work in the building, and the number of its members that break. A finding that compares two
+-- cases holds if the means of their three runs do, in both measures. It is clear if no run of one reaches the other's.
+local core  = require "hinge.core"
+local hinge = require "hinge"
+local paper = require "hinge.paper"
+
+local folder = debug.getinfo(1, "S").source:match "^@(.*/)" or ""
+local cases = { "I", "II", "III", "IV" }
+local inputs = { "bay", "storey", "floor", "beams", "yield_stress", "column", "metal", "plane_wall", "plane_yield",
+  "body", "sweep", "height", "offset" }
+local choices = { "contact", "reading", "kappa" }
+
+-- Reading -------------------------------------------------------------------------------------------------------------
+
+-- The rows of a file of comma-separated values whose texts hold no comma.
+local function rows_of(file)
+  local rows, names = {}, nil
+  for line in io.lines(file) do
+    local row, i = {}, 0
+    for text in (line .. ","):gmatch "([^,]*)," do
+      i = i + 1
+      if not names then
+        row[i] = text
+      elseif names[i] then
+        row[names[i]] = tonumber(text) or text == "true" or text ~= "false" and text ~= "" and text
+      end
+    end
+    if names then rows[#rows + 1] = row else names = row end
+  end
+  return rows
+end
+
+-- Columns that the findings need.
+local function columns()
+  local list = { "number", "allowed", "f_y", "tension" }
+  table.move(inputs, 1, #inputs, #list + 1, list)
+  table.move(choices, 1, #choices, #list + 1, list)
+  for _, case in ipairs(cases) do
+    for _, name in ipairs { "inner", "inner_least", "inner_most", "outer", "beams", "work", "work_least", "work_most",
+      "lowest", "missed", "ground", "failed", "moving" } do
+      list[#list + 1] = case .. "." .. name
+    end
+  end
+  return list
+end
+
+local function write(rows, file)
+  local names = columns()
+  local lines = { table.concat(names, ",") }
+  for _, row in ipairs(rows) do
+    local items = {}
+    for i, name in ipairs(names) do
+      local value = row[name]
+      items[i] = type(value) == "number" and ("%.5g"):format(value) or value and tostring(value) or ""
+    end
+    lines[#lines + 1] = table.concat(items, ",")
+  end
+  core.write_text(file, table.concat(lines, "\n") .. "\n")
+end
+
+-- Findings ------------------------------------------------------------------------------------------------------------
+
+local function broken(r, case) return r[case .. ".inner"] + r[case .. ".outer"] + r[case .. ".beams"] end
+local function more(r, a, b) return r[a .. ".work"] > r[b .. ".work"] and broken(r, a) > broken(r, b) end
+local function clearly(r, a, b) return r[a .. ".work_least"] > r[b .. ".work_most"] end
+
+local findings = {
+  { name = "most_cut", text = "I cuts most inner columns of a storey (5 of 9)", holds = function(r)
+    return r["I.inner"] >= 5
+  end },
+  { name = "sixth", text = "damage in I reaches the sixth storey", holds = function(r)
+    return r["I.lowest"] > 0 and r["I.lowest"] < 6.5
+  end },
+  { name = "I_over_II", text = "I does more damage than II", holds = function(r) return more(r, "I", "II") end },
+  { name = "I_over_III", text = "I does more damage than III", holds = function(r) return more(r, "I", "III") end },
+  { name = "IV_cuts_fewer", text = "IV cuts fewer inner columns than I", holds = function(r)
+    return r["IV.inner"] < r["I.inner"]
+  end },
+  { name = "IV_passes", text = "more members of IV than of I touch nothing", holds = function(r)
+    return r["IV.missed"] > r["I.missed"]
+  end },
+  { name = "tension", text = "tension in I within 3 ms", holds = function(r)
+    return r.tension >= 0 and r.tension < 3e-3
+  end },
+  { name = "lowest_plastic", text = "the lowest storey becomes plastic in I", holds = function(r)
+    return r["I.ground"] > 0
+  end },
+  { name = "II_over_III", alone = true, text = "II does more damage than III", holds = function(r)
+    return more(r, "II", "III")
+  end },
+}
+
+local function all_but_last(r)
+  for _, f in ipairs(findings) do
+    if not f.alone and not f.holds(r) then return false end
+  end
+  return true
+end
+
+local function count(rows, holds)
+  local n = 0
+  for _, r in ipairs(rows) do n = n + (holds(r) and 1 or 0) end
+  return n
+end
+
+local function only(rows, name, value)
+  local list = {}
+  for _, r in ipairs(rows) do if r[name] == value then list[#list + 1] = r end end
+  return list
+end
+
+local function values_of(rows, name)
+  local seen, list = {}, {}
+  for _, r in ipairs(rows) do
+    if not seen[r[name]] then
+      seen[r[name]] = true
+      list[#list + 1] = r[name]
+    end
+  end
+  table.sort(list)
+  return list
+end
+
+local function share(rows, holds)
+  return #rows > 0 and ("%d of %d"):format(count(rows, holds), #rows) or "-"
+end
+
+local function show_findings(rows)
+  local head, parts, list = { "finding", "all" }, { rows }, {}
+  for _, name in ipairs(choices) do
+    for _, value in ipairs(values_of(rows, name)) do
+      head[#head + 1] = tostring(value)
+      parts[#parts + 1] = only(rows, name, value)
+    end
+  end
+  local lines = {}
+  local function line(text, holds)
+    local cells = { text }
+    for _, part in ipairs(parts) do cells[#cells + 1] = share(part, holds) end
+    lines[#lines + 1] = cells
+  end
+  for _, f in ipairs(findings) do
+    line(f.text, f.holds)
+    list[f.name] = count(rows, f.holds)
+  end
+  line("all but the last one", all_but_last)
+  line("the last one, clear by plastic work", function(r) return clearly(r, "II", "III") end)
+  list.all_but_last = count(rows, all_but_last)
+  list.II_over_III_clear = count(rows, function(r) return clearly(r, "II", "III") end)
+  paper.table("Frames where a finding holds; all, by rule of contact, reading of eq 16, limit of curvature in 1/m",
+    head, lines)
+  return list
+end
+
+-- Where ---------------------------------------------------------------------------------------------------------------
+
+local function ranks(list)
+  local order, rank = {}, {}
+  for i = 1, #list do order[i] = i end
+  table.sort(order, function(a, b) return list[a] < list[b] or list[a] == list[b] and a < b end)
+  local i = 1
+  while i <= #order do
+    local j = i
+    while j < #order and list[order[j + 1]] == list[order[i]] do j = j + 1 end
+    for k = i, j do rank[order[k]] = 0.5 * (i + j) end
+    i = j + 1
+  end
+  return rank
+end
+
+-- Spearman's rank correlation of an input with a truth.
+local function correlation(rows, input, holds)
+  local x, y = {}, {}
+  for i, r in ipairs(rows) do x[i], y[i] = r[input], holds(r) and 1 or 0 end
+  x, y = ranks(x), ranks(y)
+  local middle, xy, xx, yy = 0.5 * (#rows + 1), 0, 0, 0
+  for i = 1, #rows do
+    local a, b = x[i] - middle, y[i] - middle
+    xy, xx, yy = xy + a * b, xx + a * a, yy + b * b
+  end
+  return xx * yy > 0 and xy / math.sqrt(xx * yy) or 0
+end
+
+local labels = {
+  bay = "bay, m", storey = "storey, m", floor = "floors, kg/m^2", beams = "beams, 0 light to 1 heavy",
+  yield_stress = "yield stress of the building, MPa", column = "width of the columns over their thickness",
+  metal = "metal of the aircraft over 12 t", plane_wall = "width of the aircraft's members over their thickness",
+  plane_yield = "yield stress of the aircraft, MPa", body = "side of the fuselage over the length",
+  sweep = "sweep of the wings over the length", height = "height of the impact, storeys",
+  offset = "offset of the impact, bays", kappa = "limit of curvature, 1/m",
+}
+
+-- One picture: where the finding holds, over the two inputs that it depends on most.
+local function draw(job, rows, f)
+  local order = {}
+  for i, name in ipairs(inputs) do order[i] = { name = name, size = correlation(rows, name, f.holds) } end
+  table.sort(order, function(a, b) return math.abs(a.size) > math.abs(b.size) end)
+  local x, y, series = order[1].name, order[2].name, {}
+  for _, kappa in ipairs(values_of(rows, "kappa")) do
+    for _, holds in ipairs { true, false } do
+      local name = ("%s, %g 1/m"):format(holds and "holds" or "does not", kappa)
+      local one = { name = name, x = {}, y = {}, style = "points" }
+      for _, r in ipairs(rows) do
+        if r.kappa == kappa and f.holds(r) == holds then one.x[#one.x + 1], one.y[#one.y + 1] = r[x], r[y] end
+      end
+      series[#series + 1] = one
+    end
+  end
+  job:plot({ title = f.text, x_label = labels[x], y_label = labels[y], series = series },
+    "finding_" .. f.name .. ".png")
+end
+
+local function means(r, name, form)
+  local cells = {}
+  for i, case in ipairs(cases) do cells[i] = form:format(r[case .. "." .. name]) end
+  return table.concat(cells, " ")
+end
+
+local function damage_of(r)
+  local cells = {}
+  for i, case in ipairs(cases) do cells[i] = ("%.0f"):format(broken(r, case)) end
+  return table.concat(cells, " ")
+end
+
+local function show_frames(title, rows)
+  local lines = {}
+  for i, r in ipairs(rows) do
+    lines[i] = { r.number, r.contact, r.reading, r.kappa, ("%.1f"):format(r.bay), ("%.1f"):format(r.storey),
+      ("%.0f"):format(r.floor), ("%.0f"):format(r.yield_stress), ("%.0f"):format(r.column), ("%.2f"):format(r.metal),
+      ("%.1f"):format(r.height), ("%.2f"):format(r.offset), means(r, "inner", "%.0f"), damage_of(r),
+      means(r, "work", "%.1f") }
+  end
+  if #lines == 0 then lines[1] = { "none" } end
+  paper.table(title, { "case", "contact", "reading", "kappa", "bay", "storey", "floor", "yield", "b/t", "metal",
+    "height", "offset", "inner columns", "broken", "plastic work, MJ" }, lines)
+end
+
+-- How far two frames are apart: inputs over their ranges; another rule counts as half a range.
+local function distance(a, b, ranges)
+  local sum = 0
+  for _, name in ipairs(inputs) do sum = sum + ((a[name] - b[name]) / ranges[name]) ^ 2 end
+  for _, name in ipairs { "contact", "kappa" } do sum = sum + (a[name] == b[name] and 0 or 0.25) end
+  return sum
+end
+
+local function score(r)
+  local n = 0
+  for _, f in ipairs(findings) do n = n + (not f.alone and f.holds(r) and 1 or 0) end
+  return n
+end
+
+-- The frame of the region whose eight nearest neighbours show the most findings.
+local function middle(rows, region)
+  local ranges, best, most = {}, nil, -1
+  for _, name in ipairs(inputs) do
+    local low, high = math.huge, -math.huge
+    for _, r in ipairs(rows) do low, high = math.min(low, r[name]), math.max(high, r[name]) end
+    ranges[name] = math.max(high - low, 1e-9)
+  end
+  for _, r in ipairs(region) do
+    local near = {}
+    for i, other in ipairs(rows) do near[i] = { score = score(other), d = distance(r, other, ranges) } end
+    table.sort(near, function(a, b) return a.d < b.d end)
+    local sum = 0
+    for i = 2, math.min(9, #near) do sum = sum + near[i].score / 8 end
+    if sum > most then best, most = r, sum end
+  end
+  return best, most
+end
+
+return hinge.scenario {
+  parameters = { study = "" },
+  run = function(p, job)
+    local rows, drawn = {}, 0
+    for file in (p.study == "" and folder .. "lost_inputs.csv" or p.study):gmatch "[^,]+" do
+      local name = file:match "%.csv$" and file or file .. "/results.csv"
+      for _, r in ipairs(rows_of(name)) do
+        drawn = drawn + 1
+        if r.allowed == true then rows[#rows + 1] = r end
+      end
+    end
+    write(rows, job.out .. "/points.csv")
+    local failed = count(rows, function(r)
+      return r["I.failed"] + r["II.failed"] + r["III.failed"] + r["IV.failed"] > 0
+    end)
+    print(("%d frames drawn; %d stand under their own weight; of %d a run failed, also with half the step")
+      :format(drawn, #rows, failed))
+    local list = show_findings(rows)
+    local region, slow = {}, {}
+    for _, r in ipairs(rows) do
+      if all_but_last(r) then region[#region + 1] = r end
+      if clearly(r, "II", "III") or findings[#findings].holds(r) then slow[#slow + 1] = r end
+    end
+    show_frames("All but the last one hold; Cases I II III IV", region)
+    show_frames("II does more damage than III, by both measures, or clearly by plastic work", slow)
+    local best, near = middle(rows, region)
+    if best then
+      show_frames(("In the middle: of its eight nearest neighbours, %.1f of 8 findings hold"):format(near), { best })
+    end
+    for _, f in ipairs(findings) do draw(job, rows, f) end
+    return { drawn = drawn, stand = #rows, failed = failed, holds = list, middle = best and best.number or 0 }
+  end,
+}
