@@ -611,9 +611,9 @@ function model:gravity(acceleration, load_case) end
 function model:velocity(target, linear, angular) end
 
 ---Declares when members break: when a limit is reached (section 2.3, eq 16), or when a function returns true. The paper
----gives a critical curvature of 0.0004; this can only be per millimetre, so it is 0.4 here. If several rules apply to
----the groups of a member, the last one counts. An error in a function undoes the step, and is raised at the line of the
----script that asked for the step.
+---gives a critical curvature of 0.0004 without a unit: 0.4 here if it is per millimetre, 0.04 if it is per centimetre.
+---If several rules apply to the groups of a member, the last one counts. An error in a function undoes the step, and is
+---raised at the line of the script that asked for the step.
 ---```lua
 ---model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
 ---model:fracture(function(section) return section.plastic_work > 500 end) -- J

@@ -99,9 +99,9 @@ function job:verdict(verdict, reason) end
 
 ---*reconstructed* means: not in the paper's text. The value is chosen here, because figure 16 is lost.
 ---@class ten_storey.options
----bay, storey, column and beam that are not given. light (default): bays of 6.5 m, storeys of 3.5 m, columns box
----200x200x6, beams H-200x100x5.5x8; the study scripts/paper/lost_inputs.lua chose it. heavy: 8 m, 4 m, box 400x400x22,
----H-400x200x8x13; the aircraft cuts no column of it
+---bay, storey, column, beam and yield stress that are not given. light (default): bays of 5.8 m, storeys of 3.5 m,
+---columns box 180x180x6, beams H-200x100x5.5x8, 295 MPa; the study scripts/paper/lost_inputs.lua chose it. heavy: 8 m,
+---4 m, box 400x400x22, H-400x200x8x13, 325 MPa; the aircraft cuts no column of it
 ---@field design? "light"|"heavy"
 ---@field bays? integer[] bays along x and y, default { 4, 4 }
 ---@field storeys? integer default 10
@@ -109,7 +109,7 @@ function job:verdict(verdict, reason) end
 ---@field storey? number m, *reconstructed*
 ---@field column? hinge.section *reconstructed*; its y axis points along x
 ---@field beam? hinge.section *reconstructed*; its y axis points up
----@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, yield stress 325 MPa, *reconstructed*
+---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, the design's yield stress, *reconstructed*
 ---weight of all floors, divided by the own weight of the whole structure; default 20. It is put into the density of the
 ---beams (section 4.1)
 ---@field floor_weight? number
@@ -153,11 +153,11 @@ function ten_storey.add(model, options) end
 ---@field size? number length and span, m, default 15 (table 1)
 ---@field mass? number kg, default 15000 (table 1); spread evenly over the members by their density (section 4.1)
 ---@field speed? number m/s along the heading; left out: see model:velocity
----m, front end of the fuselage's axis, default { -0.5, 13, 23.1 }: 0.5 m in front of the light ten-storey frame,
+---m, front end of the fuselage's axis, default { -0.5, 11.6, 23.8 }: 0.5 m in front of the light ten-storey frame,
 ---*reconstructed*
 ---@field position? vec3
 ---@field heading? vec3 any direction but vertical, default { 1, 0, 0 }
----the section that is not given. stiff (default): box 300x300x16. slender: box 120x120x6
+---the section that is not given. stiff (default): box 260x260x13. slender: box 120x120x6
 ---@field design? "stiff"|"slender"
 ---@field section? hinge.section of all members, *reconstructed*
 ---default duralumin 2017-T4: E 70.6 GPa, nu 0.33, yield stress 275 MPa, *reconstructed*; the model replaces its density
@@ -242,8 +242,9 @@ function space_frame.add(model, options) end
 ---Options of the impact of the paper's section 4. Other fields are ignored, so a script can pass its parameters as they
 ---are.
 ---@class impact.options
----what is not given of height, contact, yield_stress, building and aircraft. light (default): the light building, the
----stiff aircraft, 23.1 m, contact by surfaces. heavy: the heavy building, the slender aircraft, 30 m, gap elements
+---what is not given of height, yield_stress, building, aircraft and limits of fracture. light (default): the light
+---building, the stiff aircraft, 23.8 m, hinges break at a curvature of 0.04 1/m. heavy: the heavy building, the slender
+---aircraft, 30 m, elements break at 0.4 1/m
 ---@field design? "light"|"heavy"
 ---@field speed? number m/s, default 440 km/h (table 1, Case I)
 ---@field size? number m, default 15 (table 1)
@@ -251,7 +252,7 @@ function space_frame.add(model, options) end
 ---@field height? number m, height of the fuselage's axis above ground, *reconstructed*
 ---@field offset? number m to the left of the building's middle, default 0, *reconstructed*
 ---@field gap? number m from nose to facade, default 0.5
----@field contact? string rule of model:contact, *reconstructed*
+---@field contact? string rule of model:contact, default "gap", the paper's gap elements
 ---@field contact_limits? table further options of model:contact
 ---@field yield_stress? number Pa, of the building, *reconstructed*
 ---@field building? ten_storey.options

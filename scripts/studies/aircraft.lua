@@ -3,8 +3,8 @@
 --
 -- Run     hinge study scripts/studies/aircraft.lua size=10:20:2.5 speed=100,122.22,150 offset=0,0.001,0.002 -j 2
 --         hinge run scripts/studies/show.lua aircraft=out/aircraft-study          (the table and the plots)
--- Shows   the heavy building and its aircraft at the energy of Case I, 112 MJ; the mass follows from the speed. Every case
---         three times, with the aircraft at its place and 1 and 2 mm aside: by how much these differ is scatter
+-- Shows   the heavy building and its aircraft at the energy of Case I, 112 MJ; the mass follows from the speed. Every
+--         case three times, with the aircraft at its place and 1 and 2 mm aside: by how much these differ is scatter
 -- Expect  plastic work in the building falls with size, 13 to 6 MJ from 10 to 20 m at 122 m/s, and with speed; the
 --         number of members with a hinge falls with speed, and not with size. No column or beam breaks
 --         case 1 with path=1: hinged = 12 within 3, touched = 1 exactly

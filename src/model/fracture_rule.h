@@ -100,7 +100,7 @@ bool at_ends(SectionField field);  ///< Mx, My, f_y, hinge rotations, node, plas
 /// nearer to it.
 using FractureBatch = std::function<void(const ElementList&, std::vector<int>& breaks)>;
 
-/// Eq 16, and other readings of it. The paper's 0.0004 is per millimetre: 0.4 1/m.
+/// Eq 16, and other readings of it. The paper's 0.0004 has no unit: 0.4 1/m if it is 1/mm.
 struct FractureRule : beam::FractureLimits {
     enum class Reading {
         element,

@@ -35,7 +35,8 @@ end
 local function text(format, value) return format:format(value) end
 local function energy_error(run) return run.energy.remainder / run.energy.initial end
 
--- Case I with the heavy frame, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks` to model:fracture.
+-- Case I with the heavy frame, at rest under gravity; `options` go to model:dynamic, `rule` to model:contact, `breaks`
+-- to model:fracture.
 local function case_one(options, rule, breaks, p_delta)
   local q = impact.parameters { design = "heavy", dt = 1e-5 }
   local model = hinge.model { p_delta = p_delta or "chord", weight = "nodes" } -- as in the paper

@@ -11,7 +11,7 @@
 -- Each square frame stands on its corner. Wings and tailplanes begin at the side joints, the fin at the top joints,
 -- each with its two spars. All dimensions are parts of `size`. They are chosen so that the total length of the members
 -- is 229.5 m at a size of 15 m. Also reconstructed: duralumin 2017-T4, and the section of the members, in two designs.
--- `stiff` is the default, box 300x300x16; scripts/paper/lost_inputs.lua chose it. `slender` is box 120x120x6. From the
+-- `stiff` is the default, box 260x260x13; scripts/paper/lost_inputs.lua chose it. `slender` is box 120x120x6. From the
 -- paper: the mass of the aircraft is spread evenly over its members, by their density.
 local hinge = require "hinge"
 local check = require "hinge.check"
@@ -21,7 +21,7 @@ local aircraft = {}
 local where = "aircraft.add"
 
 aircraft.designs = {
-  stiff = { section = hinge.section.box { width = 0.3, depth = 0.3, thickness = 0.016 } },
+  stiff = { section = hinge.section.box { width = 0.26, depth = 0.26, thickness = 0.013 } },
   slender = { section = hinge.section.box { width = 0.12, depth = 0.12, thickness = 0.006 } },
 }
 
@@ -30,7 +30,7 @@ local rules = {
   size = { "number", unit = "m", above = 0, default = 15 },
   mass = { "number", unit = "kg", above = 0, default = 15000 },
   speed = { "number", unit = "m/s", optional = true },
-  position = { "numbers", count = 3, unit = "m", default = { -0.5, 13, 23.1 } },
+  position = { "numbers", count = 3, unit = "m", default = { -0.5, 11.6, 23.8 } },
   heading = { "numbers", count = 3, default = { 1, 0, 0 } },
   section = { "section", optional = true }, -- of the design
   material = { "material", default = hinge.material { E = 70.6e9, nu = 0.33, density = 2800, yield_stress = 275e6 } },

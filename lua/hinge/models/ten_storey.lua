@@ -13,12 +13,12 @@ local where = "ten_storey.add"
 
 ten_storey.designs = {
   light = {
-    bay = 6.5, storey = 3.5, column = hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.006 },
-    beam = hinge.section.h { depth = 0.2, width = 0.1, web = 0.0055, flange = 0.008 },
+    bay = 5.8, storey = 3.5, column = hinge.section.box { width = 0.18, depth = 0.18, thickness = 0.006 },
+    beam = hinge.section.h { depth = 0.2, width = 0.1, web = 0.0055, flange = 0.008 }, yield_stress = 295e6,
   },
   heavy = {
     bay = 8, storey = 4, column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 },
-    beam = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 },
+    beam = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }, yield_stress = 325e6,
   },
 }
 
@@ -26,11 +26,11 @@ local rules = {
   design = { "string", default = "light" },
   bays = { "numbers", count = 2, whole = true, at_least = 1, default = { 4, 4 } },
   storeys = { "number", whole = true, at_least = 1, default = 10 },
-  bay = { "number", unit = "m", above = 0, optional = true }, -- these four: of the design
+  bay = { "number", unit = "m", above = 0, optional = true }, -- these five: of the design
   storey = { "number", unit = "m", above = 0, optional = true },
   column = { "section", optional = true },
   beam = { "section", optional = true },
-  material = { "material", default = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 } },
+  material = { "material", optional = true },
   floor_weight = { "number", at_least = 0, default = 20 },
   origin = { "numbers", count = 3, unit = "m", default = { 0, 0, 0 } },
 }
@@ -53,6 +53,8 @@ end
 function ten_storey.add(model, options)
   check.model(where, model)
   local o = check.design(where, check.options(where, options, rules), ten_storey.designs)
+  o.material = o.material
+    or hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = o.yield_stress }
   local frame = masses(o)
   local loaded = materials.with_density(o.material, frame.beam_density)
   local nx, ny = o.bays[1], o.bays[2]
