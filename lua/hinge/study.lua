@@ -243,11 +243,10 @@ function study.run(scenario, options, ...)
     check.fail("%s: the scenario is %s; give what hinge.scenario returned", where, check.show(scenario))
   end
   local o = check.options(where, options, rules)
-  local list = vary.from_table(o.vary)
-  if not o.propose then list = vary.with_own(list, scenario) end
-  local plan = { list = list, cases = o.cases, case = o.case, samples = o.samples, seed = o.seed,
+  local plan = { list = vary.from_table(o.vary), cases = o.cases, case = o.case, samples = o.samples, seed = o.seed,
     method = o.method, said = core.to_json(o.vary) }
   if o.table then plan.rows, plan.row_names = vary.rows(o.table) end
+  if not o.propose then vary.add_own(plan, scenario) end
   local fixed = o.propose and vary.fixed(plan, where .. ": propose", "")
   local before, output = job.use(nil), job.current_output()
   local _ <close> = setmetatable({}, { __close = function() -- also after an error: the run has its folder back

@@ -9,7 +9,7 @@ local jobs  = require "hinge.job"
 
 local scripts = {
   "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact", "ten_storey_cases",
-  "ten_storey_sensitivity",
+  "lost_inputs", "findings", "after_impact",
 }
 local folder = debug.getinfo(1, "S").source:match "^@(.*/)" or ""
 

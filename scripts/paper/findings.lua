@@ -1,11 +1,13 @@
 -- Which findings of the paper's section 4 hold, and for which frames and aircraft? From the study lost_inputs.lua.
 --
--- Run     hinge run scripts/paper/findings.lua           (the cases in lost_inputs.csv)
---         hinge run scripts/paper/findings.lua study=out/lost_inputs-study,out/near     (studies of your own)
+-- Run     hinge run scripts/paper/findings.lua           (the cases in lost_inputs.csv, three studies)
+--         hinge run scripts/paper/findings.lua study=out/lost_inputs-study,out/light    (studies of your own)
 -- Shows   each finding: in how many frames it holds, by rule of contact and limit of curvature; the frames where all
 --         hold but one; where Case II does more damage than Case III; the frame in the middle of the region
 -- Expect  the tables of README.md in this folder; one picture a finding, over the two inputs that it depends on most;
---         points.csv, the numbers that all this needs
+--         points.csv, the numbers that all this needs, as lost_inputs.csv has them; region.csv, the inputs of the
+--         frames where all hold but one. hinge study scripts/paper/lost_inputs.lua newmark=true --table FILE runs those
+--         again by Newmark's method
 --
 -- Damage is the plastic work in the building, and the number of its members that break. A finding that compares two
 -- cases holds if the means of their three runs do, in both measures. It is clear if no run of one reaches the other's.
@@ -41,7 +43,7 @@ end
 
 -- Columns that the findings need.
 local function columns()
-  local list = { "number", "allowed", "f_y", "tension" }
+  local list = { "study", "number", "allowed", "f_y", "tension" }
   table.move(inputs, 1, #inputs, #list + 1, list)
   table.move(choices, 1, #choices, #list + 1, list)
   for _, case in ipairs(cases) do
@@ -63,6 +65,22 @@ local function write(rows, file)
       items[i] = type(value) == "number" and ("%.5g"):format(value) or value and tostring(value) or ""
     end
     lines[#lines + 1] = table.concat(items, ",")
+  end
+  core.write_text(file, table.concat(lines, "\n") .. "\n")
+end
+
+local all_but_last
+
+-- Inputs of the frames where all findings but the last hold, for hinge study --table.
+local function write_region(rows, file)
+  local names = table.move(choices, 1, #choices, #inputs + 1, table.move(inputs, 1, #inputs, 1, {}))
+  local lines = { table.concat(names, ",") }
+  for _, r in ipairs(rows) do
+    if all_but_last(r) then
+      local items = {}
+      for i, name in ipairs(names) do items[i] = tostring(r[name]) end
+      lines[#lines + 1] = table.concat(items, ",")
+    end
   end
   core.write_text(file, table.concat(lines, "\n") .. "\n")
 end
@@ -99,7 +117,7 @@ local findings = {
   end },
 }
 
-local function all_but_last(r)
+function all_but_last(r)
   for _, f in ipairs(findings) do
     if not f.alone and not f.holds(r) then return false end
   end
@@ -277,36 +295,59 @@ local function middle(rows, region)
   return best, most
 end
 
+-- The frames of each study, in order: a list of { name =, drawn = { row, ... }, stand = { row, ... } }.
+local function studies_of(paths)
+  local list, found = {}, {}
+  for path in paths:gmatch "[^,]+" do
+    local file = path:match "%.csv$" and path or path .. "/results.csv"
+    for _, r in ipairs(rows_of(file)) do
+      r.study = r.study or path:match "([^/]+)/*$"
+      if not found[r.study] then
+        found[r.study] = { name = r.study, drawn = {}, stand = {} }
+        list[#list + 1] = found[r.study]
+      end
+      local study = found[r.study]
+      table.insert(study.drawn, r)
+      if r.allowed == true then table.insert(study.stand, r) end
+    end
+  end
+  return list
+end
+
+local function show_study(study)
+  local rows, region, slow = study.stand, {}, {}
+  local failed = count(rows, function(r)
+    return r["I.failed"] + r["II.failed"] + r["III.failed"] + r["IV.failed"] > 0
+  end)
+  print(("\n==== %s: %d frames drawn, %d stand under their own weight; in %d a run fails, with half the step too")
+    :format(study.name, #study.drawn, #rows, failed))
+  if #rows == 0 then return { drawn = #study.drawn, stand = 0 } end
+  local list = show_findings(rows)
+  for _, r in ipairs(rows) do
+    if all_but_last(r) then region[#region + 1] = r end
+    if clearly(r, "II", "III") or findings[#findings].holds(r) then slow[#slow + 1] = r end
+  end
+  show_frames("All but the last one hold; Cases I II III IV", region)
+  show_frames("II does more damage than III, by both measures, or clearly by plastic work", slow)
+  local best, near = middle(rows, region)
+  if best then
+    show_frames(("In the middle: of its eight nearest neighbours, %.1f of 8 findings hold"):format(near), { best })
+  end
+  return { drawn = #study.drawn, stand = #rows, failed = failed, holds = list, middle = best and best.number or 0 }
+end
+
 return hinge.scenario {
   parameters = { study = "" },
   run = function(p, job)
-    local rows, drawn = {}, 0
-    for file in (p.study == "" and folder .. "lost_inputs.csv" or p.study):gmatch "[^,]+" do
-      local name = file:match "%.csv$" and file or file .. "/results.csv"
-      for _, r in ipairs(rows_of(name)) do
-        drawn = drawn + 1
-        if r.allowed == true then rows[#rows + 1] = r end
-      end
+    local all, drawn, results = {}, {}, {}
+    for _, study in ipairs(studies_of(p.study == "" and folder .. "lost_inputs.csv" or p.study)) do
+      results[study.name] = show_study(study)
+      table.move(study.stand, 1, #study.stand, #all + 1, all)
+      table.move(study.drawn, 1, #study.drawn, #drawn + 1, drawn)
     end
-    write(rows, job.out .. "/points.csv")
-    local failed = count(rows, function(r)
-      return r["I.failed"] + r["II.failed"] + r["III.failed"] + r["IV.failed"] > 0
-    end)
-    print(("%d frames drawn; %d stand under their own weight; of %d a run failed, also with half the step")
-      :format(drawn, #rows, failed))
-    local list = show_findings(rows)
-    local region, slow = {}, {}
-    for _, r in ipairs(rows) do
-      if all_but_last(r) then region[#region + 1] = r end
-      if clearly(r, "II", "III") or findings[#findings].holds(r) then slow[#slow + 1] = r end
-    end
-    show_frames("All but the last one hold; Cases I II III IV", region)
-    show_frames("II does more damage than III, by both measures, or clearly by plastic work", slow)
-    local best, near = middle(rows, region)
-    if best then
-      show_frames(("In the middle: of its eight nearest neighbours, %.1f of 8 findings hold"):format(near), { best })
-    end
-    for _, f in ipairs(findings) do draw(job, rows, f) end
-    return { drawn = drawn, stand = #rows, failed = failed, holds = list, middle = best and best.number or 0 }
+    write(drawn, job.out .. "/points.csv")
+    write_region(all, job.out .. "/region.csv")
+    for _, f in ipairs(findings) do draw(job, all, f) end
+    return results
   end,
 }

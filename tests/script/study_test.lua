@@ -191,6 +191,10 @@ equal(sum, 4 * (1 + 2) + 4 * (5 + 7) + 8, "sums of what the scenario varies")
 status = study "own.lua x=3 y=4 z=5:7:1 --out own2"
 equal(status, 0, "exit status with other values")
 equal(#results "own2", 3, "the study's own values come first")
+support.write(folder .. "/own.csv", "x,y\n8,9\n10,11\n")
+status = study "own.lua --table own.csv --out own5"
+equal(status, 0, "exit status with a table")
+equal(#results "own5", 2, "what a table names is not drawn")
 local own = hinge.scenario { parameters = { x = 1 }, vary = { x = { 1, 2, 3 } },
   run = function(p) return { x = p.x } end }
 equal(#hinge.study(own, { out = folder .. "/own3", pictures = false }).cases, 3, "hinge.study of what it varies")

@@ -51,12 +51,11 @@ end
 function program.read(options)
   local scenario = runner.load(options.script, {})
   local propose = options.propose and proposal(options.propose, scenario, options.script)
-  local list = vary.from_words(options.words)
-  if not propose then list = vary.with_own(list, scenario) end
-  local plan = { list = list, cases = chosen_cases(options.cases, scenario, options.script),
+  local plan = { list = vary.from_words(options.words), cases = chosen_cases(options.cases, scenario, options.script),
     samples = values.whole("--samples", options.samples, 1), seed = values.whole("--seed", options.seed, 0),
     method = options.method, said = said(options) }
   if options.table then plan.rows, plan.row_names = vary.rows(options.table) end
+  if not propose then vary.add_own(plan, scenario) end
   local what = { scenario = scenario, plan = plan, propose = propose,
     fixed = propose and vary.fixed(plan, "--propose " .. options.propose, "--"),
     jobs = values.whole("-j", options.jobs, 1) or core.cores(), timeout = values.time("--timeout", options.timeout),

@@ -79,14 +79,14 @@ function vary.from_table(given)
   return list
 end
 
---- A list of settings, and those of the scenario's own `vary` that it does not name.
-function vary.with_own(list, scenario)
-  local given, all = {}, table.move(list, 1, #list, 1, {})
-  for _, one in ipairs(list) do given[one.name] = true end
+--- Adds to a plan what the scenario's own `vary` has and the plan does not name. plan: see vary.cases.
+function vary.add_own(plan, scenario)
+  local given = {}
+  for _, one in ipairs(plan.list) do given[one.name] = true end
+  for _, name in ipairs(plan.row_names or {}) do given[name] = true end
   for _, one in ipairs(vary.from_table(scenario and scenario.vary or {})) do
-    if not given[one.name] then all[#all + 1] = one end
+    if not given[one.name] then table.insert(plan.list, one) end
   end
-  return all
 end
 
 --- The values that all cases have where a function proposes the others, by name. Raises an error for what would ask for
