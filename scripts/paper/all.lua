@@ -2,8 +2,9 @@
 --
 -- Run     hinge run scripts/paper/all.lua   (quick=true: coarser, under a minute; only=two_beam_impact: one)
 -- Shows   the scripts of this folder with their defaults, each into a folder of its own name
--- Expect  ten minutes on two busy cores; summary.json has the results of each script. A script that fails does not stop
---         the others; the exit status is then 1, and the reason names the script. A run that fails is a row of its table
+-- Expect  ten minutes on two busy cores. summary.json has the results of each script. A script that fails does not
+--         stop the others; the exit status is then 1, and the reason names the script. A run that fails is a row of
+--         its table
 local hinge = require "hinge"
 local jobs  = require "hinge.job"
 
