@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include "core/types.h"
@@ -65,6 +67,29 @@ inline bool reached(const FractureStrains& e, const FractureLimits& limit) {
     return std::abs(e.curvature_x) >= limit.curvature_x || std::abs(e.curvature_y) >= limit.curvature_y ||
            (limit.tension_only ? e.axial : std::abs(e.axial)) >= limit.axial_strain ||
            std::max(std::abs(e.shear_x), std::abs(e.shear_y)) >= limit.shear_strain;
+}
+
+/// Which limit a strain has reached; rule: a rule of the script's own said so.
+enum class Limit : std::uint8_t { rule, curvature_x, curvature_y, axial_strain, shear_strain };
+inline constexpr const char* limit_names[] = {"rule", "curvature_x", "curvature_y", "axial_strain", "shear_strain"};
+
+/// The strain that is beyond its limit by most.
+struct LimitReached {
+    Limit which = Limit::rule;
+    double strain = 0, limit = 0;  ///< 1/m of a curvature, else -
+};
+inline LimitReached most_beyond(const FractureStrains& e, const FractureLimits& limit) {
+    const double shear = std::abs(e.shear_x) > std::abs(e.shear_y) ? e.shear_x : e.shear_y;
+    const LimitReached terms[] = {{Limit::curvature_x, e.curvature_x, limit.curvature_x},
+                                  {Limit::curvature_y, e.curvature_y, limit.curvature_y},
+                                  {Limit::axial_strain, e.axial, limit.axial_strain},
+                                  {Limit::shear_strain, shear, limit.shear_strain}};
+    const auto share = [&](const LimitReached& t) {
+        const bool signed_strain = t.which == Limit::axial_strain && limit.tension_only;
+        return (signed_strain ? t.strain : std::abs(t.strain)) / t.limit;
+    };
+    return *std::max_element(std::begin(terms), std::end(terms),
+                             [&](const auto& a, const auto& b) { return share(a) < share(b); });
 }
 
 }  // namespace hinge::beam

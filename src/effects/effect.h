@@ -77,6 +77,7 @@ struct Workspace {
 /// An element that breaks at the end of a step, at end 1 or 2.
 struct Break {
     int element, end;
+    beam::LimitReached cause = {};  ///< told to who asks why; nothing goes by it
 };
 
 /// A step of dynamics on its way.

@@ -125,7 +125,7 @@ private:
     int weaker_end(int element, const beam::Flow* flow) const;
     /// Resultants in the places of p, with those of loads between the nodes; f_y of them.
     bool flows_at(const beam::Flow* flow, int end, int weaker) const;
-    int end_at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
+    Break at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
     Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.sweep.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
         return beam::yield_function(resultants_at(element, r), r, w_.structure.elements()[element].yield);
@@ -284,24 +284,30 @@ bool Fracture::flows_at(const beam::Flow* flow, int end, int weaker) const {
     return flow && (w_.structure.conventional() ? end == weaker : flow->lambda[end - 1] > 0);
 }
 
-/// The end at which a limit of the element's rule is reached, 0: at neither.
-int Fracture::end_at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
+/// The end at which a limit of the element's rule is reached, 0: at neither; and which.
+Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    if (rule.none() || (rule.plastic_only && !flow)) return 0;
+    const Break holds = {index, 0};
+    if (rule.none() || (rule.plastic_only && !flow)) return holds;
     const bool by_section = rule.reading == FractureRule::Reading::section && !w_.structure.conventional();
-    const auto at_limit = [&](beam::FractureStrains strains) {
+    const auto with_shear = [&](beam::FractureStrains strains) {
         if (std::isfinite(rule.shear_strain))
             beam::add_shear(strains, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);
-        return beam::reached(strains, rule);
+        return strains;
     };
-    if (!by_section) return at_limit(beam::fracture_strains(elastic + plastic, e.length)) ? weaker_end(index, flow) : 0;
+    if (!by_section) {
+        const beam::FractureStrains strains = with_shear(beam::fracture_strains(elastic + plastic, e.length));
+        if (!beam::reached(strains, rule)) return holds;
+        return {index, weaker_end(index, flow), beam::most_beyond(strains, rule)};
+    }
     const int weaker = weaker_end(index, flow);
-    for (const int end : {weaker, 3 - weaker})
-        if ((!rule.plastic_only || flows_at(flow, end, weaker)) &&
-            at_limit(beam::section_strains(elastic, plastic, e.length, end)))
-            return end;
-    return 0;
+    for (const int end : {weaker, 3 - weaker}) {
+        if (rule.plastic_only && !flows_at(flow, end, weaker)) continue;
+        const beam::FractureStrains strains = with_shear(beam::section_strains(elastic, plastic, e.length, end));
+        if (beam::reached(strains, rule)) return {index, end, beam::most_beyond(strains, rule)};
+    }
+    return holds;
 }
 
 /// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
@@ -312,7 +318,7 @@ void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     Vec6 plastic = w_.state.plastic[index];
     if (flow) plastic += flow->plastic;
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
-    if (const int end = end_at_limit(index, elastic, plastic, flow)) return step_->breaks.push_back({index, end});
+    if (const Break b = at_limit(index, elastic, plastic, flow); b.end > 0) return step_->breaks.push_back(b);
     if (!rule.hook) return;
     if (!asked_.empty() && w_.structure.elements()[asked_.back().element].fracture != e.fracture) ask_sections();
     const int weaker = weaker_end(index, flow);

@@ -24,6 +24,11 @@ struct Bar {
     int member;    ///< declared member, counted from 1
     int element;   ///< element, counted from 1
     double width;  ///< drawn and contact width of the member, m
+    double N = 0;  ///< N, tension positive; 0 in a broken one, as all forces
+    double Mx[2] = {0, 0}, My[2] = {0, 0}, Mz = 0;  ///< N m, at its first and its second end
+    double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;       ///< fully plastic resultants, N and N m; 0 without limit
+    std::uint8_t hinges = 0;   ///< where it has ever been fully plastic: 1 first end, 2 second end, 4 middle
+    std::uint8_t touched = 0;  ///< 1: it has been in contact
 };
 
 /// A structure at one instant.
@@ -32,8 +37,11 @@ struct Snapshot {
     std::optional<double> factor;               ///< load factor, of statics, which have no time
     std::vector<std::array<double, 3>> points;  ///< m
     std::vector<std::uint8_t> is_virtual;  ///< per point: 1 for the virtual node of a broken element; empty: none is
+    std::vector<std::array<double, 3>> displacement;  ///< m, per point, of an end of a broken element too; or empty
+    std::vector<std::uint8_t> held;                   ///< per point: bits 0 to 5, ux to rz; or empty
     std::vector<Bar> bars;
     std::vector<std::string> groups;
+    std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
 };
 
 /// What render() draws; every field has a default that shows the whole structure in six colours of f_y.
@@ -54,7 +62,7 @@ struct View {
 // The module's functions, found by name with dlsym. Each returns 0, or 1 with a message in `error` (at most `room`
 // bytes). They may be called from any thread; they take turns.
 extern "C" {
-/// Writes `still` as binary VTP: points, lines, cell arrays f_y, group, state, member, element, width; aside, then
+/// Writes `still` as binary VTP: points, lines, and arrays named after the fields of Snapshot and Bar; aside, then
 /// renamed.
 using hinge_write_snapshot = int (*)(const char* path, const hinge::output::Snapshot& snapshot, char* error, int room);
 /// Writes the ParaView collection of n frames (times in s, file names relative to the collection).

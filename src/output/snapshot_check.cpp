@@ -10,6 +10,12 @@ void check_snapshot(const Snapshot& snapshot) {
     if (!snapshot.is_virtual.empty() && snapshot.is_virtual.size() != points)
         throw InputError("snapshot: is_virtual has " + std::to_string(snapshot.is_virtual.size()) + " values for " +
                          std::to_string(points) + " points; give one for each, or none");
+    if (!snapshot.displacement.empty() && snapshot.displacement.size() != points)
+        throw InputError("snapshot: displacement has " + std::to_string(snapshot.displacement.size()) + " values for " +
+                         std::to_string(points) + " points; give one for each, or none");
+    if (!snapshot.held.empty() && snapshot.held.size() != points)
+        throw InputError("snapshot: held has " + std::to_string(snapshot.held.size()) + " values for " +
+                         std::to_string(points) + " points; give one for each, or none");
     const int groups = static_cast<int>(snapshot.groups.size());
     for (std::size_t i = 0; i < snapshot.bars.size(); ++i) {
         const Bar& bar = snapshot.bars[i];

@@ -5,6 +5,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -48,7 +49,40 @@ void add_points(vtkPolyData* data, const Snapshot& snapshot) {
     }
     data->SetPoints(points);
     data->GetPointData()->AddArray(is_virtual);
+    if (!snapshot.displacement.empty()) {
+        const vtkNew<vtkFloatArray> displacement;
+        displacement->SetName("displacement [m]");
+        displacement->SetNumberOfComponents(3);
+        displacement->SetNumberOfTuples(n);
+        for (vtkIdType i = 0; i < n; ++i) displacement->SetTuple(i, snapshot.displacement[i].data());
+        data->GetPointData()->AddArray(displacement);
+    }
+    if (!snapshot.held.empty()) {
+        const vtkNew<vtkUnsignedCharArray> held;
+        held->SetName("held");
+        held->SetNumberOfTuples(n);
+        for (vtkIdType i = 0; i < n; ++i) held->SetValue(i, snapshot.held[i]);
+        data->GetPointData()->AddArray(held);
+    }
 }
+
+/// A bar's forces and what limits them: how each array is named, and which number of a bar it holds.
+struct Column {
+    const char* name;
+    double& (*of)(Bar&);
+};
+constexpr Column force_columns[] = {
+    {"N [N]", [](Bar& b) -> double& { return b.N; }},
+    {"Mx 1 [N m]", [](Bar& b) -> double& { return b.Mx[0]; }},
+    {"Mx 2 [N m]", [](Bar& b) -> double& { return b.Mx[1]; }},
+    {"My 1 [N m]", [](Bar& b) -> double& { return b.My[0]; }},
+    {"My 2 [N m]", [](Bar& b) -> double& { return b.My[1]; }},
+    {"Mz [N m]", [](Bar& b) -> double& { return b.Mz; }},
+    {"N0 [N]", [](Bar& b) -> double& { return b.N0; }},
+    {"Mx0 [N m]", [](Bar& b) -> double& { return b.Mx0; }},
+    {"My0 [N m]", [](Bar& b) -> double& { return b.My0; }},
+    {"Mz0 [N m]", [](Bar& b) -> double& { return b.Mz0; }},
+};
 
 void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     const vtkNew<vtkCellArray> lines;
@@ -65,6 +99,10 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     add_column<vtkIntArray>(cells, "member", bars, [](const Bar& b) { return b.member; });
     add_column<vtkIntArray>(cells, "element", bars, [](const Bar& b) { return b.element; });
     add_column<vtkDoubleArray>(cells, "width", bars, [](const Bar& b) { return b.width; });
+    for (const Column& column : force_columns)
+        add_column<vtkFloatArray>(cells, column.name, bars, [&](Bar b) { return static_cast<float>(column.of(b)); });
+    add_column<vtkUnsignedCharArray>(cells, "hinges", bars, [](const Bar& b) { return b.hinges; });
+    add_column<vtkUnsignedCharArray>(cells, "touched", bars, [](const Bar& b) { return b.touched; });
     cells->SetActiveScalars("f_y");
 }
 
@@ -83,6 +121,11 @@ void add_field(vtkPolyData* data, const Snapshot& snapshot) {
     groups->SetName("groups");
     for (const std::string& group : snapshot.groups) groups->InsertNextValue(group);
     data->GetFieldData()->AddArray(groups);
+    const vtkNew<vtkIntArray> memberships;
+    memberships->SetName("memberships");
+    memberships->SetNumberOfComponents(2);
+    for (const auto& [member, group] : snapshot.memberships) memberships->InsertNextTuple2(member, group);
+    data->GetFieldData()->AddArray(memberships);
 }
 
 [[noreturn]] void not_ours(const std::string& name, const std::string& what) {
@@ -122,6 +165,36 @@ void read_bars(vtkPolyData* data, Snapshot& snapshot, const std::string& name) {
                                  element->GetValue(i),
                                  width->GetValue(i)});
     }
+}
+
+/// What frames of earlier versions do not have.
+void read_forces(vtkPolyData* data, Snapshot& snapshot) {
+    vtkCellData* cells = data->GetCellData();
+    const auto n = static_cast<vtkIdType>(snapshot.bars.size());
+    const auto each = [&](const char* name, auto set) {
+        auto* column = vtkDataArray::SafeDownCast(cells->GetAbstractArray(name));
+        if (!column || column->GetNumberOfValues() != n) return;
+        for (vtkIdType i = 0; i < n; ++i) set(snapshot.bars[i], column->GetTuple1(i));
+    };
+    for (const Column& column : force_columns)
+        each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
+    each("hinges", [](Bar& bar, double value) { bar.hinges = static_cast<std::uint8_t>(value); });
+    each("touched", [](Bar& bar, double value) { bar.touched = static_cast<std::uint8_t>(value); });
+    auto* members = vtkIntArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("memberships"));
+    for (vtkIdType i = 0; members && i + 1 < members->GetNumberOfValues(); i += 2)
+        snapshot.memberships.push_back({members->GetValue(i), members->GetValue(i + 1)});
+}
+
+void read_point_arrays(vtkPolyData* data, Snapshot& snapshot) {
+    const vtkIdType n = data->GetNumberOfPoints();
+    auto* displacement = vtkDataArray::SafeDownCast(data->GetPointData()->GetAbstractArray("displacement [m]"));
+    if (displacement && displacement->GetNumberOfValues() == 3 * n) {
+        snapshot.displacement.resize(static_cast<std::size_t>(n));
+        for (vtkIdType i = 0; i < n; ++i) displacement->GetTuple(i, snapshot.displacement[i].data());
+    }
+    auto* held = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetAbstractArray("held"));
+    if (held && held->GetNumberOfValues() == n)
+        for (vtkIdType i = 0; i < n; ++i) snapshot.held.push_back(held->GetValue(i));
 }
 
 std::string xml_text(std::string_view text) {
@@ -192,7 +265,9 @@ Snapshot decode_snapshot(const std::string& bytes, const std::string& name) {
         data->GetPoint(i, snapshot.points[i].data());
         snapshot.is_virtual[i] = is_virtual->GetValue(i);
     }
+    read_point_arrays(data, snapshot);
     read_bars(data, snapshot, name);
+    read_forces(data, snapshot);
     if (auto* groups = vtkStringArray::SafeDownCast(field->GetAbstractArray("groups")))
         for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) snapshot.groups.push_back(groups->GetValue(i));
     try {

@@ -18,6 +18,7 @@ public:
     bool advance() override;
     long planned_steps() const override { return steps_done() + size_.left(); }
     const char* kind() const override { return "dynamic"; }
+    std::span<const Break> broken_last() const override { return step_.breaks; }
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
     const DynamicSettings& settings() const { return settings_; }

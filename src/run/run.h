@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -58,6 +59,8 @@ public:
     /// What it cannot show, or may have passed over; each once.
     const std::vector<RunWarning>& warnings() const { return warnings_; }
     long breaks() const { return breaks_; }  ///< elements that broke in this run
+    /// What broke in the step done last, with its cause.
+    virtual std::span<const Break> broken_last() const { return {}; }
     long steps_done() const { return state_.step - first_step_; }
     long element_updates() const { return sweep_.updates(); }
 

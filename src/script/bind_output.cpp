@@ -1,6 +1,6 @@
 // What a script leaves behind: frames, pictures and summary.json.
 #include <algorithm>
-#include <dlfcn.h>
+#include <cmath>
 #include <filesystem>
 
 #include "core/files.h"
@@ -9,64 +9,14 @@
 #include "script/element_count.h"
 #include "script/events.h"
 #include "script/folders.h"
+#include "script/happenings.h"
+#include "script/picture_module.h"
 #include "script/plan.h"
 #include "script/snapshot.h"
 
 namespace hinge::script {
 
-output::Snapshot make_snapshot(const Run& run) {
-    const Structure& structure = run.structure();
-    const State& state = run.state();
-    output::Snapshot snapshot;
-    snapshot.time = state.time;
-    if (dynamic_cast<const Statics*>(&run)) snapshot.factor = state.factor;
-    snapshot.groups = structure.model().groups();
-    for (std::size_t i = 0; i < structure.position().size(); ++i) {
-        const Vec3 x = structure.position()[i] + state.displacement[i];
-        snapshot.points.push_back({x.x(), x.y(), x.z()});
-    }
-    snapshot.is_virtual.assign(snapshot.points.size(), 0);
-    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
-        const Element& e = structure.elements()[i];
-        const auto& groups = structure.model().members()[e.member].groups;
-        output::Bar bar;
-        bar.point[0] = e.node[0];
-        bar.point[1] = e.node[1];
-        bar.yield = run.yield_value(int(i));
-        bar.state = state.broken[i]    ? output::BarState::broken
-                    : state.yielded[i] ? output::BarState::yielded
-                                       : output::BarState::elastic;
-        bar.group = groups.empty() ? -1 : groups[0];
-        bar.member = e.member + 1;
-        bar.element = int(i) + 1;
-        bar.width = 2 * e.radius;
-        if (state.broken[i]) {
-            const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
-            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
-                             state.rotation[carrier] * state.offset_arm[i];
-            bar.point[side] = int(snapshot.points.size());
-            snapshot.points.push_back({end.x(), end.y(), end.z()});
-            snapshot.is_virtual.push_back(1);
-        }
-        snapshot.bars.push_back(bar);
-    }
-    return snapshot;
-}
-
 namespace {
-
-/// The picture module's function `name`, loaded with the module at first use.
-template <class F>
-F picture_function(const Context& c, const char* name) {
-    static void* module = nullptr;
-    if (!module) module = dlopen(c.picture_module.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module)
-        throw OutsideError(std::string("pictures need the module libhinge_output.so, which did not load (") +
-                           dlerror() + "); build it with VTK installed: apt-get install libvtk9-dev");
-    auto* f = reinterpret_cast<F>(dlsym(module, name));
-    if (!f) throw OutsideError(std::string("the picture module has no function ") + name + "; rebuild it");
-    return f;
-}
 
 void must_work(int status, const char* error) {
     if (status != 0) throw OutsideError(error);
@@ -394,6 +344,7 @@ int write_summary(lua_State* L) {
             j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
         j["stages"] = Json::array();
         for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
+        j["damage"] = damage_by_group(run);
         j["energy"] = energy_json(run);
         j["energy_error"] =
             std::isfinite(r->last_energy_share) ? Json(r->last_energy_share) : Json(show(r->last_energy_share));
@@ -443,6 +394,7 @@ int write_summary(lua_State* L) {
     }
     if (!c->out_dir.empty()) {
         take_folder(*c);
+        if (c->record) write_happenings(*c, *c->record);
         write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
     write_event(*c, "summary", {{"folder", c->out_dir}, {"summary", j}});

@@ -52,6 +52,7 @@ int open_core(lua_State* L) {
     open_reading(L);
     open_checkpoint(L, module);
     open_output(L, module);
+    open_frames(L, module);
     open_measure(L, module);
     open_processes(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},

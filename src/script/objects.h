@@ -133,6 +133,19 @@ struct ProbeBox {
     std::shared_ptr<Probe> value;
 };
 
+/// Something that happened to an element for the first time.
+struct Happening {
+    enum class What : int { contact, yield, fracture } what;
+    double at;          ///< s; in statics the load factor
+    int element, end;   ///< end 1 or 2; 0: no end, or both
+    int limit;          ///< beam::Limit that a break had reached
+    double strain, of;  ///< the strain that did, and its limit
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.what, s.at, s.element, s.end, s.limit, s.strain, s.of);
+    }
+};
+
 /// What a run's steps have left that a checkpoint keeps.
 struct Recorded {
     bool started = false, closed = false;
@@ -141,11 +154,13 @@ struct Recorded {
         left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
     double wall = 0;  ///< s in steps
     double worst_energy_error = 0, last_energy_error = 0, initial = 0;
-    long row_of = -1;  ///< the step of the last row
+    long row_of = -1;                                      ///< the step of the last row
+    std::vector<Happening> happenings;                     ///< in order
+    std::vector<std::uint8_t> yielded_seen, touched_seen;  ///< of each element, as in the state
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
-          s.last_energy_error, s.initial, s.row_of);
+          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen);
     }
 };
 
@@ -251,6 +266,7 @@ void open_objects(lua_State* L);             ///< nodes, members, groups, loads
 void open_run(lua_State* L);
 void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
 void open_output(lua_State* L, int module);   ///< pictures, frames, summary
+void open_frames(lua_State* L, int module);   ///< frames as a page takes them
 void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
 
 #define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);

@@ -12,6 +12,7 @@
 #include "script/checkpoint.h"
 #include "script/events.h"
 #include "script/folders.h"
+#include "script/happenings.h"
 
 namespace hinge::script {
 
@@ -295,6 +296,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
                          "one (from = run)");
     if (!r.begun) {
         begin_checkpoints(L, *c, r);
+        note_happenings(r);
         note_what_went(r);
         begin_history(c, record);
         if (!r.started) add_row(r);
@@ -315,6 +317,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     }
     const auto now = Clock::now();
     r.wall += seconds(now - before);
+    note_happenings(r);
     note_what_went(r);
     if (more) {
         sample(r);

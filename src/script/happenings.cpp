@@ -1,0 +1,105 @@
+#include "script/happenings.h"
+
+#include <cstdio>
+
+#include "core/files.h"
+#include "script/recording.h"
+
+namespace hinge::script {
+namespace {
+
+constexpr std::size_t most_happenings = 200'000;
+
+/// Elements of which a byte has become other than it was seen last: calls tell(element, before, now).
+template <class Tell>
+void each_change(std::vector<std::uint8_t>& seen, const std::vector<std::uint8_t>& now, Tell tell) {
+    if (seen == now) return;
+    seen.resize(now.size());
+    for (std::size_t e = 0; e < now.size(); ++e)
+        if (seen[e] != now[e]) tell(int(e), seen[e], now[e]);
+    seen = now;
+}
+
+int end_of(std::uint8_t bits) { return bits == hinge_at_1 ? 1 : bits == hinge_at_2 ? 2 : 0; }
+
+const char* name(Happening::What what) {
+    return what == Happening::What::contact ? "contact" : what == Happening::What::yield ? "yield" : "fracture";
+}
+
+/// A text in a field of a CSV file.
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + "\"";
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+}  // namespace
+
+void note_happenings(RunRecord& r) {
+    const State& s = r.run->state();
+    if (!r.started) {
+        r.yielded_seen = s.yielded, r.touched_seen = s.touched;
+        return;
+    }
+    const double at = abscissa(*r.run);
+    const auto add = [&](Happening::What what, int element, int end, const beam::LimitReached& cause = {}) {
+        if (r.happenings.size() < most_happenings)
+            r.happenings.push_back({what, at, element, end, int(cause.which), cause.strain, cause.limit});
+    };
+    each_change(r.touched_seen, s.touched, [&](int e, int, int) { add(Happening::What::contact, e, 0); });
+    each_change(r.yielded_seen, s.yielded, [&](int e, std::uint8_t before, std::uint8_t now) {
+        if (before == 0) add(Happening::What::yield, e, end_of(now));
+    });
+    if (r.run->breaks() != r.breaks_noted)
+        for (const Break& b : r.run->broken_last()) add(Happening::What::fracture, b.element, b.end, b.cause);
+}
+
+void write_happenings(const Context& c, const RunRecord& r) {
+    const std::string path = c.out_dir + "/events.csv";
+    if (r.happenings.empty()) {
+        std::remove(path.c_str());
+        return;
+    }
+    const Structure& s = r.run->structure();
+    const bool by_factor = std::string(r.run->kind()) == "static";
+    std::string text = by_factor ? "factor" : "time";
+    text += ",event,element,member,end,group,limit,strain,of,rule\n";
+    for (const Happening& h : r.happenings) {
+        const Element& e = s.elements()[h.element];
+        const auto& groups = s.model().members()[e.member].groups;
+        text += number(h.at) + "," + name(h.what) + "," + std::to_string(h.element + 1) + "," +
+                std::to_string(e.member + 1) + "," + (h.end > 0 ? std::to_string(h.end) : "") + "," +
+                (groups.empty() ? "" : quoted(s.model().groups()[groups[0]])) + ",";
+        if (h.what == Happening::What::fracture) {
+            const bool limit = h.limit != int(beam::Limit::rule);
+            const std::string asked = e.fracture < 0 ? "" : s.model().fracture()[e.fracture].asked_at;
+            text += std::string(beam::limit_names[h.limit]) + "," + (limit ? number(h.strain) : "") + "," +
+                    (limit ? number(h.of) : "") + "," + (asked.empty() ? "" : quoted(asked));
+        } else text += ",,";
+        text += "\n";
+    }
+    write_whole(path, text);
+}
+
+Json damage_by_group(const Run& run) {
+    Json list = Json::array();
+    const auto& groups = run.structure().model().groups();
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const Run::Counts n = run.count_members(int(g));
+        list.push_back({{"group", groups[g]},
+                        {"members", n.elastic + n.yielded + n.broken},
+                        {"elastic", n.elastic},
+                        {"yielded", n.yielded},
+                        {"broken", n.broken},
+                        {"touched", n.touched}});
+    }
+    return list;
+}
+
+}  // namespace hinge::script
