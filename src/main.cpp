@@ -136,6 +136,12 @@ int call_library(lua_State* L, const char* module, const char* function, Request
         lua_setfield(L, -2, "words");
         request.overrides.clear();
     }
+    if (request.verb == "report") {
+        lua_newtable(L);
+        for (std::size_t i = 0; i < request.folders.size(); ++i)
+            lua_pushstring(L, request.folders[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+        lua_setfield(L, -2, "folders");
+    }
     if (request.verb == "prompt") {
         hinge::stop_on_interrupt(L);
         hinge::push_line_reader(L), lua_setfield(L, -2, "read");
@@ -183,7 +189,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     const auto context = hinge::script::prepare(L);
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
-    const bool one_run = request.verb != "cost" && request.verb != "study";
+    const bool one_run = request.verb != "cost" && request.verb != "study" && request.verb != "report";
     if (one_run) context->out_dir = request.out;  // runs that are only compared leave nothing
     context->progress = progress && !request.quiet && !request.json;
     context->warns = context->progress;
@@ -304,6 +310,13 @@ int main(int argc, char** argv) {
     auto* study_verb = add_study(app, request);
     auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
     render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    auto* report_verb =
+        app.add_subcommand("report",
+                           "Write a page about a run, or several side by side: what was run, what happened, energies, "
+                           "and a player to look at it in 3D; any browser shows it, without a network");
+    report_verb->add_option("folders", request.folders, "Output folders of the runs")->required();
+    report_verb->add_option("--out", request.out, "HTML file (default report.html in the first folder)");
+    report_verb->footer("Exit status: 0; 1 it cannot be written; 2 where no run was written.");
     auto* history_verb = app.add_subcommand(
         "history", "Print whose each output folder is: script, parameters, verdict, version of hinge, time");
     history_verb->add_option("folders", request.folders, "Output folders, or folders that hold them (default out)");
@@ -355,6 +368,10 @@ int main(int argc, char** argv) {
     if (*render_verb) {
         request.verb = "render";
         return with_lua(request, "hinge.render", "main", false);
+    }
+    if (*report_verb) {
+        request.verb = "report";
+        return with_lua(request, "hinge.report_page", "main", false);
     }
     if (*history_verb) {
         if (request.folders.empty()) request.folders = {"out"};

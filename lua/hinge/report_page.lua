@@ -1,0 +1,194 @@
+-- hinge report: one page of HTML about one run or several, which needs no network. It holds what the runs left in their
+-- output folders, and the viewer (viewer.js, made from src/viewer by its build.sh), which draws it.
+local core = require "hinge.core"
+local check = require "hinge.check"
+local render = require "hinge.render"
+local runner = require "hinge.runner"
+
+local page = {}
+local library = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
+local most_frames, most_rows, most_events = 400, 1500, 20000 -- of each run in the page; the rest is told of
+
+local function read(path)
+  local file = io.open(path, "rb")
+  local text = file and file:read "a"
+  if file then file:close() end
+  return text
+end
+
+-- JSON as it may stand inside <script>: no text in it ends the element or begins a comment.
+local function harmless(json)
+  return (json:gsub("<", "\\u003c"):gsub("\u{2028}", "\\u2028"):gsub("\u{2029}", "\\u2029"))
+end
+
+local function json_number(text)
+  local value = tonumber(text)
+  return value and value == value and math.abs(value) < math.huge and text or "null"
+end
+
+-- The fields of a line of CSV; quoted ones may hold commas and doubled quotes.
+local function csv_fields(line)
+  local fields, at = {}, 1
+  repeat
+    local text, after
+    if line:find('^"', at) then
+      local stop = at
+      repeat
+        stop = line:find('"', stop + 1, true) or #line
+        local doubled = line:sub(stop + 1, stop + 1) == '"'
+        if doubled then stop = stop + 1 end
+      until not doubled
+      text, after = line:sub(at + 1, stop - 1):gsub('""', '"'), stop + 1
+    else
+      text, after = line:match("^([^,]*)()", at)
+    end
+    fields[#fields + 1] = text
+    at = after + 1
+  until after > #line
+  return fields
+end
+
+-- The lines of a text but the first, which is given first: every n-th, so that they are not too many, and the last.
+local function thinned(text, most)
+  local lines = {}
+  for line in text:gmatch "[^\r\n]+" do lines[#lines + 1] = line end
+  local header = table.remove(lines, 1)
+  local every, kept = math.max(1, math.ceil(#lines / most)), {}
+  for i = 1, #lines, every do kept[#kept + 1] = lines[i] end
+  if #lines > 0 and kept[#kept] ~= lines[#lines] then kept[#kept + 1] = lines[#lines] end
+  return header, kept
+end
+
+-- history.csv: { "columns": [names], "values": [[of the first], ...] }
+local function history_json(folder)
+  local text = read(folder .. "/history.csv")
+  local header, lines = thinned(text or "", most_rows)
+  if not header then return "null" end
+  local names, columns = csv_fields(header), {}
+  for c = 1, #names do columns[c] = {} end
+  for _, line in ipairs(lines) do
+    local fields = csv_fields(line)
+    for c = 1, #names do columns[c][#columns[c] + 1] = json_number(fields[c] or "") end
+  end
+  for c, values in ipairs(columns) do columns[c] = "[" .. table.concat(values, ",") .. "]" end
+  return ('{"columns":%s,"values":[%s]}'):format(core.to_json(names), table.concat(columns, ","))
+end
+
+-- events.csv: a list of rows, each a list as the header names them. Returns that and how many were left out.
+local function events_json(folder)
+  local text = read(folder .. "/events.csv")
+  if not text then return "null" end
+  local rows, all, header = {}, 0, nil
+  for line in text:gmatch "[^\r\n]+" do
+    local fields = csv_fields(line)
+    if not header then
+      header = core.to_json(fields)
+    else
+      all = all + 1
+      if all <= most_events then rows[all] = core.to_json(fields) end
+    end
+  end
+  return ('{"columns":%s,"rows":[%s],"left_out":%d}'):format(header or "[]", table.concat(rows, ","), all - #rows)
+end
+
+-- At most so many frames, the last one among them.
+local function chosen(frames)
+  if #frames <= most_frames then return frames end
+  local list = {}
+  for i = 1, most_frames do list[i] = frames[math.floor(i * #frames / most_frames)] end
+  return list
+end
+
+-- What the page takes of the frames. Returns JSON, how many frames.
+local function frames_json(folder)
+  if not read(folder .. "/frames.pvd") then return "null", 0 end
+  local all = render.frames(folder)
+  local files = {}
+  for i, frame in ipairs(chosen(all)) do files[i] = frame.file end
+  local frames, others = core.pack_frames(files)
+  if not frames then return "null", 0 end
+  frames.of_other_models, frames.not_shown = others, #all - #files
+  return core.to_json(frames), frames.frames
+end
+
+local function name_of(folder) return folder:match "([^/]+)/*$" or folder end
+
+-- The names of the folders: their last part, where that tells them apart.
+local function names(folders)
+  local list, seen = {}, {}
+  for i, folder in ipairs(folders) do
+    list[i] = name_of(folder)
+    if seen[list[i]] then return folders end
+    seen[list[i]] = true
+  end
+  return list
+end
+
+local function run_json(folder, name)
+  local summary = read(folder .. "/summary.json")
+  local has_frames = read(folder .. "/frames.pvd") ~= nil
+  if not summary and not has_frames then
+    check.fail("no run was written to %s: it has neither summary.json nor frames.pvd; hinge run SCRIPT --out DIR "
+      .. "makes one", folder)
+  end
+  if summary and type(core.from_json(summary)) ~= "table" then
+    check.fail("%s/summary.json is not whole; run the script again", folder)
+  end
+  local frames, count = frames_json(folder)
+  return ('{"name":%s,"summary":%s,"history":%s,"events":%s,"frames":%s}'):format(core.to_json(name),
+    summary or "null", history_json(folder), events_json(folder), frames), count
+end
+
+local template = [[
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy"
+  content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:">
+<title>hinge report</title>
+</head>
+<body>
+<noscript>This page draws what a run of hinge has left. It needs JavaScript, and no network.</noscript>
+<main id="report"></main>
+<script type="application/json" id="data">%s</script>
+<script>
+%s</script>
+</body>
+</html>
+]]
+
+--- The page about the runs in these folders, as text; and how many frames it has.
+function page.text(folders)
+  local viewer = read(library .. "viewer.js") or check.fail("%sviewer.js is not there; src/viewer/build.sh makes it",
+    library)
+  local runs, frames = {}, 0
+  local called = names(folders)
+  for i, folder in ipairs(folders) do
+    local count
+    runs[i], count = run_json(folder, called[i])
+    frames = frames + count
+  end
+  local data = ('{"runs":[%s]}'):format(table.concat(runs, ","))
+  return template:format(harmless(data), viewer), frames
+end
+
+--- options: folders (output folders), out (a file, or nil for report.html in the first folder). Returns the program's
+-- exit status.
+function page.main(options)
+  return runner.guard(function()
+    local folders = {}
+    for i, folder in ipairs(options.folders) do folders[i] = #folder > 1 and folder:gsub("/+$", "") or folder end
+    local text, frames = page.text(folders)
+    local out = options.out or folders[1] .. "/report.html"
+    core.write_text(out, text)
+    print(("%s: %s, %s, %.1f MB"):format(out, check.count(#folders, "run"), check.count(frames, "frame"), #text / 1e6))
+    if frames == 0 then
+      print("no frames, so nothing to look at in 3D; a script asks for them with job:frame(run) or hinge.frame(run)")
+    end
+    return 0
+  end)
+end
+
+return page

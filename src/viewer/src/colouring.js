@@ -1,0 +1,105 @@
+// What members are coloured by: a colour for each element of a frame, and a legend.
+import { f_y, force, state, state_of, touched_of, broken } from "./run_data.js";
+
+const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+// six steps of f_y that differ in brightness as well as in hue
+const steps = ["#a9bccf", "#6d9dc5", "#3b6fb0", "#f0c040", "#e07b30", "#b2182b"].map(rgb);
+const black = rgb("#222222"), grey = rgb("#a9bccf"), orange = rgb("#e07b30"), purple = rgb("#7b3294");
+export const group_colours = ["#1f77b4", "#e0862d", "#3f9b4f", "#b23a48", "#7b5ea7", "#8c6d4f", "#d076ab", "#7f8790",
+  "#a6a832", "#2aa6b5"];
+const hex = (c) => `rgb(${c.join(",")})`;
+
+function mixed(from, to, share) {
+  const s = Math.min(1, Math.max(0, share));
+  return from.map((v, i) => Math.round(v + s * (to[i] - v)));
+}
+const tension = rgb("#1f5fa8"), compression = rgb("#b2182b"), none = rgb("#c9d1d8");
+
+/// Each: name, and of(frames, frame, scene) gives a function of an element's number; legend: [colour, text] pairs.
+export const colourings = {
+  f_y: {
+    name: "f_y, yield function (eq 14)",
+    of: (frames, frame) => (b) => {
+      if (state_of(state(frames, frame, b)) === broken) return black;
+      return steps[Math.min(5, Math.floor(6 * Math.min(0.999, f_y(frames, frame, b))))];
+    },
+    legend: () => [...steps.map((c, i) => [hex(c), i < 5 ? `${(i / 6).toFixed(2)}–${((i + 1) / 6).toFixed(2)}` :
+      "0.83–1"]), [hex(black), "broken"]],
+  },
+  state: {
+    name: "damage",
+    of: (frames, frame) => (b) => {
+      const s = state(frames, frame, b);
+      return state_of(s) === broken ? black : state_of(s) === 1 ? orange : touched_of(s) ? purple : grey;
+    },
+    legend: () => [[hex(grey), "elastic"], [hex(purple), "elastic, was in contact"], [hex(orange), "has yielded"],
+      [hex(black), "broken"]],
+  },
+  axial: {
+    name: "axial force N / N0",
+    of: (frames, frame) => (b) => {
+      if (state_of(state(frames, frame, b)) === broken) return black;
+      const n = force(frames, frame, b, 0) / (frames.limits[4 * b] || frames.largest_force || 1);
+      return mixed(none, n > 0 ? tension : compression, 1.6 * Math.abs(n));
+    },
+    legend: () => [[hex(compression), "compression"], [hex(none), "0"], [hex(tension), "tension"], [hex(black), "broken"]],
+  },
+  bending: {
+    name: "bending M / M0",
+    of: (frames, frame) => (b) => {
+      if (state_of(state(frames, frame, b)) === broken) return black;
+      const of = (c, limit) => force(frames, frame, b, c) / (frames.limits[4 * b + limit] || frames.largest_moment || 1);
+      const m = Math.max(Math.hypot(of(1, 1), of(3, 2)), Math.hypot(of(2, 1), of(4, 2)));
+      return steps[Math.min(5, Math.floor(6 * Math.min(0.999, m)))];
+    },
+    legend: () => [[hex(steps[0]), "0"], [hex(steps[2]), "0.5"], [hex(steps[5]), "1"], [hex(black), "broken"]],
+  },
+  displacement: {
+    name: "displacement",
+    of: (frames, frame, scene) => {
+      const { ends, declared, positions, nodes } = frames, most = scene.largest_displacement || 1;
+      return (b) => {
+        const node = ends[2 * b];
+        if (node === 0xffffffff) return grey;
+        const u = Math.hypot(...[0, 1, 2].map((c) => positions[3 * (nodes * frame + node) + c] - declared[3 * node + c]));
+        return steps[Math.min(5, Math.floor(6 * Math.min(0.999, u / most)))];
+      };
+    },
+    legend: (frames, scene) => {
+      const most = scene.largest_displacement || 0;
+      return [0, 2, 5].map((i) => [hex(steps[i]), `${Number((most * i / 5).toPrecision(2))} m`]);
+    },
+  },
+  group: {
+    name: "group",
+    of: (frames) => {
+      const colour = group_colours.map(rgb);
+      return (b) => {
+        const g = frames.members.get(frames.member[b]).groups;
+        return g.length ? colour[g[g.length - 1] % colour.length] : grey;
+      };
+    },
+    legend: (frames) => {
+      const used = new Set([...frames.members.values()].map((m) => m.groups[m.groups.length - 1]));
+      return [...used].filter((g) => g !== undefined).slice(0, 12).map((g) => [group_colours[g % group_colours.length],
+        frames.groups[g]]);
+    },
+  },
+};
+
+/// What scales colours where a section has no limit, and the largest displacement of what is attached to supports.
+export function measure(frames, scene) {
+  let n = 0, m = 0, u = 0;
+  for (let b = 0; b < frames.bars; ++b) {
+    n = Math.max(n, frames.scale[6 * b] * 32767);
+    for (const c of [1, 2, 3, 4]) m = Math.max(m, frames.scale[6 * b + c] * 32767);
+    const node = frames.ends[2 * b];
+    if (!frames.attached[b] || node === 0xffffffff) continue;
+    for (let f = 0; f < frames.count; ++f) {
+      const o = 3 * (frames.nodes * f + node), d = 3 * node;
+      u = Math.max(u, Math.hypot(frames.positions[o] - frames.declared[d], frames.positions[o + 1] - frames.declared[d + 1],
+        frames.positions[o + 2] - frames.declared[d + 2]));
+    }
+  }
+  frames.largest_force = n, frames.largest_moment = m, scene.largest_displacement = u;
+}

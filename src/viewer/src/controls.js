@@ -1,0 +1,86 @@
+// The player's buttons, sliders and lists.
+import { make, number } from "./page.js";
+import { colourings } from "./colouring.js";
+
+const choice = (label, options, value, choose) => make("label", {}, label, make("select", { onchange: (e) =>
+  choose(e.target.value) }, options.map(([v, text]) => make("option", { value: v, selected: v === value }, text))));
+const tick = (label, value, choose) => make("label", { class: "tick" }, make("input", { type: "checkbox", checked: value,
+  onchange: (e) => choose(e.target.checked) }), label);
+
+export function controls_of(player) {
+  const { options } = player;
+  const set = (name) => (value) => { options[name] = value, player.repaint(); };
+  const play = make("button", { type: "button", class: "play", onclick: () => player.play() }, "▶ play");
+  const range = make("input", { type: "range", min: player.begin, max: player.end, step: "any", value: player.time,
+    "aria-label": "time", oninput: (e) => { player.play(false), player.seek(Number(e.target.value)); } });
+  player.show_time = () => {
+    range.value = player.time;
+    play.textContent = player.playing ? "❚❚ pause" : "▶ play";
+  };
+  const magnify = make("input", { type: "range", min: 0, max: 3, step: 0.02, value: 0, "aria-label":
+    "magnification of displacements", oninput: (e) => {
+    options.magnify = Number((10 ** Number(e.target.value)).toPrecision(2));
+    magnified.textContent = `× ${number(options.magnify)}`;
+    player.repaint();
+  } });
+  const magnified = make("output", {}, "× 1");
+  const legend = make("div", { class: "legend" });
+  const show_legend = () => legend.replaceChildren(...colourings[options.colouring].legend(player.views[0].run.frames,
+    player.views[0].scene).map(([colour, text]) => make("span", {}, make("span", { class: "swatch",
+    style: `background:${colour}` }), text)));
+  show_legend();
+  const follow = tick("follow the member picked", false, set("follow"));
+  player.show_options = () => { follow.firstChild.checked = options.follow; };
+  const scenes = (f) => (value) => { player.views.forEach((v) => f(v.scene, value)), player.repaint(); };
+  const bar = make("div", { class: "controls" },
+    make("div", { class: "row timeline" }, play,
+      make("button", { type: "button", title: "a frame back", "aria-label": "a frame back", onclick: () => player.step(-1) }, "◂"),
+      range,
+      make("button", { type: "button", title: "a frame on", "aria-label": "a frame on", onclick: () => player.step(1) }, "▸"),
+      choice("speed", [[0.25, "¼"], [0.5, "½"], [1, "1"], [2, "2"], [4, "4"]].map(([v, t]) => [String(v), t]), "1",
+        (v) => { options.speed = Number(v); })),
+    make("div", { class: "row" },
+      choice("colour", Object.entries(colourings).map(([k, c]) => [k, c.name]), "f_y", (v) => {
+        set("colouring")(v), show_legend();
+      }),
+      make("label", {}, "displacements", magnify, magnified),
+      make("button", { type: "button", onclick: () => (document.fullscreenElement ? document.exitFullscreen() :
+        player.element.requestFullscreen()) }, "full screen"),
+      choice("view", [["corner", "corner"], ["front", "front"], ["side", "side"], ["back", "back"], ["top", "top"]], "corner",
+        (v) => player.look(v)),
+      legend),
+    make("div", { class: "row" }, follow,
+      tick("undeformed shape", false, scenes((s, on) => { s.ghost.visible = on; })),
+      tick("hinges", true, scenes((s, on) => { s.dots.drawn.visible = on; })),
+      tick("ground and supports", true, scenes((s, on) => { s.ground.visible = on; })),
+      tick("thin members", false, (on) => set("thicker")(on ? 0.25 : 1)),
+      tick("smooth", true, (on) => { options.smooth = on; }), tick("again and again", false, (on) => { options.loop = on; })),
+    groups_row(player), storeys_row(player));
+  return bar;
+}
+
+function groups_row(player) {
+  const names = [...new Set(player.views.flatMap((v) => v.run.frames.groups))];
+  if (names.length < 1) return null;
+  const change = (name) => (on) => {
+    if (on) player.options.hidden.delete(name); else player.options.hidden.add(name);
+    player.repaint();
+  };
+  return make("details", { class: "row" }, make("summary", {}, `groups (${names.length})`),
+    make("div", { class: "groups" }, names.map((name) => tick(name, true, change(name)))));
+}
+
+function storeys_row(player) {
+  const most = Math.max(...player.views.map((v) => v.run.frames.floors.length));
+  if (most < 2) return null;
+  const text = make("output", {}, `all ${most}`);
+  const slider = (name, label, value) => make("input", { type: "range", min: 1, max: most, step: 1, value,
+    "aria-label": label, oninput: (e) => {
+      player.options[name] = Number(e.target.value) - 1;
+      const low = Math.max(0, player.options.low), high = Math.min(most - 1, player.options.high);
+      text.textContent = low > high ? "none" : low === 0 && high === most - 1 ? `all ${most}` : `${low + 1} to ${high + 1}`;
+      player.repaint();
+    } });
+  return make("div", { class: "row storeys" }, make("label", {}, "storeys from", slider("low", "lowest storey shown", 1)),
+    make("label", {}, "to", slider("high", "highest storey shown", most)), text);
+}

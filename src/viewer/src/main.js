@@ -1,0 +1,255 @@
+// hinge report: the page about one run or several.
+import style from "./page.css";
+import { make, number, table, card, bar, quantity } from "./page.js";
+import { plot } from "./plot.js";
+import { list, read_frames, frame_at, member_state } from "./run_data.js";
+import { story_of } from "./story.js";
+import { member_panel } from "./member.js";
+import { Player } from "./player.js";
+
+const report = document.getElementById("report");
+const cursors = []; // called with the time shown
+
+function text_of(value) {
+  if (typeof value === "number") return value;
+  if (value === null || value === undefined) return "–";
+  return typeof value === "object" ? JSON.stringify(value) : String(value);
+}
+
+// { a: { b: 1 } } as [["a.b", 1]]; a table of a few dozen lines at most
+function flat(value, before = "", out = []) {
+  for (const [k, v] of Object.entries(value || {})) {
+    const name = before ? `${before}.${k}` : k;
+    if (v && typeof v === "object" && !Array.isArray(v)) flat(v, name, out); else out.push([name, v]);
+  }
+  return out;
+}
+
+// A row for each name that any run has, a column for each run.
+function side_by_side(runs, pairs_of, title, hint) {
+  const maps = runs.map((r) => new Map(pairs_of(r))), names = [...new Set(maps.flatMap((m) => [...m.keys()]))];
+  if (names.length === 0) return null;
+  const rows = names.map((n) => [n, ...maps.map((m) => text_of(m.has(n) ? m.get(n) : null))]);
+  const made = table(runs.length > 1 ? ["", ...runs.map((r) => r.name)] : null, rows);
+  if (runs.length > 1) [...made.querySelectorAll("tbody tr")].forEach((tr, i) => {
+    if (new Set(rows[i].slice(1).map(String)).size > 1) tr.classList.add("differs");
+  });
+  return card(title, made, hint ? make("p", { class: "hint" }, hint) : null);
+}
+
+const each = (runs, title, content) => {
+  const parts = runs.map((r) => [r, content(r)]).filter(([, c]) => c);
+  if (parts.length === 0) return null;
+  return card(title, make("div", { class: "columns" }, parts.map(([r, c]) => make("div", {}, runs.length > 1 ?
+    make("h3", {}, r.name) : null, c))));
+};
+
+function heading(runs) {
+  const first = runs[0].summary || {}, script = first.script ? String(first.script).split("/").pop() : "";
+  const title = runs.length > 1 ? `${script || "runs"}: ${runs.map((r) => r.summary?.case || r.name).join(", ")}` :
+    [script || runs[0].name, first.case ? `case ${first.case}` : ""].filter(Boolean).join(", ");
+  document.title = `${title} – hinge report`;
+  return make("header", {}, make("h1", {}, title), make("div", { class: "verdicts" }, runs.map((r) => {
+    const s = r.summary;
+    if (!s) return make("p", { class: "verdict" }, `${r.name}: no summary.json, frames alone`);
+    const where = s.kind === "static" ? `load factor ${number(s.factor)}` : `t = ${number(s.time)} s`;
+    return make("p", { class: `verdict ${["completed", "failed", "stopped"].includes(s.verdict) ? s.verdict : ""}` },
+      make("strong", {}, runs.length > 1 ? `${r.name}: ${s.verdict}` : s.verdict),
+      s.reason ? ` · ${s.reason}` : "", s.steps === undefined ? "" : ` · ${number(s.steps)} steps to ${where} in `
+        + `${number(s.wall_seconds, 3)} s · largest energy error ${number(100 * Number(s.energy_error), 2)} %`);
+  })));
+}
+
+function energies(runs, seek) {
+  return each(runs, "Energy balance", (r) => {
+    const h = r.history;
+    if (!h) return null;
+    const columns = list(h.columns), end = columns.indexOf("remainder");
+    if (end < 0) return null;
+    const statics = r.summary?.kind === "static", x = list(h.values)[statics ? 1 : 0];
+    const series = columns.slice(2, end + 1).map((c, i) => ({ name: c === "remainder" ? "energy error" : c.replace(/_/g, " "),
+      x, y: list(h.values)[i + 2].map((v) => v ?? NaN), dash: c === "remainder" })).filter((s) => s.y.some((v) => v));
+    const figure = plot({ label: "energies over time", x_label: statics ? "load factor" : "time, s", unit: "J", series, seek,
+      height: 300 });
+    cursors.push(figure.cursor);
+    const probes = columns.slice(end + 1).map((c, i) => ({ name: c, x, y: list(h.values)[end + 1 + i].map((v) => v ?? NaN) }));
+    const own = probes.length ? plot({ label: "probes over time", x_label: statics ? "load factor" : "time, s",
+      series: probes, seek }) : null;
+    if (own) cursors.push(own.cursor);
+    return make("div", {}, figure, own ? make("h3", {}, "Probes") : null, own);
+  });
+}
+
+const damage_columns = ["members", "elastic", "yielded", "broken", "in contact"];
+
+// Of the frame shown, by what `key_of` tells of a member; without frames, as the summary has it.
+function damage(runs, title, rows_of) {
+  return each(runs, title, (r) => {
+    const holder = make("div", {});
+    let shown = null;
+    const show = (time) => {
+      const frame = r.frames ? frame_at(r.frames, time) : -1;
+      if (frame === shown) return;
+      shown = frame;
+      const rows = rows_of(r, frame);
+      if (rows) holder.replaceChildren(table(["", ...damage_columns], rows));
+    };
+    if (!rows_of(r, r.frames ? r.frames.count - 1 : -1)) return null;
+    show(Infinity);
+    if (r.frames) cursors.push(show);
+    return holder;
+  });
+}
+
+function counted(frames, frame, members) {
+  const n = [members.length, 0, 0, 0, 0];
+  for (const m of members) {
+    const { worst, touched } = member_state(frames, frame, m);
+    ++n[1 + worst], n[4] += touched;
+  }
+  return n;
+}
+
+function group_rows(r, frame) {
+  if (r.frames) return r.frames.groups.map((g, i) => [g, ...counted(r.frames, frame,
+    [...r.frames.members.values()].filter((m) => m.groups.includes(i)))]);
+  const rows = list(r.summary?.damage).map((d) => [d.group, d.members, d.elastic, d.yielded, d.broken, d.touched]);
+  return rows.length ? rows : null;
+}
+
+function storey_rows(r, frame) {
+  if (!r.frames || r.frames.floors.length < 2) return null;
+  return r.frames.floors.map((z, k) => [`storey ${k + 1}`, ...counted(r.frames, frame,
+    [...r.frames.members.values()].filter((m) => m.storey === k))]).reverse();
+}
+
+function story(runs, player) {
+  return each(runs, "What happened, in order", (r) => {
+    const slack = player ? 1e-9 * Math.abs(player.end) : 0;
+    const entries = story_of(r), i = player ? player.views.findIndex((v) => v.run === r) : -1;
+    const lines = entries.map((e) => {
+      const line = make("li", { class: e.kind }, make("button", { type: "button", class: "at", onclick: () => {
+        player?.play(false), player?.seek(e.at);
+        if (e.member && i >= 0) player.choose(i, e.member);
+      } }, number(e.at)), make("span", {}, e.text));
+      return [e.at, line];
+    });
+    let past = 0; // lines before the time shown
+    if (player) cursors.push((time) => {
+      while (past < lines.length && lines[past][0] <= time + slack) lines[past++][1].classList.add("past");
+      while (past > 0 && lines[past - 1][0] > time + slack) lines[--past][1].classList.remove("past");
+    });
+    const kinds = [...new Set(entries.map((e) => e.kind))], box = make("ol", { class: "story" }, lines.map(([, li]) => li));
+    const filter = kinds.length > 2 ? make("div", { class: "legend" }, kinds.map((k) => make("button", { type: "button",
+      "aria-pressed": "true", onclick: (event) => {
+        const on = event.currentTarget.getAttribute("aria-pressed") !== "true";
+        event.currentTarget.setAttribute("aria-pressed", on);
+        for (const li of box.querySelectorAll(`li.${k}`)) li.hidden = !on;
+      } }, `${k} (${entries.filter((e) => e.kind === k).length})`))) : null;
+    const more = r.events?.left_out ? make("p", { class: "hint" }, `${number(r.events.left_out)} further lines of events.csv `
+      + "are not in this page") : null;
+    const frames_note = [r.frames?.not_shown ? `${r.frames.not_shown} frames are not in this page` : "",
+      r.frames?.of_other_models ? `${r.frames.of_other_models} frames are of another model, and left out` : ""]
+      .filter(Boolean).join("; ");
+    return make("div", {}, filter, box, more, frames_note ? make("p", { class: "hint" }, frames_note) : null);
+  });
+}
+
+function costs(runs) {
+  const share = (seconds, all) => bar(seconds / all, `${number(seconds, 3)} s`);
+  const effects = each(runs, "Effects: what was simulated, why, and what it cost", (r) => {
+    const all = list(r.summary?.effects), most = Math.max(1e-9, ...all.map((e) => e.seconds));
+    return all.length ? table(["effect", "", "because", "asked for at", "time"], all.map((e) => [e.name, e.active ? "yes" :
+      "no", e.because, e.asked_at || "", e.active ? share(e.seconds, most) : ""]), { class: "effects" }) : null;
+  });
+  const stages = each(runs, "Seconds by stage of the step", (r) => {
+    const all = list(r.summary?.stages), most = Math.max(1e-9, ...all.map((s) => s.seconds));
+    return all.length ? table(null, all.map((s) => [s.name, share(s.seconds, most)])) : null;
+  });
+  return [effects, stages];
+}
+
+function warnings(runs) {
+  return each(runs, "Warnings and notes", (r) => {
+    const s = r.summary || {}, lines = [...list(s.warnings), ...list(s.failed_runs), ...list(s.notes)];
+    return make("ul", { class: "warnings" }, lines.length ? lines.map((w) => make("li", {}, text_of(w))) :
+      make("li", {}, "none"));
+  });
+}
+
+function model_numbers(r) {
+  const s = r.summary || {}, m = { ...s.model };
+  delete m.automatic_elements;
+  const extra = { "kind of run": s.kind, steps: s.steps, "wall time, s": s.wall_seconds, "version of hinge": s.hinge };
+  if (s.fastest_node) extra["fastest node"] = `${s.fastest_node.node}: ${quantity(s.fastest_node.speed, "m/s")}`;
+  return [...Object.entries(m).map(([k, v]) => [k.replace(/_/g, " "), v]), ...Object.entries(extra)].filter(([, v]) =>
+    v !== undefined);
+}
+
+function member_card(runs, player) {
+  const panel = make("div", { class: "member" }), input = make("input", { type: "number", min: 1, step: 1,
+    "aria-label": "number of a member", onchange: (e) => player.choose(player.chosen.run, Number(e.target.value) || 0) });
+  let shown = null;
+  const show = () => {
+    const run = player.views[player.chosen.run].run;
+    shown = member_panel(run, player.chosen.member, (t) => { player.play(false), player.seek(t); });
+    input.value = player.chosen.member || "";
+    panel.replaceChildren(...shown.parts);
+    shown.cursor(player.time);
+  };
+  const head = make("div", { class: "row" }, make("label", {}, "member", input), runs.length > 1 ? make("label", {}, "of",
+    make("select", { "aria-label": "run", onchange: (e) => player.choose(Number(e.target.value), player.chosen.member) },
+      player.views.map((v, i) => make("option", { value: i }, v.run.name)))) : null);
+  return { card: make("section", { class: "card picked", "aria-live": "polite" }, head, panel), show,
+    cursor: (t) => shown?.cursor(t) };
+}
+
+function make_player(runs) {
+  const with_frames = runs.filter((r) => r.frames);
+  if (with_frames.length === 0) return [null, card("The structure", make("p", {}, "No frames were written, so there is "
+    + "nothing to look at in 3D. A script asks for them with job:frame(run) or hinge.frame(run)."))];
+  let member = null;
+  const changed = (p, what) => {
+    p.show_time?.();
+    if (what === "time") for (const c of cursors) c(p.time);
+    if (what === "options") p.show_options();
+    if (what === "member") member?.show();
+    if (what === "time") member?.cursor(p.time);
+  };
+  try {
+    const player = new Player(with_frames, changed);
+    member = member_card(with_frames, player);
+    member.show();
+    return [player, make("div", { class: "watch" }, player.element, member.card)];
+  } catch (error) {
+    return [null, card("The structure", make("p", {}, `It cannot be drawn in 3D here: ${error.message}.`))];
+  }
+}
+
+async function main() {
+  document.head.append(make("style", {}, style));
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const runs = await Promise.all(list(data.runs).map(async (r) => ({ ...r, frames: await read_frames(r.frames) })));
+  const [player, watch] = make_player(runs);
+  const seek = player ? (t) => { player.play(false), player.seek(t); } : undefined;
+  const pair = (...cards) => (runs.length > 1 ? cards : [make("div", { class: "pair" }, ...cards)]);
+  report.append(...[heading(runs), watch, ...pair(story(runs, player), energies(runs, seek)),
+    make("div", { class: "pair" }, ...[damage(runs, "Damage by group", group_rows),
+      damage(runs, "Damage by storey", storey_rows)].filter(Boolean)),
+    make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
+      runs.length > 1 ? "lines in bold differ" : null), side_by_side(runs, model_numbers, "The model and the run"),
+    side_by_side(runs, (r) => flat(r.summary?.results).slice(0, 60), "Results, as the script returned them")].filter(Boolean)),
+    ...pair(...costs(runs)), warnings(runs),
+    make("footer", {}, "Keys in the picture: arrows rotate, + and − zoom, space plays, comma and full stop step by a frame, "
+      + "[ and ] pick the member before or after, f follows it, r looks from the corner, Escape picks none. "
+      + "Drawn with three.js, © three.js authors, MIT licence.")].filter(Boolean));
+  if (player) player.seek(player.end);
+  window.hinge_report = { runs, player, ready: true };
+  document.documentElement.dataset.ready = "yes";
+}
+
+main().catch((error) => {
+  report.append(make("p", { class: "verdict failed" }, `This page cannot be shown: ${error.message}`));
+  document.documentElement.dataset.ready = "failed";
+  throw error;
+});

@@ -1,0 +1,58 @@
+// The member picked: what it is, and its history against the yield surface.
+import { make, number, quantity } from "./page.js";
+import { plot, surface_plot } from "./plot.js";
+import { f_y, force, frame_at, member_state, state, state_of, broken } from "./run_data.js";
+
+const states = ["elastic", "yielded", "broken"];
+
+function history(frames, of) {
+  return Array.from({ length: frames.count }, (_, f) => of(f));
+}
+
+/// The element of the member with the largest f_y in any frame: its history is shown.
+function weakest(frames, member) {
+  let bar = member.bars[0], most = -1;
+  for (const b of member.bars)
+    for (let f = 0; f < frames.count; ++f) if (f_y(frames, f, b) > most) most = f_y(frames, f, b), bar = b;
+  return bar;
+}
+
+/// Elements to put into the panel, and a function that moves their cursors to a time.
+export function member_panel(run, number_of, seek) {
+  const { frames } = run, member = frames.members.get(number_of);
+  if (!member) return { parts: [make("p", { class: "hint" }, "Pick a member in the picture, or give its number.")],
+    cursor() {} };
+  const bar = weakest(frames, member), x = frames.abscissa, x_label = frames.factors ? "load factor" : "time, s";
+  const gone = (f) => state_of(state(frames, f, bar)) === broken;
+  const of = (c) => history(frames, (f) => (gone(f) ? NaN : force(frames, f, bar, c)));
+  const limit = (c) => frames.limits[4 * bar + c];
+  const facts = make("p", {});
+  const plots = [
+    plot({ label: "yield function over time", x_label, series: [{ name: "f_y", x, y: history(frames, (f) => (gone(f) ? NaN :
+      f_y(frames, f, bar))) }], lines: [1], width: 350, height: 170, seek, least_zero: true }),
+    plot({ label: "axial force over time", x_label, unit: "N", series: [{ name: "N, tension positive", x, y: of(0) }],
+      lines: limit(0) ? [limit(0), -limit(0)].filter((v) => Math.abs(v) < 3 * Math.max(...of(0).filter(Number.isFinite)
+        .map(Math.abs), 1)) : [], width: 350, height: 170, seek, least_zero: true }),
+    plot({ label: "bending moments over time", x_label, unit: "N m", series: ["Mx first end", "Mx second end", "My first end",
+      "My second end"].map((name, i) => ({ name, x, y: of(i + 1), dash: i % 2 === 1 })), width: 350, height: 190, seek, least_zero: true }),
+  ];
+  const has_limits = limit(0) > 0 && (limit(1) > 0 || limit(2) > 0);
+  const part = (f, c, l) => (limit(l) > 0 ? force(frames, f, bar, c) / limit(l) : 0);
+  const surface = has_limits ? surface_plot(history(frames, (f) => ({ n: gone(f) ? 0 : part(f, 0, 0), m: gone(f) ? 0 :
+    Math.max(Math.hypot(part(f, 1, 1), part(f, 3, 2)), Math.hypot(part(f, 2, 1), part(f, 4, 2))) }))) : null;
+  const head = [`member ${member.number}`, member.groups.map((g) => frames.groups[g]).join(", "),
+    member.storey >= 0 ? `storey ${member.storey + 1}` : "", `${member.bars.length} elements`].filter(Boolean).join(" · ");
+  const capacity = has_limits ? `fully plastic: N0 ${quantity(limit(0), "N", 3)}, Mx0 ${quantity(limit(1), "N m", 3)}, `
+    + `My0 ${quantity(limit(2), "N m", 3)}` : "without a yield stress";
+  return {
+    parts: [make("h3", {}, head), facts, make("p", { class: "hint" }, `curves: element ${bar + 1}, the most strained; `
+      + capacity), surface, ...plots].filter(Boolean),
+    cursor(time) {
+      const f = frame_at(frames, time), { worst, touched } = member_state(frames, f, member);
+      facts.textContent = `${states[worst]}${touched ? ", has been in contact" : ""} · f_y ${number(f_y(frames, f, bar), 3)} · N `
+        + quantity(force(frames, f, bar, 0), "N", 3);
+      for (const p of plots) p.cursor(time);
+      surface?.cursor(f);
+    },
+  };
+}

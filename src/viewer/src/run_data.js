@@ -1,0 +1,189 @@
+// The frames of a run as core.pack_frames (src/script/bind_frames.cpp) has packed them: typed arrays, and what follows
+// from them: members, storeys, what is attached to a support.
+
+const no_node = 0xffffffff;
+
+function from_base64(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const raw = atob(text), bytes = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
+  return bytes;
+}
+
+async function inflated(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Words of `size` bytes, `a_frame` of them in each frame: planes of bytes, changes since the frame before.
+async function unpacked(text, size, a_frame) {
+  const bytes = await inflated(from_base64(text));
+  const words = new (size === 4 ? Uint32Array : size === 2 ? Uint16Array : Uint8Array)(bytes.length / size);
+  for (let from = 0; from < words.length; from += a_frame)
+    for (let i = 0; i < a_frame; ++i) {
+      let change = 0;
+      for (let b = 0; b < size; ++b) change |= bytes[from * size + b * a_frame + i] << (8 * b);
+      words[from + i] = (from > 0 ? words[from - a_frame + i] : 0) + change;
+    }
+  return words;
+}
+
+const whole = async (text, size) => {
+  const bytes = await inflated(from_base64(text));
+  const n = bytes.length / size, words = new (size === 4 ? Uint32Array : Uint8Array)(n);
+  for (let i = 0; i < n; ++i) for (let b = 0; b < size; ++b) words[i] |= bytes[b * n + i] << (8 * b);
+  return words;
+};
+const floats = (words) => new Float32Array(words.buffer);
+
+export const list = (value) => (Array.isArray(value) ? value : []);
+
+/// What of a member or an element is drawn or listed in a frame.
+export const broken = 2;
+export const state_of = (byte) => byte & 3;
+export const hinges_of = (byte) => (byte >> 2) & 7;
+export const touched_of = (byte) => byte >> 5;
+
+export async function read_frames(packed) {
+  if (!packed) return null;
+  const n = packed.nodes, bars = packed.bars;
+  const [declared, held, ends, member, width, limits, memberships, positions, count, which, loose, f_y, state, forces,
+    scale] = await Promise.all([
+    whole(packed.declared, 4), whole(packed.held, 1), whole(packed.ends, 4), whole(packed.member, 4),
+    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4),
+    unpacked(packed.positions, 4, 3 * n), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
+    whole(packed.loose_at, 4), unpacked(packed.f_y, 2, bars), unpacked(packed.state, 1, bars),
+    unpacked(packed.forces, 2, 6 * bars), whole(packed.force_scale, 4)]);
+  const loose_from = [0];
+  for (const c of count) loose_from.push(loose_from[loose_from.length - 1] + c);
+  const frames = {
+    count: packed.frames, nodes: n, bars,
+    times: list(packed.times), factors: packed.factors ? list(packed.factors) : null, groups: list(packed.groups),
+    not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
+    declared: floats(declared), held, ends, member, width: floats(width), limits: floats(limits),
+    positions: floats(positions), loose_from, loose_end: which, loose_at: floats(loose),
+    f_y, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
+  };
+  frames.abscissa = frames.factors || frames.times;
+  list_members(frames, memberships);
+  find_storeys(frames);
+  return frames;
+}
+
+// members: number -> { bars, groups }; bars of members in the order of their numbers
+function list_members(frames, memberships) {
+  frames.members = new Map();
+  for (let b = 0; b < frames.bars; ++b) {
+    const m = frames.member[b];
+    if (!frames.members.has(m)) frames.members.set(m, { number: m, bars: [], groups: [], storey: -1 });
+    frames.members.get(m).bars.push(b);
+  }
+  for (let i = 0; i + 1 < memberships.length; i += 2)
+    frames.members.get(memberships[i])?.groups.push(memberships[i + 1]);
+}
+
+// Where an end of an element was declared; null where it is not known.
+export function declared_at(frames, bar, side) {
+  const node = frames.ends[2 * bar + side];
+  return node === no_node ? null : frames.declared.subarray(3 * node, 3 * node + 3);
+}
+
+// Floors are the heights of level members that hang together with a support; a storey reaches from one to the next.
+function find_storeys(frames) {
+  const { bars, ends, held, nodes, declared } = frames;
+  const body = new Int32Array(nodes).map((_, i) => i);
+  const root = (i) => {
+    while (body[i] !== i) i = body[i] = body[body[i]];
+    return i;
+  };
+  for (let b = 0; b < bars; ++b)
+    if (ends[2 * b] !== no_node && ends[2 * b + 1] !== no_node) body[root(ends[2 * b])] = root(ends[2 * b + 1]);
+  const supported = new Set();
+  let base = Infinity;
+  for (let i = 0; i < nodes; ++i)
+    if (held[i] & 4) { // uz
+      supported.add(root(i));
+      base = Math.min(base, declared[3 * i + 2]);
+    }
+  frames.attached = new Uint8Array(bars);
+  const heights = [];
+  for (let b = 0; b < bars; ++b) {
+    const p = declared_at(frames, b, 0), q = declared_at(frames, b, 1);
+    if (!p || !q) continue;
+    frames.attached[b] = supported.has(root(ends[2 * b])) ? 1 : 0;
+    const run = Math.hypot(q[0] - p[0], q[1] - p[1]), rise = Math.abs(q[2] - p[2]);
+    if (frames.attached[b] && rise < 0.02 * run) heights.push((p[2] + q[2]) / 2);
+  }
+  heights.sort((a, b) => a - b);
+  const floors = [];
+  for (const z of heights) if (z > base + 0.5 && (floors.length === 0 || z > floors[floors.length - 1] + 0.5)) floors.push(z);
+  frames.base = Number.isFinite(base) ? base : 0;
+  frames.floors = floors;
+  frames.storey = new Int16Array(bars).fill(-1); // of each element, from 0
+  if (floors.length === 0 || floors.length > 200) return;
+  for (const m of frames.members.values()) {
+    if (!frames.attached[m.bars[0]]) continue;
+    let low = Infinity, high = -Infinity;
+    for (const b of m.bars)
+      for (const side of [0, 1]) {
+        const at = declared_at(frames, b, side);
+        if (at) low = Math.min(low, at[2]), high = Math.max(high, at[2]);
+      }
+    const middle = (low + high) / 2, k = floors.findIndex((z) => middle <= z + 0.05);
+    m.storey = k < 0 ? floors.length - 1 : k;
+    for (const b of m.bars) frames.storey[b] = m.storey;
+  }
+}
+
+/// The last frame at or before an abscissa (time or load factor); the first one before all.
+export function frame_at(frames, at) {
+  const x = frames.abscissa, slack = 1e-9 * Math.abs(x[x.length - 1] || 1);
+  let low = 0, high = x.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (x[middle] <= at + slack) low = middle; else high = middle - 1;
+  }
+  return low;
+}
+
+/// Both ends of every element in a frame, magnified: 6 numbers each, into `out`. `part`: how far towards the next frame.
+export function place_bars(frames, frame, magnify, out, part = 0) {
+  const { nodes, bars, ends, declared, positions } = frames;
+  const next = part > 0 && frame + 1 < frames.count ? 3 * nodes : 0, from = 3 * nodes * frame;
+  for (let e = 0; e < 2 * bars; ++e) {
+    const node = ends[e];
+    if (node === no_node) continue;
+    for (let c = 0; c < 3; ++c) {
+      const i = 3 * node + c;
+      let x = positions[from + i];
+      if (next) x += part * (positions[from + next + i] - x);
+      out[3 * e + c] = declared[i] + magnify * (x - declared[i]);
+    }
+  }
+  for (let i = frames.loose_from[frame]; i < frames.loose_from[frame + 1]; ++i) {
+    const e = frames.loose_end[i], node = ends[e];
+    for (let c = 0; c < 3; ++c) {
+      const x = frames.loose_at[3 * i + c], was = node === no_node ? x : declared[3 * node + c];
+      out[3 * e + c] = was + magnify * (x - was);
+    }
+  }
+  return out;
+}
+
+export const force_names = ["N", "Mx 1", "Mx 2", "My 1", "My 2", "Mz"];
+/// N, then Mx and My at both ends, Mz: force(frames, frame, bar, 0 to 5), in N and N m
+export const force = (frames, frame, bar, c) =>
+  frames.forces[(6 * frame + c) * frames.bars + bar] * frames.scale[6 * bar + c];
+export const f_y = (frames, frame, bar) => frames.f_y[frame * frames.bars + bar] * frames.f_y_unit;
+export const state = (frames, frame, bar) => frames.state[frame * frames.bars + bar];
+
+/// Worst state of a member: 0 elastic, 1 yielded, 2 broken; and whether it has been in contact.
+export function member_state(frames, frame, member) {
+  let worst = 0, touched = 0;
+  for (const b of member.bars) {
+    const s = state(frames, frame, b);
+    worst = Math.max(worst, state_of(s));
+    touched |= touched_of(s);
+  }
+  return { worst, touched };
+}

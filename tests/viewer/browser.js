@@ -1,0 +1,103 @@
+// A headless Chromium for tests of pages: started here, spoken to over two pipes in the protocol of its developer tools.
+"use strict";
+const { spawn } = require("child_process");
+const fs = require("fs");
+const os = require("os");
+const path = require("path");
+
+class Browser {
+  static async start(program) {
+    const b = new Browser();
+    b.profile = fs.mkdtempSync(path.join(os.tmpdir(), "hinge-browser-"));
+    b.process = spawn(program, ["--headless", "--remote-debugging-pipe", "--no-sandbox", "--disable-gpu",
+      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run",
+      "--disable-dev-shm-usage", `--user-data-dir=${b.profile}`, "about:blank"],
+    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], env: { ...process.env, HOME: b.profile } });
+    b.next = 1, b.answers = new Map(), b.problems = [], b.requests = [], b.rest = "";
+    b.process.stdio[4].on("data", (bytes) => b.hear(bytes));
+    const { targetInfos } = await b.send("Target.getTargets");
+    const page = targetInfos.find((t) => t.type === "page");
+    ({ sessionId: b.session } = await b.send("Target.attachToTarget", { targetId: page.targetId, flatten: true }));
+    for (const domain of ["Page", "Runtime", "Log", "Network"]) await b.send(`${domain}.enable`);
+    return b;
+  }
+
+  hear(bytes) {
+    this.rest += bytes.toString("utf8");
+    for (let end; (end = this.rest.indexOf("\0")) >= 0; this.rest = this.rest.slice(end + 1)) this.take(JSON.parse(
+      this.rest.slice(0, end)));
+  }
+  take(message) {
+    if (message.id) {
+      const { resolve, reject } = this.answers.get(message.id);
+      this.answers.delete(message.id);
+      return message.error ? reject(new Error(message.error.message)) : resolve(message.result);
+    }
+    const p = message.params;
+    if (message.method === "Runtime.exceptionThrown")
+      this.problems.push(p.exceptionDetails.exception?.description || p.exceptionDetails.text);
+    if (message.method === "Runtime.consoleAPICalled" && ["error", "warning"].includes(p.type))
+      this.problems.push(p.args.map((a) => a.value || a.description).join(" "));
+    if (message.method === "Log.entryAdded" && p.entry.level === "error") this.problems.push(p.entry.text);
+    if (message.method === "Network.requestWillBeSent") this.requests.push(p.request.url);
+  }
+  send(method, params = {}) {
+    const id = this.next++;
+    const message = { id, method, params };
+    if (this.session) message.sessionId = this.session;
+    this.process.stdio[3].write(JSON.stringify(message) + "\0");
+    return new Promise((resolve, reject) => this.answers.set(id, { resolve, reject }));
+  }
+
+  size(width, height, mobile = false) {
+    return this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile });
+  }
+  async open(file) {
+    this.problems.length = this.requests.length = 0;
+    await this.send("Page.navigate", { url: "file://" + path.resolve(file) });
+  }
+  /// The value of an expression in the page; promises are waited for.
+  async value(expression) {
+    const { result, exceptionDetails: wrong } = await this.send("Runtime.evaluate", { expression, awaitPromise: true,
+      returnByValue: true });
+    if (wrong) throw new Error(`${expression}: ${wrong.exception?.description || wrong.text}`);
+    return result.value;
+  }
+  async until(expression, seconds = 20) {
+    for (const end = Date.now() + 1000 * seconds; Date.now() < end;) {
+      const value = await this.value(expression).catch(() => false);
+      if (value) return value;
+      await new Promise((r) => setTimeout(r, 25));
+    }
+    throw new Error(`not within ${seconds} s: ${expression}`);
+  }
+  async click(x, y) {
+    for (const type of ["mousePressed", "mouseReleased"])
+      await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1, buttons: 1 });
+  }
+  async drag(from, to) {
+    const mouse = (type, [x, y], buttons) => this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons,
+      clickCount: 1 });
+    await mouse("mousePressed", from, 1);
+    for (let i = 1; i <= 5; ++i) await mouse("mouseMoved", [0, 1].map((c) => from[c] + (to[c] - from[c]) * i / 5), 1);
+    await mouse("mouseReleased", to, 0);
+  }
+  async key(key, text) {
+    const code = { " ": "Space" }[key] || key;
+    await this.send("Input.dispatchKeyEvent", { type: text ? "keyDown" : "rawKeyDown", key, code, text });
+    await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code });
+  }
+  async picture(file, whole = false) {
+    const { data } = await this.send("Page.captureScreenshot", { format: "png", captureBeyondViewport: whole });
+    fs.writeFileSync(file, Buffer.from(data, "base64"));
+  }
+  stop() {
+    this.process.kill("SIGKILL");
+    return new Promise((resolve) => this.process.on("exit", () => {
+      fs.rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+      resolve();
+    }));
+  }
+}
+
+module.exports = { Browser };
