@@ -27,6 +27,7 @@ for arguments, wanted in pairs {
   ["-i --help"] = { "Usage: hinge prompt ", "script", "--case", "--out" },
   ["reference --help"] = { "name" },
   ["render --help"] = { "folder" },
+  ["report --help"] = { "folders", "--out", "3D", "Exit status: 0; 1 ", "2 where no run was written" },
   ["history --help"] = { "folders", "whose", "Exit status: 0; 2 " },
   ["--version"] = { "hinge " .. version .. "\nbuild ", "\nprocessor ", "\nthreads ", "\nLua        5.4.",
     "library in ", "\nEigen      3.", "\nVTK        " },

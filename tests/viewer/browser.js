@@ -12,7 +12,7 @@ class Browser {
     b.process = spawn(program, ["--headless", "--remote-debugging-pipe", "--no-sandbox", "--disable-gpu",
       "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars", "--no-first-run",
       "--disable-dev-shm-usage", `--user-data-dir=${b.profile}`, "about:blank"],
-    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], env: { ...process.env, HOME: b.profile } });
+    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], detached: true, env: { ...process.env, HOME: b.profile } });
     b.next = 1, b.answers = new Map(), b.problems = [], b.requests = [], b.rest = "";
     b.process.stdio[4].on("data", (bytes) => b.hear(bytes));
     const { targetInfos } = await b.send("Target.getTargets");
@@ -72,8 +72,8 @@ class Browser {
     throw new Error(`not within ${seconds} s: ${expression}`);
   }
   async click(x, y) {
-    for (const type of ["mousePressed", "mouseReleased"])
-      await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1, buttons: 1 });
+    for (const [type, buttons] of [["mousePressed", 1], ["mouseReleased", 0]])
+      await this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1, buttons });
   }
   async drag(from, to) {
     const mouse = (type, [x, y], buttons) => this.send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons,
@@ -91,12 +91,16 @@ class Browser {
     const { data } = await this.send("Page.captureScreenshot", { format: "png", captureBeyondViewport: whole });
     fs.writeFileSync(file, Buffer.from(data, "base64"));
   }
-  stop() {
-    this.process.kill("SIGKILL");
-    return new Promise((resolve) => this.process.on("exit", () => {
-      fs.rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
-      resolve();
-    }));
+  async stop() {
+    const gone = new Promise((resolve) => this.process.on("exit", resolve));
+    this.session = null;
+    this.send("Browser.close").catch(() => {});
+    await Promise.race([gone, new Promise((r) => setTimeout(r, 1000))]);
+    try {
+      process.kill(-this.process.pid, "SIGKILL"); // the group that was started here, with what is left of it
+    } catch {} // nothing is
+    for (const pipe of this.process.stdio) pipe?.destroy();
+    fs.rmSync(this.profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
   }
 }
 

@@ -12,7 +12,10 @@ export function controls_of(player) {
   const set = (name) => (value) => { options[name] = value, player.repaint(); };
   const play = make("button", { type: "button", class: "play", onclick: () => player.play() }, "▶ play");
   const range = make("input", { type: "range", min: player.begin, max: player.end, step: "any", value: player.time,
-    "aria-label": "time", oninput: (e) => { player.play(false), player.seek(Number(e.target.value)); } });
+    "aria-label": "time", oninput: (e) => {
+      const time = Number(e.target.value); // before the slider is put where the player is
+      player.play(false), player.seek(time);
+    } });
   player.show_time = () => {
     range.value = player.time;
     play.textContent = player.playing ? "❚❚ pause" : "▶ play";

@@ -40,7 +40,9 @@ function side_by_side(runs, pairs_of, title, hint) {
 const each = (runs, title, content) => {
   const parts = runs.map((r) => [r, content(r)]).filter(([, c]) => c);
   if (parts.length === 0) return null;
-  return card(title, make("div", { class: "columns" }, parts.map(([r, c]) => make("div", {}, runs.length > 1 ?
+  const least = parts.length % 3 === 0 ? 320 : 480;
+  const style = `grid-template-columns: repeat(auto-fit, minmax(min(100%, ${least}px), 1fr))`;
+  return card(title, make("div", { class: "columns", style }, parts.map(([r, c]) => make("div", {}, runs.length > 1 ?
     make("h3", {}, r.name) : null, c))));
 };
 
@@ -82,23 +84,26 @@ function energies(runs, seek) {
 
 const damage_columns = ["members", "elastic", "yielded", "broken", "in contact"];
 
-// Of the frame shown, by what `key_of` tells of a member; without frames, as the summary has it.
+// Of the frame shown; without frames, as the summary has it. rows_of(run, frame): [name, then the numbers of
+// damage_columns], or null.
 function damage(runs, title, rows_of) {
-  return each(runs, title, (r) => {
-    const holder = make("div", {});
-    let shown = null;
-    const show = (time) => {
-      const frame = r.frames ? frame_at(r.frames, time) : -1;
-      if (frame === shown) return;
-      shown = frame;
-      const rows = rows_of(r, frame);
-      if (rows) holder.replaceChildren(table(["", ...damage_columns], rows));
-    };
-    if (!rows_of(r, r.frames ? r.frames.count - 1 : -1)) return null;
-    show(Infinity);
-    if (r.frames) cursors.push(show);
-    return holder;
-  });
+  const frame = (r, time) => (r.frames ? frame_at(r.frames, time) : -1), one = runs.length === 1;
+  const holder = make("div", {});
+  let shown = "";
+  const show = (time) => {
+    const at = runs.map((r) => frame(r, time)), now = at.join();
+    if (now === shown) return;
+    shown = now;
+    const all = runs.map((r, i) => rows_of(r, at[i]) || []), names = [...new Set(all.flatMap((rows) => rows.map((r) => r[0])))];
+    if (one) return holder.replaceChildren(table(["", ...damage_columns], all[0]));
+    const of = all.map((rows) => new Map(rows.map((r) => [r[0], r])));
+    holder.replaceChildren(table(["", "members", ...runs.map((r) => r.name)], names.map((n) => [n,
+      of.find((m) => m.has(n)).get(n)[1], ...of.map((m) => (m.has(n) ? m.get(n).slice(3).join(" / ") : "–"))])));
+  };
+  if (!runs.some((r) => rows_of(r, r.frames ? 0 : -1))) return null;
+  show(Infinity);
+  cursors.push(show);
+  return card(title, holder, one ? null : make("p", { class: "hint" }, "yielded / broken / in contact"));
 }
 
 function counted(frames, frame, members) {
@@ -155,18 +160,26 @@ function story(runs, player) {
   });
 }
 
-function costs(runs) {
-  const share = (seconds, all) => bar(seconds / all, `${number(seconds, 3)} s`);
-  const effects = each(runs, "Effects: what was simulated, why, and what it cost", (r) => {
-    const all = list(r.summary?.effects), most = Math.max(1e-9, ...all.map((e) => e.seconds));
-    return all.length ? table(["effect", "", "because", "asked for at", "time"], all.map((e) => [e.name, e.active ? "yes" :
-      "no", e.because, e.asked_at || "", e.active ? share(e.seconds, most) : ""]), { class: "effects" }) : null;
-  });
-  const stages = each(runs, "Seconds by stage of the step", (r) => {
-    const all = list(r.summary?.stages), most = Math.max(1e-9, ...all.map((s) => s.seconds));
-    return all.length ? table(null, all.map((s) => [s.name, share(s.seconds, most)])) : null;
-  });
-  return [effects, stages];
+const share = (seconds, all) => bar(seconds / all, `${number(seconds, 3)} s`);
+
+// The effects of the first run that knows each, with the seconds in all of them.
+function effects(runs) {
+  const lists = runs.map((r) => list(r.summary?.effects)), most = Math.max(1e-9, ...lists.flat().map((e) => e.seconds));
+  const all = new Map(lists.flat().reverse().map((e) => [e.name, e])), names = [...new Set(lists.flat().map((e) => e.name))];
+  if (names.length === 0) return null;
+  const cost = (e) => (e?.active ? share(e.seconds, most) : "not simulated");
+  const rows = names.map((n) => [n, all.get(n).because, String(all.get(n).asked_at || "").split("/").pop(),
+    ...lists.map((l) => cost(l.find((e) => e.name === n)))]);
+  return card("Effects: what was simulated, why, and what it cost", table(["effect", "because", "asked for at",
+    ...(runs.length > 1 ? runs.map((r) => r.name) : ["time"])], rows));
+}
+
+function stages(runs) {
+  const lists = runs.map((r) => list(r.summary?.stages)), names = [...new Set(lists.flat().map((s) => s.name))];
+  if (names.length === 0) return null;
+  const most = Math.max(1e-9, ...lists.flat().map((s) => s.seconds));
+  return card("Seconds by stage of the step", table(runs.length > 1 ? ["stage", ...runs.map((r) => r.name)] : null,
+    names.map((n) => [n, ...lists.map((l) => share(l.find((s) => s.name === n)?.seconds ?? 0, most))])));
 }
 
 function warnings(runs) {
@@ -239,7 +252,7 @@ async function main() {
     make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
       runs.length > 1 ? "lines in bold differ" : null), side_by_side(runs, model_numbers, "The model and the run"),
     side_by_side(runs, (r) => flat(r.summary?.results).slice(0, 60), "Results, as the script returned them")].filter(Boolean)),
-    ...pair(...costs(runs)), warnings(runs),
+    ...pair(effects(runs), stages(runs)), warnings(runs),
     make("footer", {}, "Keys in the picture: arrows rotate, + and − zoom, space plays, comma and full stop step by a frame, "
       + "[ and ] pick the member before or after, f follows it, r looks from the corner, Escape picks none. "
       + "Drawn with three.js, © three.js authors, MIT licence.")].filter(Boolean));

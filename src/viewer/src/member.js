@@ -38,8 +38,10 @@ export function member_panel(run, number_of, seek) {
   ];
   const has_limits = limit(0) > 0 && (limit(1) > 0 || limit(2) > 0);
   const part = (f, c, l) => (limit(l) > 0 ? force(frames, f, bar, c) / limit(l) : 0);
-  const surface = has_limits ? surface_plot(history(frames, (f) => ({ n: gone(f) ? 0 : part(f, 0, 0), m: gone(f) ? 0 :
-    Math.max(Math.hypot(part(f, 1, 1), part(f, 3, 2)), Math.hypot(part(f, 2, 1), part(f, 4, 2))) }))) : null;
+  const last = x.findIndex((_, f) => gone(f)); // it carries nothing from there on
+  const surface = has_limits && last !== 0 ? surface_plot(history(frames, (f) => ({ n: part(f, 0, 0),
+    m: Math.max(Math.hypot(part(f, 1, 1), part(f, 3, 2)), Math.hypot(part(f, 2, 1), part(f, 4, 2))) }))
+    .slice(0, last < 0 ? undefined : last)) : null;
   const head = [`member ${member.number}`, member.groups.map((g) => frames.groups[g]).join(", "),
     member.storey >= 0 ? `storey ${member.storey + 1}` : "", `${member.bars.length} elements`].filter(Boolean).join(" · ");
   const capacity = has_limits ? `fully plastic: N0 ${quantity(limit(0), "N", 3)}, Mx0 ${quantity(limit(1), "N m", 3)}, `

@@ -263,7 +263,8 @@ export class Player {
       v.scene.material.uniforms.pixels.value.set(w, h);
       v.scene.material.uniforms.slope.value = slope;
       this.renderer.clear();
-      v.scene.dots.material.uniforms.size.value = (v.run.frames.bars > 500 ? 4 : 8) * this.renderer.getPixelRatio();
+      v.scene.dots.material.uniforms.size.value = (v.run.frames.bars > 500 ?
+        Math.max(2, Math.min(4, h / 170)) : 8) * this.renderer.getPixelRatio();
       this.renderer.render(v.scene.scene, this.camera);
       this.#name_axes(v, i);
     });

@@ -110,6 +110,7 @@ export function surface_plot(points) {
   const figure = make("figure", { class: "plot surface-plot" }, drawing);
   figure.cursor = (i) => {
     const p = points[i];
+    dot.style.display = p ? "" : "none";
     if (p) dot.setAttribute("cx", to_x(p.n)), dot.setAttribute("cy", to_y(p.m));
   };
   return figure;

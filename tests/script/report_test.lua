@@ -1,0 +1,134 @@
+-- hinge report: the page of a run, of several, of one without frames; what it holds, that names from a model are text
+-- in it, and, in a headless Chromium where one and Node.js are installed, how it works (tests/viewer/page_test.js).
+--
+-- Run: lua5.4 tests/script/report_test.lua BUILD [PICTURE]      PICTURE: where a picture of the page goes
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "report"
+local quote, expect, equal, near = support.quote, checks.expect, checks.equal, checks.near
+local hinge_on, folder = support.scenes(arg[1])
+local hinge = quote(arg[1] .. "/hinge")
+
+-- A frame of two storeys; a bar flies into a column and breaks. Its groups are named so that they would hurt as markup.
+local scene = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
+local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
+local evil = "<script>window.hurt = 1</script>"
+
+local model = hinge.model()
+local node = {}
+for i = 0, 1 do
+  node[i] = {}
+  for k = 0, 2 do node[i][k] = model:node { 4 * i, 0, 3 * k } end
+  model:fix(node[i][0])
+  for k = 1, 2 do
+    model:member { node[i][k - 1], node[i][k], section = tube, material = steel, group = "columns" }
+    if i > 0 then model:member { node[0][k], node[1][k], section = tube, material = steel, group = evil } end
+  end
+end
+local projectile = model:member { model:node { -0.2, -0.3, 1.5 }, model:node { -0.2, 0.3, 1.5 }, section = solid,
+  material = steel, group = "<img src=x onerror=window.hurt=1>, \"quoted\"" }
+model:velocity(projectile, { 90, 0, 0 })
+model:contact {}
+model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
+model:gravity { 0, 0, -9.81 }
+local run = model:dynamic { dt = 2e-5, duration = 0.04 }
+run:probe { node = node[1][2], "ux", name = "sway" }
+for step in run:steps() do
+  if step.index % 100 == 0 and (...).frames ~= 0 then hinge.frame(run) end
+end
+return { note = "</script><script>window.hurt = 1</script>" }
+]=]
+
+local function page(path) return support.read(folder .. "/" .. path) or "" end
+local function data_of(text)
+  local data = text:match '<script type="application/json" id="data">(.-)</script>'
+  return support.json((data:gsub("\\u003c", "<")))
+end
+
+equal(hinge_on("run -q", scene, "frames=1 --out one"), 0, "the scene")
+local status, printed, complaint = support.run(("cd %s && %s report one"):format(quote(folder), hinge))
+equal(status, 0, "hinge report: " .. complaint)
+expect(printed:find "^one/report.html: 1 run, 20 frames, %d+%.%d MB\n$", "it says %s", printed)
+local text = page "one/report.html"
+expect(#text > 100000 and #text < 1.5e6, "the page has %d bytes", #text)
+
+-- Nothing from a model ends the element that holds the data, and nothing comes from elsewhere.
+local _, scripts = text:gsub("<script", "")
+local _, ends = text:gsub("</script", "")
+equal(scripts, 2, "script elements")
+equal(ends, 2, "ends of script elements")
+local head = text:match "^(.-)<script type=\"application/json\"" or ""
+expect(not head:find "src=" and not head:find "href=", "the page asks for other files")
+expect(head:find("default-src 'none'", 1, true), "the page does not forbid the network")
+expect(text:find("three.js authors", 1, true), "the licence of three.js is not in the page")
+
+-- The data: what the folder has.
+local run = data_of(text).runs[1]
+equal(run.name, "one", "name of the run")
+equal(run.summary.verdict, "completed", "verdict in the page")
+equal(run.frames.frames, 20, "frames in the page")
+equal(run.frames.bars, 14, "elements in the page")
+equal(run.frames.groups[2], "<script>window.hurt = 1</script>", "a group")
+equal(run.history.columns[1], "time", "first column of the history")
+equal(run.history.columns[#run.history.columns], "sway", "last column of the history")
+near(run.history.values[1][#run.history.values[1]], 0.04, 1e-9, "end of the history")
+
+-- events.csv: in order, and each break with its cause.
+local columns = table.concat(run.events.columns, ",")
+equal(columns, "time,event,element,member,end,group,limit,strain,of,rule", "columns of events.csv")
+local first, last, broke = {}, -math.huge, nil
+for _, row in ipairs(run.events.rows) do
+  local time = tonumber(row[1])
+  expect(time >= last, "events.csv is not in order: %s after %s", row[1], last)
+  last = time
+  first[row[2]] = first[row[2]] or row
+  if row[2] == "fracture" then broke = row end
+end
+expect(first.contact and first.yield and broke, "contact, yield and fracture are not all told of")
+equal(first.contact[4], "1", "the member that is first in contact")
+equal(broke[4], "7", "the member that breaks")
+equal(broke[6], '<img src=x onerror=window.hurt=1>, "quoted"', "its group")
+expect(broke[7] == "curvature_x" or broke[7] == "curvature_y", "it breaks by %s", broke[7])
+expect(math.abs(tonumber(broke[8])) >= 0.3 and math.abs(tonumber(broke[8])) < 1, "at a curvature of %s", broke[8])
+near(tonumber(broke[9]), 0.3, 1e-12, "its limit")
+equal(broke[10], "scene.lua:22", "the rule's line")
+local projectiles = run.summary.damage[3]
+equal(projectiles.members, 1, "members of the third group")
+equal(projectiles.broken, 1, "broken ones of the third group")
+equal(projectiles.touched, 1, "ones of the third group that were in contact")
+
+-- Several runs, one without frames; a file of one's own; no run at all.
+equal(hinge_on("run -q", scene, "frames=0 --out two"), 0, "the scene without frames")
+status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
+equal(status, 0, "two runs")
+expect(printed:find "^both.html: 2 runs, 20 frames", "it says %s", printed)
+local both = data_of(page "both.html").runs
+equal(both[2].name, "two", "name of the second run")
+equal(both[2].frames, nil, "frames of the second run")
+equal(both[2].summary.damage[1].yielded, both[1].summary.damage[1].yielded, "damage without frames")
+status, printed = support.run(("cd %s && %s report two"):format(quote(folder), hinge))
+expect(status == 0 and printed:find("no frames, so nothing to look at in 3D", 1, true), "without frames: %s", printed)
+status, _, complaint = support.run(("cd %s && %s report nowhere"):format(quote(folder), hinge))
+expect(status == 2 and complaint:find("no run was written to nowhere", 1, true), "no run: %s %s", status, complaint)
+
+-- In a browser.
+local function found(programs)
+  for _, name in ipairs(programs) do
+    local where = support.output("command -v " .. name):gsub("%s+$", "")
+    if where ~= "" then return where end
+  end
+end
+local node, chromium = found { "node", "nodejs" }, found { "chromium-headless-shell", "chromium", "chromium-browser" }
+if node and chromium then
+  local test = support.root .. "tests/viewer/page_test.js"
+  local seen, said, wrong = support.run(("%s %s %s %s %s"):format(quote(node), quote(test), quote(chromium),
+    quote(folder .. "/one/report.html"), arg[2] and quote(arg[2]) or ""))
+  equal(seen, 0, "in a browser: " .. said .. wrong)
+  expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
+else
+  print("report: not looked at in a browser: neither chromium-headless-shell nor chromium is there, or no Node.js")
+end
+checks.done()

@@ -1,0 +1,181 @@
+// What a person does with the page of hinge report, in a headless Chromium: it opens without errors and without a
+// network, draws, scrubs, plays, picks, hides, is used by keyboard and on a narrow screen.
+//
+// Run: node tests/viewer/page_test.js CHROMIUM REPORT [PICTURE]      ends with a line for each thing that is wrong
+// The report is of the scene of tests/script/report_test.lua.
+"use strict";
+const { Browser } = require("./browser.js");
+
+const wrong = [];
+let checked = 0;
+function expect(ok, what) {
+  ++checked;
+  if (!ok) wrong.push(what);
+}
+const pause = (ms) => new Promise((r) => setTimeout(r, ms));
+
+// Numbers that tell one drawing from another: a hash of the canvas, and how many of its pixels are not the background.
+const drawing = `(async () => {
+  const p = hinge_report.player;
+  await new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));
+  const copy = document.createElement("canvas");
+  copy.width = p.canvas.width, copy.height = p.canvas.height;
+  const draw = copy.getContext("2d");
+  p.redraw();
+  await new Promise((r) => requestAnimationFrame(() => { draw.drawImage(p.canvas, 0, 0); r(); }));
+  const bytes = draw.getImageData(0, 0, copy.width, copy.height).data;
+  let hash = 0, drawn = 0;
+  for (let i = 0; i < bytes.length; i += 4) {
+    hash = (Math.imul(hash, 31) + bytes[i] + (bytes[i + 1] << 8) + (bytes[i + 2] << 16)) | 0;
+    if (bytes[i] !== bytes[0] || bytes[i + 1] !== bytes[1] || bytes[i + 2] !== bytes[2]) ++drawn;
+  }
+  return { hash, drawn };
+})()`;
+
+// Where the middle of a member is on the screen.
+const place = (member) => `(() => {
+  const p = hinge_report.player, v = p.views[0], f = v.run.frames, box = p.canvas.getBoundingClientRect();
+  p.camera.updateMatrixWorld();
+  const bar = f.members.get(${member}).bars[0], e = v.scene.ends, at = p.camera.position.clone();
+  at.set(...[0, 1, 2].map((c) => (e[6 * bar + c] + e[6 * bar + 3 + c]) / 2)).project(p.camera);
+  return [box.left + (at.x + 1) / 2 * box.width, box.top + (1 - at.y) / 2 * box.height];
+})()`;
+
+const colours = "[...hinge_report.player.views[0].scene.paint].join()";
+
+async function on_a_wide_screen(b, report, picture) {
+  await b.size(1280, 720);
+  await b.open(report);
+  await b.until("document.documentElement.dataset.ready === 'yes'");
+  await pause(200);
+  const last = await b.value(drawing);
+  expect(last.drawn > 500, `the canvas is blank: ${last.drawn} pixels are drawn`);
+  if (picture) await b.picture(picture);
+
+  await b.value("hinge_report.player.seek(hinge_report.player.begin)");
+  const first = await b.value(drawing);
+  expect(first.hash !== last.hash, "the first frame looks like the last");
+  const range = await b.value("(() => { const r = document.querySelector('.timeline input').getBoundingClientRect();"
+    + " return [r.left, r.top + r.height / 2, r.width]; })()");
+  await b.click(range[0] + 0.6 * range[2], range[1]);
+  const share = await b.value("(hinge_report.player.time - hinge_report.player.begin) / (hinge_report.player.end"
+    + " - hinge_report.player.begin)");
+  expect(Math.abs(share - 0.6) < 0.05, `a click at 60 % of the slider leads to ${share}`);
+  expect((await b.value(drawing)).hash !== first.hash, "scrubbing does not change the drawing");
+
+  await b.value("hinge_report.player.seek(0), hinge_report.player.play(true)");
+  await b.until("hinge_report.player.time > 0.2 * hinge_report.player.end", 10);
+  await b.value("hinge_report.player.play(false)");
+
+  // picking: members in plain sight, by the mouse
+  await b.value("hinge_report.player.look('front'), hinge_report.player.seek(0)");
+  for (const member of [1, 4, 6]) {
+    const [x, y] = await b.value(place(member));
+    await b.click(x, y);
+    const chosen = await b.value("hinge_report.player.chosen.member");
+    expect(chosen === member, `a click on member ${member} picks ${chosen}`);
+    const said = await b.value("document.querySelector('.picked h3').textContent");
+    expect(said.startsWith(`member ${member} `), `the panel of member ${member} says ${said}`);
+  }
+  expect(await b.value("document.querySelectorAll('.picked svg').length") === 4, "the history of a member has 4 plots");
+  await b.click(...await b.value("(() => { const r = hinge_report.player.canvas.getBoundingClientRect();"
+    + " return [r.left + 5, r.top + 5]; })()"));
+  expect(await b.value("hinge_report.player.chosen.member") === 0, "a click beside the structure picks nothing");
+
+  // dragging rotates, and does not pick
+  const before = await b.value("hinge_report.player.camera.position.toArray().join()");
+  const middle = await b.value(place(4));
+  await b.drag(middle, [middle[0] + 120, middle[1] + 30]);
+  expect(await b.value("hinge_report.player.camera.position.toArray().join()") !== before, "dragging does not rotate");
+  expect(await b.value("hinge_report.player.chosen.member") === 0, "dragging picks a member");
+
+  // colouring, groups, storeys, magnification
+  const painted = await b.value(colours);
+  await b.value("(() => { const s = [...document.querySelectorAll('.controls select')].find((s) => [...s.options]"
+    + ".some((o) => o.value === 'group')); s.value = 'group'; s.dispatchEvent(new Event('change')); })()");
+  expect(await b.value(colours) !== painted, "another colouring does not change the colours");
+  const shown = "[...hinge_report.player.views[0].scene.shown].reduce((a, b) => a + b)";
+  const all = await b.value(shown);
+  await b.value("(() => { document.querySelector('details').open = true; document.querySelector('.groups input').click();"
+    + " })()");
+  expect(await b.value(shown) < all, "hiding a group hides nothing");
+  await b.value("document.querySelector('.groups input').click()");
+  await b.value("(() => { const s = document.querySelectorAll('.storeys input')[1]; s.value = 1;"
+    + " s.dispatchEvent(new Event('input')); })()");
+  const cut = await b.value(shown);
+  expect(cut > 0 && cut < all, `cut above the first storey ${cut} of ${all} elements are left`);
+  await b.value("(() => { const s = document.querySelectorAll('.storeys input')[1]; s.value = 9;"
+    + " s.dispatchEvent(new Event('input')); })()");
+  await b.value("hinge_report.player.seek(0.004)");
+  const plain = await b.value(drawing);
+  await b.value("(() => { const s = document.querySelector('input[aria-label^=magnification]'); s.value = 2;"
+    + " s.dispatchEvent(new Event('input')); })()");
+  expect((await b.value(drawing)).hash !== plain.hash, "magnified displacements look the same");
+
+  // names are text
+  expect(await b.value("window.hurt") === undefined, "a name from the model was run as a script");
+  expect(await b.value("document.querySelectorAll('main script, main img').length") === 0, "a name has become markup");
+  expect((await b.value("document.querySelector('.groups').textContent")).includes("<script>window.hurt = 1</script>"),
+    "the group named like markup is not shown as it is named");
+  const story = await b.value("document.querySelector('.story').textContent");
+  for (const what of ["first hinge", "first contact", "breaks at end", "has reached its limit", "storey 1", "end: completed"])
+    expect(story.includes(what), `what happened does not tell of: ${what}`);
+}
+
+async function by_keyboard(b) {
+  await b.value("hinge_report.player.choose(0, 0), hinge_report.player.canvas.focus()");
+  const camera = "hinge_report.player.camera.position.toArray().map((x) => x.toFixed(6)).join()";
+  for (const [key, text] of [["ArrowLeft"], ["ArrowUp"], ["+", "+"], ["-", "-"]]) {
+    const before = await b.value(camera);
+    await b.key(key, text);
+    expect(await b.value(camera) !== before, `the key ${key} does not move the camera`);
+  }
+  await b.key("Home");
+  const start = await b.value("hinge_report.player.time");
+  await b.key(".", ".");
+  expect(await b.value("hinge_report.player.time") > start, "full stop does not step on");
+  await b.key("]", "]");
+  expect(await b.value("hinge_report.player.chosen.member") === 1, "] does not pick the first member");
+  await b.key(" ", " ");
+  expect(await b.value("hinge_report.player.playing"), "space does not play");
+  await b.key(" ", " ");
+  expect(!await b.value("hinge_report.player.playing"), "space does not stop");
+}
+
+async function on_a_narrow_screen(b, report) {
+  await b.size(390, 800, true);
+  await b.open(report);
+  await b.until("document.documentElement.dataset.ready === 'yes'");
+  await pause(200);
+  const width = await b.value("document.documentElement.scrollWidth");
+  expect(width <= 390, `on a screen of 390 pixels the page is ${width} wide`);
+  expect((await b.value(drawing)).drawn > 200, "the canvas is blank on a narrow screen");
+  const reached = new Set();
+  for (let i = 0; i < 30; ++i) {
+    await b.key("Tab");
+    reached.add(await b.value("document.activeElement.tagName"));
+  }
+  for (const tag of ["CANVAS", "BUTTON", "INPUT", "SELECT"]) expect(reached.has(tag), `Tab does not reach ${tag}`);
+}
+
+(async () => {
+  const [program, report, picture] = process.argv.slice(2);
+  const b = await Browser.start(program);
+  try {
+    for (const part of [() => on_a_wide_screen(b, report, picture), () => by_keyboard(b), () =>
+      on_a_narrow_screen(b, report)]) {
+      await part();
+      for (const problem of b.problems) expect(false, `the page complains: ${problem}`);
+      const others = b.requests.filter((u) => !u.startsWith("file://") && !u.startsWith("data:") && !u.startsWith("blob:"));
+      expect(others.length === 0, `the page asks for ${others.join(" ")}`);
+    }
+  } finally {
+    await b.stop();
+  }
+  for (const what of wrong) console.log(what);
+  console.log(`${checked} checked, ${wrong.length} wrong`);
+  process.exitCode = wrong.length > 0 ? 1 : 0;
+})().catch((error) => {
+  console.log(error.stack);
+  process.exit(1);
+});
