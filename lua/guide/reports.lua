@@ -35,6 +35,7 @@ return hinge.scenario {
     for step in run:steps() do
       if step.index % 40 == 0 then job:frame(run) end
     end
+    job:picture(run, { title = "at 0.04 s", from = { -0.5, -1.4, 0.3 }, width = 800, height = 600 }, "reports.png")
     return { broken = run:count { state = "broken" }, yielded = run:count { state = "yielded" } }
   end,
 }

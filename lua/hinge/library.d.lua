@@ -10,7 +10,7 @@
 ---@field notes string[] the notes up to now
 local job = {}
 
----Adds the structure as it is now to frames.pvd, for ParaView.
+---Adds the structure as it is now to frames.pvd, for ParaView, hinge render and hinge report.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do

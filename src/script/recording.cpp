@@ -57,7 +57,8 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
             c->writer->history_path = c->out_dir + "/history-" + std::to_string(++c->histories) + ".csv";
             std::rename(r.history_path.c_str(), c->writer->history_path.c_str());
         } else
-            std::remove((c->out_dir + "/summary.json").c_str());  // what an earlier run left does not speak of this one
+            for (const char* left : {"/summary.json", "/events.csv"})  // of an earlier run: not about this one
+                std::remove((c->out_dir + left).c_str());
         c->writer = record;
         std::string header = "time,factor";
         for (const AccountInfo& account : r.run->accounts())

@@ -16,6 +16,7 @@ local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
 local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
 local evil = "<script>window.hurt = 1</script>"
+local how = ...
 
 local model = hinge.model()
 local node = {}
@@ -32,12 +33,18 @@ local projectile = model:member { model:node { -0.2, -0.3, 1.5 }, model:node { -
   material = steel, group = "<img src=x onerror=window.hurt=1>, \"quoted\"" }
 model:velocity(projectile, { 90, 0, 0 })
 model:contact {}
-model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
+if how.rule == "own" then
+  model:fracture(function(s) return math.abs(s.curvature_y) > 0.3 end)
+else
+  model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
+end
 model:gravity { 0, 0, -9.81 }
 local run = model:dynamic { dt = 2e-5, duration = 0.04 }
 run:probe { node = node[1][2], "ux", name = "sway" }
+if how.goes_on == "yes" then run:resume "./half.checkpoint" end
 for step in run:steps() do
-  if step.index % 100 == 0 and (...).frames ~= 0 then hinge.frame(run) end
+  if step.index % 100 == 0 and how.frames ~= "none" then hinge.frame(run) end
+  if step.index == 60 then run:checkpoint "./half.checkpoint" end
 end
 return { note = "</script><script>window.hurt = 1</script>" }
 ]=]
@@ -48,7 +55,7 @@ local function data_of(text)
   return support.json((data:gsub("\\u003c", "<")))
 end
 
-equal(hinge_on("run -q", scene, "frames=1 --out one"), 0, "the scene")
+equal(hinge_on("run -q", scene, "--out one"), 0, "the scene")
 local status, printed, complaint = support.run(("cd %s && %s report one"):format(quote(folder), hinge))
 equal(status, 0, "hinge report: " .. complaint)
 expect(printed:find "^one/report.html: 1 run, 20 frames, %d+%.%d MB\n$", "it says %s", printed)
@@ -94,14 +101,22 @@ equal(broke[6], '<img src=x onerror=window.hurt=1>, "quoted"', "its group")
 expect(broke[7] == "curvature_x" or broke[7] == "curvature_y", "it breaks by %s", broke[7])
 expect(math.abs(tonumber(broke[8])) >= 0.3 and math.abs(tonumber(broke[8])) < 1, "at a curvature of %s", broke[8])
 near(tonumber(broke[9]), 0.3, 1e-12, "its limit")
-equal(broke[10], "scene.lua:22", "the rule's line")
+equal(broke[10], "scene.lua:26", "the rule's line")
 local projectiles = run.summary.damage[3]
 equal(projectiles.members, 1, "members of the third group")
 equal(projectiles.broken, 1, "broken ones of the third group")
 equal(projectiles.touched, 1, "ones of the third group that were in contact")
 
+-- A run that goes on from a checkpoint tells of what happened before it, too; a rule of the script's own is named.
+equal(hinge_on("run -q", scene, "goes_on=yes --out second_half"), 0, "the second half")
+expect(page "one/events.csv" ~= "", "events.csv is empty")
+equal(page "second_half/events.csv", page "one/events.csv", "events of the run that went on")
+equal(hinge_on("run -q", scene, "rule=own --out own"), 0, "a rule of its own")
+expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24"\n'), "a rule of its own: %s",
+  page "own/events.csv")
+
 -- Several runs, one without frames; a file of one's own; no run at all.
-equal(hinge_on("run -q", scene, "frames=0 --out two"), 0, "the scene without frames")
+equal(hinge_on("run -q", scene, "frames=none --out two"), 0, "the scene without frames")
 status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
 equal(status, 0, "two runs")
 expect(printed:find "^both.html: 2 runs, 20 frames", "it says %s", printed)

@@ -114,6 +114,17 @@ Snapshot portal(int bays) {
     snapshot.is_virtual.push_back(1);
     snapshot.bars.back().point[1] = static_cast<int>(snapshot.points.size()) - 1;
     snapshot.bars.back().state = BarState::broken;
+    for (std::size_t i = 0; i < snapshot.points.size(); ++i) {
+        snapshot.displacement.push_back({0.25 * double(i), -0.5, 0.125});
+        snapshot.held.push_back(i == 0 ? 63 : 0);
+    }
+    for (Bar& b : snapshot.bars) {
+        const double k = b.element;  // numbers that a float holds
+        b.N = -64 * k, b.Mx[0] = k, b.Mx[1] = 2 * k, b.My[0] = 3 * k, b.My[1] = 4 * k, b.Mz = 5 * k;
+        b.N0 = 128 * k, b.Mx0 = 8 * k, b.My0 = 9 * k, b.Mz0 = 10 * k;
+        b.hinges = std::uint8_t(b.element & 7), b.touched = std::uint8_t(b.element & 1);
+        snapshot.memberships.push_back({b.member, b.group});
+    }
     return snapshot;
 }
 
@@ -122,6 +133,9 @@ void check_same(const Snapshot& a, const Snapshot& b) {
     CHECK(a.points == b.points);
     CHECK(a.is_virtual == b.is_virtual);
     CHECK(a.groups == b.groups);
+    CHECK(a.displacement == b.displacement);
+    CHECK(a.held == b.held);
+    CHECK(a.memberships == b.memberships);
     REQUIRE(a.bars.size() == b.bars.size());
     for (std::size_t i = 0; i < a.bars.size(); ++i) {
         const Bar &p = a.bars[i], &q = b.bars[i];
@@ -133,6 +147,11 @@ void check_same(const Snapshot& a, const Snapshot& b) {
         CHECK(p.member == q.member);
         CHECK(p.element == q.element);
         CHECK(p.width == q.width);
+        CHECK(std::array{p.N, p.Mx[0], p.Mx[1], p.My[0], p.My[1], p.Mz} ==
+              std::array{q.N, q.Mx[0], q.Mx[1], q.My[0], q.My[1], q.Mz});
+        CHECK(std::array{p.N0, p.Mx0, p.My0, p.Mz0} == std::array{q.N0, q.Mx0, q.My0, q.Mz0});
+        CHECK(int(p.hinges) == int(q.hinges));
+        CHECK(int(p.touched) == int(q.touched));
     }
 }
 

@@ -43,6 +43,24 @@ const place = (member) => `(() => {
 
 const colours = "[...hinge_report.player.views[0].scene.paint].join()";
 
+// What was packed is unpacked: f_y follows from the forces (eq 14), and a probe's last value from the positions.
+const unpacked = `(() => {
+  const { frames, history } = hinge_report.runs[0], c = (f, b, i) => frames.forces[(6 * f + i) * frames.bars + b]
+    * frames.scale[6 * b + i], part = (f, b, i, limit) => (c(f, b, i) / frames.limits[4 * b + limit]) ** 2;
+  let most_wrong = 0, largest = 0, broken = 0;
+  for (let f = 0; f < frames.count; ++f)
+    for (let b = 0; b < frames.bars; ++b) {
+      const same = part(f, b, 0, 0) + part(f, b, 5, 3);
+      const f_y = same + Math.max(part(f, b, 1, 1) + part(f, b, 3, 2), part(f, b, 2, 1) + part(f, b, 4, 2));
+      const said = frames.f_y[f * frames.bars + b] * frames.f_y_unit;
+      most_wrong = Math.max(most_wrong, Math.abs(f_y - said)), largest = Math.max(largest, said);
+      if (f === frames.count - 1 && (frames.state[f * frames.bars + b] & 3) === 2) ++broken;
+    }
+  const at = 3 * 5, last = 3 * frames.nodes * (frames.count - 1) + at; // the node of the probe is the sixth
+  const sway = history.values[history.values.length - 1];
+  return { most_wrong, largest, broken, sway: sway[sway.length - 1], ux: frames.positions[last] - frames.declared[at] };
+})()`;
+
 async function on_a_wide_screen(b, report, picture) {
   await b.size(1280, 720);
   await b.open(report);
@@ -51,6 +69,12 @@ async function on_a_wide_screen(b, report, picture) {
   const last = await b.value(drawing);
   expect(last.drawn > 500, `the canvas is blank: ${last.drawn} pixels are drawn`);
   if (picture) await b.picture(picture);
+  const data = await b.value(unpacked);
+  expect(data.most_wrong < 2e-3, `f_y differs from what the forces give by ${data.most_wrong}`);
+  expect(data.largest > 0.9 && data.largest < 1.01, `the largest f_y is ${data.largest}`);
+  expect(data.broken === 2, `${data.broken} elements are broken at the end, instead of 2`);
+  expect(Math.abs(data.sway) > 1e-4 && Math.abs(data.ux - data.sway) < 1e-6,
+    `the probe ends at ${data.sway}, and its node in the last frame at ${data.ux}`);
 
   await b.value("hinge_report.player.seek(hinge_report.player.begin)");
   const first = await b.value(drawing);
