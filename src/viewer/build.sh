@@ -2,7 +2,7 @@
 # Makes lua/hinge/viewer.js, the one file that a report holds, from src and three.js. Needed only after a change of src:
 # the file is part of the tree.
 #
-# Run     src/viewer/build.sh          needs Node.js 18 or later with npm, and its registry
+# Run     src/viewer/build.sh          needs Node.js 18 or later, with npm
 #         src/viewer/build.sh --check  makes it elsewhere, and says whether the tree's is the same
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")"
