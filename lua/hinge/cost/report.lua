@@ -10,7 +10,8 @@ local text = require "hinge.cost.text"
 
 local report = {}
 local percent, bytes, sorted = text.percent, text.bytes, text.sorted
-local most_rows = 14 -- answers shown; cost.csv has them all
+local most_rows = 14 -- reasons shown; summary.json has them all
+local most_settings = 12 -- settings in a table; cost.csv has them all
 
 local states = {
   chaotic = "chaotic: it changes by %s when every number changes by a relative %g, so it has no error",
@@ -36,24 +37,64 @@ local function doubts(result)
   return lines
 end
 
+-- Numbers of the settings that tables show, in their order: all of them, or the Pareto front and then those with the
+-- smallest errors.
+local function shown(result)
+  local function error_of(s) return s.error == s.error and s.error or math.huge end
+  local order = {}
+  for i in ipairs(result.settings) do order[i] = i end
+  if #order > most_settings then
+    table.sort(order, function(i, j)
+      local a, b = result.settings[i], result.settings[j]
+      if (a.front or false) ~= (b.front or false) then return a.front or false end
+      if error_of(a) ~= error_of(b) then return error_of(a) < error_of(b) end
+      return i < j
+    end)
+    for i = #order, most_settings + 1, -1 do order[i] = nil end
+    table.sort(order)
+  end
+  return order
+end
+
+-- A table with as many columns as the terminal has room for, the first ones. `more`: what the others are called.
+local function fitting_table(title, head, rows, more)
+  local width, used, columns = core.width() or 120, 2, 0
+  for i = 1, #head do
+    local widest = #head[i]
+    for _, row in ipairs(rows) do widest = math.max(widest, #tostring(row[i] or "")) end
+    used = used + widest + (i > 1 and 2 or 0)
+    if i > 1 and used > width then break end
+    columns = i
+  end
+  local left_out = #head - columns
+  for _, row in ipairs { head, table.unpack(rows) } do
+    for i = #row, columns + 1, -1 do row[i] = nil end
+  end
+  if left_out > 0 then title = ("%s; %d more %s in cost.csv"):format(title, left_out, more) end
+  paper.table(title, head, rows)
+end
+
 local function settings_table(result)
   local head = { "" }
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
   for _, title in ipairs { "error", "worst in", "time", "s", "memory", "energy error" } do head[#head + 1] = title end
   local rows = {}
-  for i, s in ipairs(result.settings) do
+  for _, i in ipairs(shown(result)) do
+    local s = result.settings[i]
     local row = { ("%d%s"):format(i, s.front and " *" or "") }
     for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
     table.move({ (s.below and s.error > 1e-12 and "< " or "") .. percent(s.error), s.worst or "-",
       ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.remainder) },
       1, 6, #row + 1, row)
-    rows[i] = row
+    rows[#rows + 1] = row
   end
   local fewest, most = math.huge, 0
   for _, s in ipairs(result.settings) do fewest, most = math.min(fewest, #s.times), math.max(most, #s.times) end
   local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
-  paper.table(("%s, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)")
-    :format(check.count(#result.settings, "setting"), times), head, rows)
+  local left_out = #result.settings - #rows
+  paper.table(("%s, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)%s")
+    :format(check.count(#result.settings, "setting"), times,
+      left_out > 0 and ("; the best %d, %d more in cost.csv"):format(#rows, left_out) or ""), head, rows)
 end
 
 local function answers_table(result)
@@ -66,17 +107,19 @@ local function answers_table(result)
   end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)
   if #names == 0 then return end
-  local head, rows = { "answer" }, {}
-  for i in ipairs(result.settings) do head[i + 1] = tostring(i) end
-  for i = 1, math.min(#names, most_rows) do
-    local row = { names[i] .. (result.quantities[names[i]].kind == "history" and " (history)" or "") }
-    for _, s in ipairs(result.settings) do row[#row + 1] = percent(s.errors[names[i]]) end
-    row[#row + 1] = percent(result.quantities[names[i]].agreement)
-    rows[i] = row
+  local head, rows = { "setting" }, {}
+  for k, name in ipairs(names) do
+    head[k + 1] = name .. (result.quantities[name].kind == "history" and " (history)" or "")
   end
-  head[#head + 1] = "references"
-  paper.table("Error of each answer by setting, and by how much the references differ"
-    .. (#names > most_rows and ("; %d more in cost.csv"):format(#names - most_rows) or ""), head, rows)
+  for _, i in ipairs(shown(result)) do
+    local row = { tostring(i) }
+    for k, name in ipairs(names) do row[k + 1] = percent(result.settings[i].errors[name]) end
+    rows[#rows + 1] = row
+  end
+  local references = { "references" }
+  for k, name in ipairs(names) do references[k + 1] = percent(result.quantities[name].agreement) end
+  rows[#rows + 1] = references
+  fitting_table("Error of each answer by setting, and by how much the references differ", head, rows, "answers")
 end
 
 local function stages_of(settings)
@@ -88,13 +131,15 @@ local function stages_of(settings)
 end
 
 local function stages_table(result)
-  local head, rows = { "stage" }, {}
-  for i in ipairs(result.settings) do head[i + 1] = tostring(i) end
-  for i, name in ipairs(stages_of(result.settings)) do
-    rows[i] = { name }
-    for _, s in ipairs(result.settings) do table.insert(rows[i], ("%.2f"):format(1e3 * (s.stages[name] or 0))) end
+  local names, head, rows = stages_of(result.settings), { "setting" }, {}
+  if #names == 0 then return end
+  table.move(names, 1, #names, 2, head)
+  for _, i in ipairs(shown(result)) do
+    local row = { tostring(i) }
+    for k, name in ipairs(names) do row[k + 1] = ("%.2f"):format(1e3 * (result.settings[i].stages[name] or 0)) end
+    rows[#rows + 1] = row
   end
-  if #rows > 0 then paper.table("Time by stage, ms", head, rows) end
+  fitting_table("Time by stage, ms", head, rows, "stages")
 end
 
 local function orders_table(result)
