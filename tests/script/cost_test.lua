@@ -358,6 +358,31 @@ equal(csv:match "^[^\n]*",
   "dt,way,error,worst,seconds,ratio,timings,outside_seconds,memory_bytes,remainder,front,within,failed,error of v",
   "head of cost.csv")
 equal(select(2, csv:gsub("\n", "")), 7, "lines of cost.csv")
+
+-- Many settings and many answers: tables of twelve settings, no wider than the terminal (120 columns in a pipe).
+support.write(folder .. "/wide.lua", [[
+local hinge = require "hinge"
+return hinge.scenario {
+  accuracy = { dt = { 0.1, 0.2, 0.3, 0.4 }, way = { "a", "b", "c", "d" } },
+  run = function(p)
+    local r = {}
+    for i = 1, 30 do r[("an_answer_%d"):format(i)] = 1 + i * p.dt ^ 2 / 10 end
+    return r
+  end,
+}
+]])
+status, printed, complaint = support.run(("%s cost %s --out %s/wide --budget 60s"):format(program,
+  support.quote(folder .. "/wide.lua"), folder))
+equal(status, 0, "status of many settings: " .. complaint)
+local errors_of = printed:match "\nError of each answer.-\n\n" or ""
+expect(errors_of:find "; %d+ more answers in cost.csv\n", "the answers left out are not told:\n%s", printed)
+equal(select(2, errors_of:gsub("\n  %d+ ", "")), 12, "settings in the table of errors")
+expect(printed:find("16 settings", 1, true) and printed:find("the best 12, 4 more in cost.csv", 1, true),
+  "the settings left out are not told:\n%s", printed)
+local widest = 0
+for line in errors_of:gmatch "\n(  [^\n]*)" do widest = support.largest_of(widest, #line) end
+expect(widest > 60 and widest <= 120, "the table of errors is %d columns wide", widest)
+equal(select(2, support.read(folder .. "/wide/cost.csv"):gsub("\n", "")), 17, "lines of cost.csv, many settings")
 if support.is_there(arg[1] .. "/libhinge_output.so") then
   expect((support.read(folder .. "/p/cost.png") or ""):find "^\137PNG", "cost.png")
 end
