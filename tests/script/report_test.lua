@@ -137,13 +137,16 @@ local function found(programs)
   end
 end
 local node, chromium = found { "node", "nodejs" }, found { "chromium-headless-shell", "chromium", "chromium-browser" }
-if node and chromium then
+local starts = chromium and support.run(("timeout 60 %s --headless --no-sandbox --disable-gpu --dump-dom about:blank")
+  :format(quote(chromium))) == 0
+if node and starts then
   local test = support.root .. "tests/viewer/page_test.js"
   local seen, said, wrong = support.run(("%s %s %s %s %s"):format(quote(node), quote(test), quote(chromium),
     quote(folder .. "/one/report.html"), arg[2] and quote(arg[2]) or ""))
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
 else
-  print("report: not looked at in a browser: neither chromium-headless-shell nor chromium is there, or no Node.js")
+  print(chromium and not starts and ("report: not looked at in a browser: %s does not start here"):format(chromium)
+    or "report: not looked at in a browser: neither chromium-headless-shell nor chromium is there, or no Node.js")
 end
 checks.done()
