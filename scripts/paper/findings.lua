@@ -92,7 +92,7 @@ local function more(r, a, b) return r[a .. ".work"] > r[b .. ".work"] and broken
 local function clearly(r, a, b) return r[a .. ".work_least"] > r[b .. ".work_most"] end
 
 local findings = {
-  { name = "most_cut", text = "I cuts most inner columns of a storey (5 of 9)", holds = function(r)
+  { name = "most_cut", text = "I cuts five inner columns or more (a storey has nine)", holds = function(r)
     return r["I.inner"] >= 5
   end },
   { name = "sixth", text = "damage in I reaches the sixth storey", holds = function(r)

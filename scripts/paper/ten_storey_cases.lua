@@ -208,7 +208,7 @@ local function findings(first, runs)
   find("Damage in II is larger than in III, although II brings less kinetic energy", "II III", holds,
     numbers("II", "III") .. ("\n   II brings less of both: %.1f MJ and %.2f MN s, III %.1f MJ and %.2f MN s"):format(
       first.II.own_kinetic / 1e6, first.II.brought / 1e6, first.III.own_kinetic / 1e6, first.III.brought / 1e6), clear)
-  find("Columns are cut: in I most of the inner ones of a storey, down to the sixth floor", "I",
+  find("Columns are cut: in I five inner ones or more, down to the sixth floor", "I",
     mean(runs.I, "broken_inner") >= 5 and first.I.lowest > 0 and first.I.lowest <= 6,
     ("fractured columns, inner and outer: I %s and %s; lowest storey %d"):format(
       spread(runs.I, "broken_inner", 1, "%d"), spread(runs.I, "broken_outer", 1, "%d"), first.I.lowest))
