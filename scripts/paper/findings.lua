@@ -14,6 +14,7 @@
 local core  = require "hinge.core"
 local hinge = require "hinge"
 local paper = require "hinge.paper"
+local fit   = require "hinge.study.fit"
 
 local folder = debug.getinfo(1, "S").source:match "^@(.*/)" or ""
 local cases = { "I", "II", "III", "IV" }
@@ -55,32 +56,16 @@ local function columns()
   return list
 end
 
-local function write(rows, file)
-  local names = columns()
+-- Writes these columns of the rows; `form`: how numbers are written.
+local function write(rows, names, form, file)
   local lines = { table.concat(names, ",") }
   for _, row in ipairs(rows) do
     local items = {}
     for i, name in ipairs(names) do
       local value = row[name]
-      items[i] = type(value) == "number" and ("%.5g"):format(value) or value and tostring(value) or ""
+      items[i] = type(value) == "number" and form:format(value) or value and tostring(value) or ""
     end
     lines[#lines + 1] = table.concat(items, ",")
-  end
-  core.write_text(file, table.concat(lines, "\n") .. "\n")
-end
-
-local all_but_last
-
--- Inputs of the frames where all findings but the last hold, for hinge study --table.
-local function write_region(rows, file)
-  local names = table.move(choices, 1, #choices, #inputs + 1, table.move(inputs, 1, #inputs, 1, {}))
-  local lines = { table.concat(names, ",") }
-  for _, r in ipairs(rows) do
-    if all_but_last(r) then
-      local items = {}
-      for i, name in ipairs(names) do items[i] = tostring(r[name]) end
-      lines[#lines + 1] = table.concat(items, ",")
-    end
   end
   core.write_text(file, table.concat(lines, "\n") .. "\n")
 end
@@ -117,7 +102,7 @@ local findings = {
   end },
 }
 
-function all_but_last(r)
+local function all_but_last(r)
   for _, f in ipairs(findings) do
     if not f.alone and not f.holds(r) then return false end
   end
@@ -181,31 +166,11 @@ end
 
 -- Where ---------------------------------------------------------------------------------------------------------------
 
-local function ranks(list)
-  local order, rank = {}, {}
-  for i = 1, #list do order[i] = i end
-  table.sort(order, function(a, b) return list[a] < list[b] or list[a] == list[b] and a < b end)
-  local i = 1
-  while i <= #order do
-    local j = i
-    while j < #order and list[order[j + 1]] == list[order[i]] do j = j + 1 end
-    for k = i, j do rank[order[k]] = 0.5 * (i + j) end
-    i = j + 1
-  end
-  return rank
-end
-
--- Spearman's rank correlation of an input with a truth.
+-- Spearman's rank correlation of an input with a truth; 0 where one of them does not vary.
 local function correlation(rows, input, holds)
   local x, y = {}, {}
   for i, r in ipairs(rows) do x[i], y[i] = r[input], holds(r) and 1 or 0 end
-  x, y = ranks(x), ranks(y)
-  local middle, xy, xx, yy = 0.5 * (#rows + 1), 0, 0, 0
-  for i = 1, #rows do
-    local a, b = x[i] - middle, y[i] - middle
-    xy, xx, yy = xy + a * b, xx + a * a, yy + b * b
-  end
-  return xx * yy > 0 and xy / math.sqrt(xx * yy) or 0
+  return fit.rank_correlation(x, y) or 0
 end
 
 local labels = {
@@ -339,14 +304,16 @@ end
 return hinge.scenario {
   parameters = { study = "" },
   run = function(p, job)
-    local all, drawn, results = {}, {}, {}
+    local all, drawn, region, results = {}, {}, {}, {}
     for _, study in ipairs(studies_of(p.study == "" and folder .. "lost_inputs.csv" or p.study)) do
       results[study.name] = show_study(study)
       table.move(study.stand, 1, #study.stand, #all + 1, all)
       table.move(study.drawn, 1, #study.drawn, #drawn + 1, drawn)
     end
-    write(drawn, job.out .. "/points.csv")
-    write_region(all, job.out .. "/region.csv")
+    for _, row in ipairs(all) do if all_but_last(row) then region[#region + 1] = row end end
+    write(drawn, columns(), "%.5g", job.out .. "/points.csv")
+    write(region, table.move(choices, 1, #choices, #inputs + 1, table.move(inputs, 1, #inputs, 1, {})), "%.14g",
+      job.out .. "/region.csv")
     for _, f in ipairs(findings) do draw(job, all, f) end
     return results
   end,

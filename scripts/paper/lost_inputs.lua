@@ -1,8 +1,8 @@
 -- Which frame and which aircraft does the paper describe? Its figure 16 is lost. Each case of this study draws what
 -- figure 16 gave, within bounds of the text, and runs Cases I to IV, each with the aircraft 0, 1 and 2 mm aside.
 --
--- Run     hinge study scripts/paper/lost_inputs.lua --samples 256 --method sobol
---         (80 minutes on two cores; --resume goes on after an interruption; --samples 16 for a first look)
+-- Run     hinge study scripts/paper/lost_inputs.lua --samples 128 --method sobol
+--         (39 minutes on two busy cores; --resume goes on after an interruption; --samples 16 for a first look)
 --         hinge run scripts/paper/findings.lua study=out/lost_inputs-study    (which findings hold, and where)
 --         hinge run scripts/paper/lost_inputs.lua bay=6 column=30    (one frame; newmark=true: by Newmark, 10 us)
 -- Shows   for each case the means, the least and the most of three runs: columns and beams of the building that break,

@@ -108,7 +108,8 @@ local function tables(first, runs)
   row("elastic", energy "elastic")
   row("still moving (nearly all aircraft)", energy "kinetic")
   row("energy error", energy "remainder")
-  row("momentum given to the building", function(r) return r.given and ("%.0f %%"):format(100 * r.given) or "-" end)
+  row("momentum of the building at the end, of that brought",
+    function(r) return r.given and ("%.0f %%"):format(100 * r.given) or "-" end)
   paper.table("Where the energy went, MJ", { "Case", table.unpack(impact.order) }, rows)
 end
 
