@@ -4,6 +4,7 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local render = require "hinge.render"
 local runner = require "hinge.runner"
+local values = require "hinge.values"
 
 local page = {}
 local library = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
@@ -26,28 +27,6 @@ local function json_number(text)
   return value and value == value and math.abs(value) < math.huge and text or "null"
 end
 
--- The fields of a line of CSV; quoted ones may hold commas and doubled quotes.
-local function csv_fields(line)
-  local fields, at = {}, 1
-  repeat
-    local text, after
-    if line:find('^"', at) then
-      local stop = at
-      repeat
-        stop = line:find('"', stop + 1, true) or #line
-        local doubled = line:sub(stop + 1, stop + 1) == '"'
-        if doubled then stop = stop + 1 end
-      until not doubled
-      text, after = line:sub(at + 1, stop - 1):gsub('""', '"'), stop + 1
-    else
-      text, after = line:match("^([^,]*)()", at)
-    end
-    fields[#fields + 1] = text
-    at = after + 1
-  until after > #line
-  return fields
-end
-
 -- The lines of a text but the first, which is given first: every n-th, so that they are not too many, and the last.
 local function thinned(text, most)
   local lines = {}
@@ -64,13 +43,13 @@ local function history_json(folder)
   local text = read(folder .. "/history.csv")
   local header, lines = thinned(text or "", most_rows)
   if not header then return "null" end
-  local names, columns = csv_fields(header), {}
+  local names, columns = values.csv_fields(header), {}
   for c = 1, #names do columns[c] = {} end
   for _, line in ipairs(lines) do
-    local fields = csv_fields(line)
+    local fields = values.csv_fields(line)
     for c = 1, #names do columns[c][#columns[c] + 1] = json_number(fields[c] or "") end
   end
-  for c, values in ipairs(columns) do columns[c] = "[" .. table.concat(values, ",") .. "]" end
+  for c, column in ipairs(columns) do columns[c] = "[" .. table.concat(column, ",") .. "]" end
   return ('{"columns":%s,"values":[%s]}'):format(core.to_json(names), table.concat(columns, ","))
 end
 
@@ -80,7 +59,7 @@ local function events_json(folder)
   if not text then return "null" end
   local rows, all, header = {}, 0, nil
   for line in text:gmatch "[^\r\n]+" do
-    local fields = csv_fields(line)
+    local fields = values.csv_fields(line)
     if not header then
       header = core.to_json(fields)
     else

@@ -127,4 +127,26 @@ function values.whole(option, text, least)
   return number
 end
 
+--- A line of CSV as fields, texts without the blanks around them; quotes as RFC 4180 has them.
+function values.csv_fields(line)
+  local found, at = {}, 1
+  repeat
+    local quoted, stop = line:match('^%s*"(.-)"%s*()', at)
+    if quoted then
+      while line:sub(stop, stop) == '"' do
+        local more, next_stop = line:match('^"(.-)"%s*()', stop)
+        if not more then break end
+        quoted, stop = quoted .. '"' .. more, next_stop
+      end
+      found[#found + 1] = quoted
+    else
+      local text
+      text, stop = line:match("^([^,]*)()", at)
+      found[#found + 1] = text:match "^%s*(.-)%s*$"
+    end
+    at = stop + 1
+  until line:sub(stop, stop) ~= ","
+  return found
+end
+
 return values

@@ -11,10 +11,11 @@
 --
 -- Damage is the plastic work in the building, and the number of its members that break. A finding that compares two
 -- cases holds if the means of their three runs do, in both measures. It is clear if no run of one reaches the other's.
-local core  = require "hinge.core"
-local hinge = require "hinge"
-local paper = require "hinge.paper"
-local fit   = require "hinge.study.fit"
+local core   = require "hinge.core"
+local fit    = require "hinge.study.fit"
+local hinge  = require "hinge"
+local paper  = require "hinge.paper"
+local values = require "hinge.values"
 
 local folder = debug.getinfo(1, "S").source:match "^@(.*/)" or ""
 local cases = { "I", "II", "III", "IV" }
@@ -24,20 +25,16 @@ local choices = { "contact", "reading", "kappa" }
 
 -- Reading -------------------------------------------------------------------------------------------------------------
 
--- The rows of a file of comma-separated values whose texts hold no comma.
+-- The rows of a file of comma-separated values, by the names in its first line.
 local function rows_of(file)
   local rows, names = {}, nil
   for line in io.lines(file) do
-    local row, i = {}, 0
-    for text in (line .. ","):gmatch "([^,]*)," do
-      i = i + 1
-      if not names then
-        row[i] = text
-      elseif names[i] then
-        row[names[i]] = tonumber(text) or text == "true" or text ~= "false" and text ~= "" and text
-      end
+    local fields, row = values.csv_fields(line), {}
+    for i, name in ipairs(names or {}) do
+      local text = fields[i] or ""
+      row[name] = tonumber(text) or text == "true" or text ~= "false" and text ~= "" and text
     end
-    if names then rows[#rows + 1] = row else names = row end
+    if names then rows[#rows + 1] = row else names = fields end
   end
   return rows
 end

@@ -107,28 +107,6 @@ function vary.fixed(plan, where, dashes)
   return fixed
 end
 
--- A line of CSV as fields; quotes as RFC 4180 has them.
-local function fields(line)
-  local list, at = {}, 1
-  repeat
-    local quoted, stop = line:match('^%s*"(.-)"%s*()', at)
-    if quoted then
-      while line:sub(stop, stop) == '"' do
-        local more, next_stop = line:match('^"(.-)"%s*()', stop)
-        if not more then break end
-        quoted, stop = quoted .. '"' .. more, next_stop
-      end
-      list[#list + 1] = quoted
-    else
-      local text
-      text, stop = line:match("^([^,]*)()", at)
-      list[#list + 1] = text:match "^%s*(.-)%s*$"
-    end
-    at = stop + 1
-  until line:sub(stop, stop) ~= ","
-  return list
-end
-
 --- The rows of a CSV file with names in its first line: a list of { name = value }, and the names.
 function vary.rows(path)
   local file, problem = io.open(path)
@@ -138,7 +116,7 @@ function vary.rows(path)
   for line in file:lines() do
     line, number = line:gsub("\r$", ""):gsub("^\u{FEFF}", ""), number + 1
     if line:find "%S" and not line:find "^#" then
-      local items = fields(line)
+      local items = values.csv_fields(line)
       if not names then
         names = items
         for _, name in ipairs(names) do
