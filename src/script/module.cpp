@@ -52,6 +52,8 @@ int open_core(lua_State* L) {
     open_reading(L);
     open_checkpoint(L, module);
     open_output(L, module);
+    open_pictures(L, module);
+    open_plots(L, module);
     open_frames(L, module);
     open_measure(L, module);
     open_processes(L, module);

@@ -20,4 +20,9 @@ F picture_function(const Context& c, const char* name) {
     return f;
 }
 
+/// Throws what a function of the module has said, where it has failed.
+inline void must_work(int status, const char* error) {
+    if (status != 0) throw OutsideError(error);
+}
+
 }  // namespace hinge::script

@@ -1,0 +1,175 @@
+// What a script draws of a run: frames and pictures.
+#include <algorithm>
+#include <cmath>
+
+#include "script/picture_module.h"
+#include "script/snapshot.h"
+
+namespace hinge::script {
+namespace {
+
+const SnapshotBox& snapshot_argument(lua_State* L, int index, const char* function) {
+    if (auto* s = find<SnapshotBox>(L, index)) return *s;
+    throw InputError(std::string(function) + ": takes a snapshot made by run:snapshot(), got " + show(L, index));
+}
+/// core.write_frame(snapshot): adds it to frames.pvd in the output folder.
+int write_frame(lua_State* L) {
+    const output::Snapshot& snapshot = snapshot_argument(L, 1, "write_frame").value;
+    const auto c = context(L);
+    const std::string folder = c->out_dir.empty() ? "." : c->out_dir;
+    prepare_folder(*c, folder + "/frames/");
+    auto& frames = c->frames;
+    char file[48], error[512] = "";
+    std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
+    must_work(picture_function<hinge_write_snapshot>(*c, "hinge_write_snapshot")((folder + "/" + file).c_str(),
+                                                                                 snapshot, error, sizeof error),
+              error);
+    frames.push_back({snapshot.time, file});
+    std::vector<double> times;
+    std::vector<const char*> files;
+    for (const auto& [t, f] : frames) times.push_back(t), files.push_back(f.c_str());
+    must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")(
+                  (folder + "/frames.pvd").c_str(), int(times.size()), times.data(), files.data(), error, sizeof error),
+              error);
+    return 0;
+}
+
+output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, const SnapshotBox& box) {
+    const Structure& structure = *box.structure;
+    Options o(L, index, "picture", true);
+    output::View view;
+    view.width = o.integer("width", 1, view.width);
+    view.height = o.integer("height", 1, view.height);
+    if (const auto v = o.triple("from", "")) view.from = {v->x(), v->y(), v->z()};
+    if (const auto v = o.triple("up", "")) view.up = {v->x(), v->y(), v->z()};
+    view.leave_out_broken = o.flag("leave_out_broken", false);
+    view.above = o.number("above", "m", Range::any, view.above);
+    if (const auto t = o.text("title")) view.title = *t;
+    if (o.push_field("box") == LUA_TTABLE) {
+        view.box.emplace();
+        for (int i = 0; i < 6; ++i) {
+            lua_rawgeti(L, -1, i + 1);
+            (*view.box)[i] = lua_tonumber(L, -1);
+            lua_pop(L, 1);
+        }
+    }
+    lua_pop(L, 1);
+    if (o.push_field("groups") == LUA_TTABLE) {
+        std::vector<int> wanted;
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box.model,
+                                            &structure.model()));
+            lua_pop(L, 1);
+        }
+        std::erase_if(snapshot.bars, [&](const output::Bar& b) {
+            return std::none_of(wanted.begin(), wanted.end(),
+                                [&](int g) { return structure.in_group(b.element - 1, g); });
+        });
+    }
+    lua_pop(L, 1);
+    o.finish();
+    return view;
+}
+
+/// core.write_picture(snapshot, view, path)
+int write_picture(lua_State* L) {
+    const SnapshotBox& box = snapshot_argument(L, 1, "write_picture");
+    if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
+    output::Snapshot snapshot = box.value;
+    const output::View view = read_view(L, 2, snapshot, box);
+    const std::string path = lua_tostring(L, 3);
+    prepare_folder(*context(L), path);
+    char error[512] = "";
+    must_work(
+        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), snapshot, view, error, sizeof error),
+        error);
+    return 0;
+}
+
+/// core.write_strip(snapshots, views, columns, path): as many views as snapshots
+int write_strip(lua_State* L) {
+    const char* file = luaL_checkstring(L, 4);  // these raise: nothing may be pending yet
+    const int columns = int(luaL_checkinteger(L, 3));
+    const std::string path = file;
+    std::vector<output::Snapshot> snapshots;
+    std::vector<output::View> views;
+    for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
+        lua_rawgeti(L, 1, i);
+        lua_rawgeti(L, 2, i);
+        const SnapshotBox& box = snapshot_argument(L, lua_absindex(L, -2), "write_strip");
+        snapshots.push_back(box.value);
+        views.push_back(read_view(L, lua_absindex(L, -1), snapshots.back(), box));
+        lua_pop(L, 2);
+    }
+    std::vector<const output::Snapshot*> list;
+    for (const output::Snapshot& s : snapshots) list.push_back(&s);
+    prepare_folder(*context(L), path);
+    char error[512] = "";
+    must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
+                  path.c_str(), int(list.size()), list.data(), views.data(), columns, error, sizeof error),
+              error);
+    return 0;
+}
+
+/// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass
+/// lies half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
+int pieces(lua_State* L) {
+    const Run& run = *run_argument(L, 1, "pieces: the run")->run;
+    const Structure& structure = run.structure();
+    const output::Snapshot snapshot = make_snapshot(run);
+    std::vector<double> mass(snapshot.points.size(), 0);
+    for_each_weight(structure, run.state(), [&](int node, double weight) { mass[node] += weight; });
+    for (std::size_t i = 0; i < run.state().offset_mass.size(); ++i) mass[i] += run.state().offset_mass[i].mass;
+    const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };
+    const auto number = [&](const char* name, double v) { lua_pushnumber(L, v), lua_setfield(L, -2, name); };
+    const auto whole = [&](const char* name, lua_Integer v) { lua_pushinteger(L, v), lua_setfield(L, -2, name); };
+    lua_createtable(L, 0, 2);
+    lua_createtable(L, int(snapshot.points.size()), 0);
+    for (std::size_t i = 0; i < snapshot.points.size(); ++i) {
+        lua_createtable(L, 0, 6);
+        number("x", snapshot.points[i][0]), number("y", snapshot.points[i][1]), number("z", snapshot.points[i][2]);
+        number("mass", mass[i]);
+        flag("virtual", snapshot.is_virtual[i]), flag("gone", i < run.state().gone.size() && run.state().gone[i]);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    lua_setfield(L, -2, "nodes");
+    lua_createtable(L, int(snapshot.bars.size()), 0);
+    for (std::size_t i = 0; i < snapshot.bars.size(); ++i) {
+        const output::Bar& bar = snapshot.bars[i];
+        lua_createtable(L, 0, 6);
+        whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member),
+            whole("element", bar.element);
+        flag("rigid", bar.state == output::BarState::broken), number("f_y", bar.yield);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    lua_setfield(L, -2, "bars");
+    return 1;
+}
+/// core.render_file(vtp, png, view): draws a frame written before.
+int render_file(lua_State* L) {
+    const char *from = luaL_checkstring(L, 1), *to = luaL_checkstring(L, 2);
+    char error[512] = "";
+    output::Snapshot snapshot;
+    const auto c = context(L);
+    must_work(picture_function<hinge_read_snapshot>(*c, "hinge_read_snapshot")(from, snapshot, error, sizeof error),
+              error);
+    output::View view;
+    if (lua_type(L, 3) == LUA_TSTRING) view.title = lua_tostring(L, 3);
+    must_work(picture_function<hinge_render>(*c, "hinge_render")(to, snapshot, view, error, sizeof error), error);
+    return 0;
+}
+
+}  // namespace
+
+void open_pictures(lua_State* L, int module) {
+    static const luaL_Reg functions[] = {
+        {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>},
+        {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
+        {"pieces", guarded<pieces>},           {nullptr, nullptr}};
+    lua_pushvalue(L, module);
+    luaL_setfuncs(L, functions, 0);
+    lua_pop(L, 1);
+}
+
+}  // namespace hinge::script
