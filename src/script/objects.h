@@ -264,8 +264,8 @@ void open_values(lua_State* L, int module);  ///< hinge.material, hinge.section
 void open_model(lua_State* L, int module);   ///< hinge.model
 void open_objects(lua_State* L);             ///< nodes, members, groups, loads
 void open_run(lua_State* L);
-void open_reading(lua_State* L);              ///< what runs, nodes and members tell of a state
-void open_output(lua_State* L, int module);   ///< summary and other files
+void open_reading(lua_State* L);             ///< what runs, nodes and members tell of a state
+void open_output(lua_State* L, int module);  ///< summary and other files
 void open_pictures(lua_State* L, int module);
 void open_plots(lua_State* L, int module);
 void open_frames(lua_State* L, int module);   ///< frames as a page takes them
