@@ -1,6 +1,7 @@
 -- A job: the pictures, frames and notes of one run of a script.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local history = require "hinge.history"
 
 local Job = {}
 Job.__index = Job
@@ -18,17 +19,6 @@ local view_rules = {
   box = { "numbers", count = 6, unit = "m", optional = true },
 }
 
-local plot_rules = {
-  title = { "string", optional = true },
-  x_label = { "string", optional = true },
-  y_label = { "string", optional = true },
-  log_x = { "boolean", optional = true },
-  log_y = { "boolean", optional = true },
-  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
-  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
-  series = { "table" },
-}
-
 -- What a call is named in messages: job:picture, or hinge.picture where a script has no job.
 local function named(job, what) return (job.prefix or "job:") .. what end
 
@@ -42,12 +32,12 @@ local function must_be_run(where, run)
   if type(run) ~= "userdata" then check.fail("%s: the run is %s%s", where, check.show(run), what) end
 end
 
--- The output folder's file of that name, which must be a plain one.
-local function picture_path(where, job, filename)
+-- The output folder's file of that name, which must be a plain one; `svg`: .svg will do as well as .png.
+local function picture_path(where, job, filename, svg)
   check.value(where, "filename", filename, { "string" })
-  if not filename:match("^[%w._ -]+%.png$") then
-    check.fail("%s: filename is '%s'; must be a plain name ending in .png (it goes into the output folder)",
-      where, filename)
+  if not (filename:match("^[%w._ -]+%.png$") or svg and filename:match("^[%w._ -]+%.svg$")) then
+    check.fail("%s: filename is '%s'; must be a plain name ending in .png%s (it goes into the output folder)",
+      where, filename, svg and " or .svg" or "")
   end
   return job.out == "" and filename or job.out .. "/" .. filename
 end
@@ -94,11 +84,21 @@ function Job:strip(snapshots, columns, filename, ...)
   try(self, filename, core.write_strip, pictures, views, columns, picture_path(named(self, "strip"), self, filename))
 end
 
---- Draws curves into a PNG picture in the output folder.
-function Job:plot(plot, filename, ...)
-  check.no_more(named(self, "plot"), ...)
-  plot = check.options(named(self, "plot"), plot, plot_rules)
-  try(self, filename, core.write_plot, plot, picture_path(named(self, "plot"), self, filename))
+--- Draws curves into a PNG or SVG picture in the output folder: a plot, or what a run recorded.
+-- job:plot(plot, filename), job:plot(run, filename), job:plot(run, what, filename)
+function Job:plot(plot, ...)
+  local where = named(self, "plot")
+  local filename, more = ..., 2
+  if history.is_source(plot) then
+    local what
+    if type(filename) == "table" then
+      what, filename, more = filename, select(2, ...), 3
+    end
+    plot = history.plot(where, plot, what)
+  end
+  check.no_more(where, select(more, ...))
+  check.value(where, "plot", plot, { "table" })
+  try(self, filename, core.write_plot, plot, picture_path(where, self, filename, true), where)
 end
 
 --- Prints a text and keeps it in summary.json.

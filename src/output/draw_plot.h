@@ -1,4 +1,4 @@
-// A line plot as a picture.
+// A plot as a picture.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace hinge::output {
 
-/// PNG bytes.
-std::string draw_plot(const Plot& plot, int width, int height);
+/// The bytes of the file at `path`: SVG where its name ends so, else PNG.
+std::string draw_plot(const std::string& path, const Plot& plot, int width, int height);
 
 }  // namespace hinge::output

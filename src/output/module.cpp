@@ -89,7 +89,7 @@ HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* con
 }
 
 HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
-    return guarded(error, room, [&] { write_whole(given(path), draw_plot(plot, width, height)); });
+    return guarded(error, room, [&] { write_whole(given(path), draw_plot(path, plot, width, height)); });
 }
 }  // extern "C"
 

@@ -1,4 +1,4 @@
-// Flat drawing over a whole picture: text, lines and boxes in pixels from the lower left corner.
+// Flat drawing over a whole picture, on VTK's canvas.
 #include "output/sketch.h"
 
 #include <vtkBrush.h>
@@ -22,6 +22,22 @@
 namespace hinge::output {
 namespace {
 
+class CanvasPen : public Pen {
+public:
+    explicit CanvasPen(vtkContext2D& context) : context_(context) {}
+
+    void text(double x, double y, const std::string& words, const TextStyle& style) override;
+    std::array<double, 2> size_of(const std::string& words, const TextStyle& style) override;
+    void path(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) override;
+    void box(double x, double y, double width, double height, Colour colour, double opacity) override;
+    void dot(double x, double y, double radius, Colour colour) override;
+    void strip(const std::vector<Pixel>& low, const std::vector<Pixel>& high, Colour colour, double opacity) override;
+
+private:
+    void draw_dashes(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes);
+    vtkContext2D& context_;
+};
+
 class SketchItem : public vtkContextItem {
 public:
     static SketchItem* New();
@@ -37,7 +53,7 @@ public:
         to_pixels->Scale((wide - 1) / wide, (high - 1) / high);
         context->PushMatrix();
         context->AppendTransform(to_pixels);
-        Pen pen(*context);
+        CanvasPen pen(*context);
         draw(pen);
         context->PopMatrix();
         return true;
@@ -91,54 +107,104 @@ void use_text(vtkContext2D& context, const TextStyle& style) {
     property->SetVerticalJustificationToBottom();
 }
 
-}  // namespace
-
 // Placed here, not by VTK: off whole pixels its text is blurred, and its lowest row shows again above the highest.
-void Pen::text(double x, double y, const std::string& words, const TextStyle& style) {
+void CanvasPen::text(double x, double y, const std::string& words, const TextStyle& style) {
     if (words.empty()) return;
     const auto [wide, high] = size_of(words, style);
     const double left = style.upwards ? x + style.upright * high : x - style.across * wide;
     const double foot = style.upwards ? y - style.across * wide : y - style.upright * high;
     use_text(context_, style);
     context_.DrawString(static_cast<float>(std::round(left)), static_cast<float>(std::round(foot)), words.c_str());
+    if (style.power.empty()) return;
+    TextStyle plain = style;
+    plain.power.clear();
+    plain.across = 0;
+    const double base = size_of(words, plain)[0];
+    plain.size = power_size * style.size;
+    if (style.upwards) text(x - power_height * style.size, foot + base, style.power, plain);
+    else text(left + base, y + power_height * style.size, style.power, plain);
 }
 
-std::array<double, 2> Pen::size_of(const std::string& words, const TextStyle& style) {
+std::array<double, 2> CanvasPen::size_of(const std::string& words, const TextStyle& style) {
     if (words.empty()) return {0, 0};
     TextStyle level = style;
     level.upwards = false;
     use_text(context_, level);
     float bounds[4] = {};
     context_.ComputeStringBounds(words.c_str(), bounds);
-    return {bounds[2], bounds[3]};
+    if (style.power.empty()) return {bounds[2], bounds[3]};
+    level.power.clear();
+    level.size = power_size * style.size;
+    return {bounds[2] + size_of(style.power, level)[0], bounds[3]};
 }
 
-void Pen::line(double x0, double y0, double x1, double y1, double width, Colour colour) {
-    const double thick = std::max(1.0, std::round(width));
-    if (x0 == x1) return box(x0 - thick / 2, std::min(y0, y1), thick, std::abs(y1 - y0), colour);
-    if (y0 == y1) return box(std::min(x0, x1), y0 - thick / 2, std::abs(x1 - x0), thick, colour);
-    use_pen(context_, colour, width);
-    context_.DrawLine(static_cast<float>(x0), static_cast<float>(y0), static_cast<float>(x1), static_cast<float>(y1));
-}
-
-void Pen::path(const std::vector<std::array<float, 2>>& points, double width, Colour colour) {
+void CanvasPen::path(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) {
     if (points.size() < 2) return;
+    if (dashes.on > 0) return draw_dashes(points, width, colour, dashes);
     use_pen(context_, colour, width);
     // DrawPoly only reads.
     context_.DrawPoly(const_cast<float*>(points.front().data()), static_cast<int>(points.size()));
 }
 
-void Pen::box(double x, double y, double width, double height, Colour colour, double opacity) {
+/// Dashes by length along the curve: even ones, however densely it was sampled.
+void CanvasPen::draw_dashes(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) {
+    bool down = true;
+    double left = dashes.on;
+    std::vector<Pixel> piece;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        Pixel p = points[i];
+        const Pixel q = points[i + 1];
+        double rest = std::hypot(q[0] - p[0], q[1] - p[1]);
+        if (down && piece.empty()) piece.push_back(p);
+        while (rest > left) {
+            const float share = static_cast<float>(left / rest);
+            p = {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])};
+            rest -= left;
+            if (down) {
+                piece.push_back(p);
+                path(piece, width, colour, {});
+                piece.clear();
+            } else {
+                piece = {p};
+            }
+            down = !down;
+            left = down ? dashes.on : dashes.off;
+        }
+        left -= rest;
+        if (down) piece.push_back(q);
+    }
+    if (down) path(piece, width, colour, {});
+}
+
+void CanvasPen::box(double x, double y, double width, double height, Colour colour, double opacity) {
     use_brush(context_, colour, opacity);
     const auto left = static_cast<float>(std::round(x)), foot = static_cast<float>(std::round(y));
     const auto right = static_cast<float>(std::round(x + width)), top = static_cast<float>(std::round(y + height));
     context_.DrawRect(left, foot, right - left, top - foot);
 }
 
-void Pen::dot(double x, double y, double radius, Colour colour) {
+void CanvasPen::dot(double x, double y, double radius, Colour colour) {
     use_brush(context_, colour, 1);
     context_.DrawEllipse(static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius),
                          static_cast<float>(radius));
+}
+
+void CanvasPen::strip(const std::vector<Pixel>& low, const std::vector<Pixel>& high, Colour colour, double opacity) {
+    if (low.size() < 2) return;
+    use_brush(context_, colour, opacity);
+    std::vector<Pixel> edges;
+    for (std::size_t i = 0; i < low.size(); ++i) edges.insert(edges.end(), {low[i], high[i]});
+    context_.DrawQuadStrip(edges.front().data(), static_cast<int>(edges.size()));
+}
+
+}  // namespace
+
+void Pen::line(double x0, double y0, double x1, double y1, double width, Colour colour) {
+    const double thick = std::max(1.0, std::round(width));
+    if (x0 == x1) return box(x0 - thick / 2, std::min(y0, y1), thick, std::abs(y1 - y0), colour);
+    if (y0 == y1) return box(std::min(x0, x1), y0 - thick / 2, std::abs(x1 - x0), thick, colour);
+    path({{static_cast<float>(x0), static_cast<float>(y0)}, {static_cast<float>(x1), static_cast<float>(y1)}}, width,
+         colour);
 }
 
 vtkSmartPointer<vtkRenderer> sketch(std::function<void(Pen&)> draw) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace hinge::output {
 namespace {
@@ -78,24 +79,29 @@ bool Axis::shows(double value) const {
     return s >= -1e-9 && s <= 1 + 1e-9;
 }
 
-Axis make_axis(double low, double high, bool log, double padding, int wanted) {
+Axis make_fixed_axis(double low, double high, bool log, int wanted) {
     Axis axis;
     axis.log = log;
+    axis.low = low;
+    axis.high = high;
+    if (log) {
+        log_ticks(axis, wanted);
+        // Within a decade there may be no round number of the 1, 2, 5 kind to label.
+        if (std::ranges::count_if(axis.ticks, [](const Tick& tick) { return !tick.label.empty(); }) >= 2) return axis;
+        axis.ticks.clear();
+    }
+    linear_ticks(axis, wanted);
+    return axis;
+}
+
+Axis make_axis(double low, double high, bool log, double padding, int wanted) {
     if (log) {
         if (high / low < 1.01) {
             low /= 2;
             high *= 2;
         }
         const double factor = std::pow(high / low, padding);
-        axis.low = low / factor;
-        axis.high = high * factor;
-        log_ticks(axis, wanted);
-        // Within a decade there may be no round number of the 1, 2, 5 kind to label.
-        if (std::ranges::count_if(axis.ticks, [](const Tick& tick) { return !tick.label.empty(); }) < 2) {
-            axis.ticks.clear();
-            linear_ticks(axis, wanted);
-        }
-        return axis;
+        return make_fixed_axis(low / factor, high * factor, true, wanted);
     }
     const double largest = std::max(std::abs(low), std::abs(high));
     // A constant: room around it, in proportion to its size.
@@ -107,9 +113,17 @@ Axis make_axis(double low, double high, bool log, double padding, int wanted) {
     const double range = high - low;
     // Nothing is drawn below zero just to leave room.
     const bool from_zero = low >= 0 && low < 0.15 * range;
-    axis.low = from_zero ? 0 : low - padding * range;
-    axis.high = high <= 0 && -high < 0.15 * range ? 0 : high + padding * range;
-    linear_ticks(axis, wanted);
+    const double first = from_zero ? 0 : low - padding * range;
+    return make_fixed_axis(first, high <= 0 && -high < 0.15 * range ? 0 : high + padding * range, false, wanted);
+}
+
+Axis make_category_axis(const std::vector<std::string>& categories, bool downwards) {
+    Axis axis;
+    axis.low = 0.5;
+    axis.high = static_cast<double>(categories.size()) + 0.5;
+    if (downwards) std::swap(axis.low, axis.high);
+    for (std::size_t i = 0; i < categories.size(); ++i)
+        axis.ticks.push_back({static_cast<double>(i + 1), categories[i], ""});
     return axis;
 }
 

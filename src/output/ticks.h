@@ -26,5 +26,9 @@ struct Axis {
 
 /// `padding`: share of the range left free at each end. About `wanted` labelled ticks.
 Axis make_axis(double low, double high, bool log, double padding, int wanted);
+/// From exactly `low` to exactly `high`.
+Axis make_fixed_axis(double low, double high, bool log, int wanted);
+/// The categories stand at 1, 2, 3, ...; `downwards`: the first at the far end.
+Axis make_category_axis(const std::vector<std::string>& categories, bool downwards);
 
 }  // namespace hinge::output

@@ -1,0 +1,40 @@
+// The series of one panel of a plot: curves, dots, bands, bars and lines through the panel.
+#pragma once
+
+#include "output/axes.h"
+
+namespace hinge::output {
+
+/// Blue, red, green, purple, orange, sky blue, black and yellow that all readers can tell apart (Okabe and Ito 2008).
+Colour colour_of(const Series& series, std::size_t place);
+
+/// The second eight series have the colours of the first, dashed.
+bool is_dashed(const Series& series, std::size_t place);
+
+class Curves {
+public:
+    explicit Curves(const Axes& axes) : axes_(axes), panel_(axes.panel()), em_(axes.em()) {}
+
+    void draw() const;
+    /// A short piece of a series, for the legend.
+    void draw_sample(std::size_t series, double left, double right, double middle) const;
+
+    /// Places `apart` or nearer to each other along all that is drawn, for what must not hide it.
+    std::vector<Pixel> places(double apart) const;
+    std::vector<Box> bars(std::size_t series) const;  ///< one for each value; empty where there is none
+    double dot_radius(const Series& series) const;
+
+private:
+    std::vector<std::vector<Pixel>> runs(const Series& series) const;
+    std::vector<Strip> strips(const Series& series) const;
+    void draw_run(const std::vector<Pixel>& run, bool dashed, Colour colour) const;
+    void draw_series(std::size_t series) const;
+    void draw_line(const ReferenceLine& line) const;
+    double curve_width() const;
+
+    const Axes& axes_;
+    const Panel& panel_;
+    double em_;
+};
+
+}  // namespace hinge::output
