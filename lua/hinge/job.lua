@@ -91,7 +91,7 @@ function Job:plot(plot, ...)
   local filename, more = ..., 2
   if history.is_source(plot) then
     local what
-    if type(filename) == "table" then
+    if type(filename) ~= "string" then
       what, filename, more = filename, select(2, ...), 3
     end
     plot = history.plot(where, plot, what)

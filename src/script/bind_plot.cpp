@@ -3,8 +3,10 @@
 #include <cmath>
 #include <map>
 
+#include "core/text.h"
 #include "output/plot.h"
 #include "script/picture_module.h"
+#include "script/recording.h"
 
 namespace hinge::script {
 namespace {
@@ -129,7 +131,7 @@ std::vector<double> read_places(Options& o, const char* name, Names& names) {
 
 void must_be_as_many(Options& o, const char* name, std::size_t n, std::size_t as) {
     if (n != as)
-        o.complain(name, std::to_string(n) + (std::string(name) == "labels" ? " texts" : " numbers"),
+        o.complain(name, count_text(long(n), std::string(name) == "labels" ? "text" : "number"),
                    "must hold as many as x, " + std::to_string(as));
 }
 
@@ -194,9 +196,9 @@ output::ReferenceLine read_line(lua_State* L, int index, const std::string& what
     o.expect({"x", "y", "name", "dashed", "colour"});
     output::ReferenceLine line;
     const auto x = o.maybe_number("x", "", Range::any), y = o.maybe_number("y", "", Range::any);
-    if (x.has_value() == y.has_value())
-        o.complain(x ? "y" : "x", x ? show(*y) : "nil",
-                   "must be given, or the other one: x for an upright line, y for a level one");
+    const std::string one = "; a line has one of them: x if it is upright, y if it is level";
+    if (x && y) o.complain("y", show(*y), "must be left out beside x" + one);
+    if (!x && !y) o.complain("x", "missing", "give it or y" + one);
     line.upright = x.has_value();
     line.at = x ? *x : *y;
     line.name = o.text("name").value_or("");
@@ -273,7 +275,7 @@ Sheet read_plot(lua_State* L, int index, const std::string& function) {
     std::vector<std::string> fields = {"title", "width", "height"};
     const bool several = o.has("panels");
     if (several) fields.insert(fields.end(), {"panels", "columns", "share_x"});
-    else fields = panel_fields(), fields.insert(fields.end(), {"width", "height", "panels", "columns", "share_x"});
+    else fields = panel_fields(), fields.insert(fields.end(), {"width", "height", "panels"});
     o.expect(fields);
     Sheet sheet;
     sheet.plot.title = o.text("title").value_or("");
@@ -313,7 +315,8 @@ int write_plot(lua_State* L) {
 }  // namespace
 
 void open_plots(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"write_plot", guarded<write_plot>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {
+        {"write_plot", guarded<write_plot>}, {"run_history", guarded<run_history>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

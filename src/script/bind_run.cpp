@@ -370,6 +370,7 @@ int probe_fields(lua_State* L) {
         const auto& v = key == "time" ? p.time : p.value;
         push_array(L, v.data(), int(v.size()));
     } else if (key == "name") lua_pushstring(L, p.name.c_str());
+    else if (key == "unit") lua_pushstring(L, unit_of(p));
     else if (key == "last") lua_pushnumber(L, p.value.back());
     else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));
     else if (key == "min") lua_pushnumber(L, *std::min_element(p.value.begin(), p.value.end()));
@@ -406,7 +407,7 @@ void open_run(lua_State* L) {
                                       "stages",  "effects",      "wall_seconds", "fastest",         "dt",
                                       "hash",    "counts",       "wakings",      "probes",          "instability",
                                       "limit",   "energy_error", "loads",        "warnings"});
-    name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name"});
+    name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name", "unit"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }
 

@@ -146,6 +146,18 @@ struct Happening {
     }
 };
 
+/// Rows of the energy balance that are kept for plots, whether or not there is a history.csv: time, load factor, all
+/// accounts, remainder. Where they are many, every second one goes, and so on.
+struct KeptRows {
+    static constexpr long most = 8192;
+    long stride = 1, seen = 0;
+    std::vector<double> values;  ///< row by row
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stride, s.seen, s.values);
+    }
+};
+
 /// What a run's steps have left that a checkpoint keeps.
 struct Recorded {
     bool started = false, closed = false;
@@ -157,10 +169,11 @@ struct Recorded {
     long row_of = -1;                                      ///< the step of the last row
     std::vector<Happening> happenings;                     ///< in order
     std::vector<std::uint8_t> yielded_seen, touched_seen;  ///< of each element, as in the state
+    KeptRows kept_rows;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
-          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen);
+          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.kept_rows);
     }
 };
 

@@ -86,9 +86,10 @@ void add_row(RunRecord& r) {
     if (!std::isnan(r.worst_energy_error) && !(std::abs(e.error) <= r.worst_energy_error))
         r.worst_energy_error = std::abs(e.error);  // an error that is not a number stays
     const long step = r.run->state().step;
-    if (r.history_path.empty() || step < r.row_of)
-        return;  // a run that failed may have gone back to its last good step
+    if (step < r.row_of) return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
+    keep_row(r, e);
+    if (r.history_path.empty()) return;
     char text[64];
     std::snprintf(text, sizeof text, "%.9g,%.9g", r.run->state().time, r.run->state().factor);
     r.rows += text;

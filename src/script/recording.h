@@ -7,5 +7,8 @@ namespace hinge::script {
 
 double value_of(const Run& run, const Probe& probe);  ///< the probe's quantity now
 double abscissa(const Run& run);                      ///< time, s; in statics the load factor
+const char* unit_of(const Probe& probe);              ///< "m", "rad", "m/s", ..., "N m"
+void keep_row(RunRecord& r, const Energy& energy);    ///< for plots; see KeptRows
+int run_history(lua_State* L);                        ///< core.run_history(run): what has been kept
 
 }  // namespace hinge::script

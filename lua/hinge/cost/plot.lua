@@ -17,6 +17,16 @@ local function method_of(result, s)
   return table.concat(parts, ", ")
 end
 
+-- What tells a setting from the others of its line: "dt 0.002, 4 elements".
+local function label_of(numbers, s)
+  local parts = {}
+  for _, knob in ipairs(numbers) do
+    local text = ladder.text(s.values[knob.name])
+    parts[#parts + 1] = knob.name == "elements_per_member" and text .. " elements" or knob.name .. " " .. text
+  end
+  return table.concat(parts, ", ")
+end
+
 -- The settings with an error by method: { { name =, settings = }, ... }, by name.
 local function group(result)
   local groups, by_name = {}, {}
@@ -74,15 +84,15 @@ function plot.draw(result, job)
   local function height(s) return 100 * (s.error > exact and s.error or floor) end
   local series, any_exact = {}, false
   for _, g in ipairs(groups) do
-    local line = { name = g.name ~= "" and g.name or numbers[1].name, x = {}, y = {} }
+    local line = { name = g.name ~= "" and g.name or numbers[1].name, x = {}, y = {}, labels = {} }
     for i, s in ipairs(line_of(numbers, g.settings)) do
-      line.x[i], line.y[i] = s.seconds, height(s)
+      line.x[i], line.y[i], line.labels[i] = s.seconds, height(s), label_of(numbers, s)
       any_exact = any_exact or s.error <= exact
     end
-    line.style, line.dashed = #line.x == 1 and "points" or "line", hides(line, series)
+    line.style, line.dashed = #line.x == 1 and "points" or "line and points", hides(line, series)
     series[#series + 1] = line
   end
-  local front = { name = "Pareto front", style = "points", x = {}, y = {} }
+  local front = { name = "Pareto front", style = "points", colour = "black", x = {}, y = {} }
   for i, s in ipairs(result.front) do front.x[i], front.y[i] = s.seconds, height(s) end
   series[#series + 1] = front
   job:plot({ title = "Error against time" .. (result.quantity and ", " .. result.quantity or ""),

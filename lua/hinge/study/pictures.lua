@@ -70,7 +70,8 @@ local function against(of, quantity, axis)
       table.sort(groups[name], function(a, b) return a[1] < b[1] end)
       local x, y = {}, {}
       for i, point in ipairs(groups[name]) do x[i], y[i] = point[1], point[2] end
-      series[#series + 1] = { name = #order > 1 and name or nil, x = x, y = y }
+      series[#series + 1] = { name = #order > 1 and name or nil, x = x, y = y,
+        style = #x <= 40 and "line and points" or "line" }
     end
   end
   return { x_label = axis.name, y_label = quantity, series = series }
@@ -88,27 +89,19 @@ local function fragility(of, quantity, axis)
   end
   local curve, why = fit.fragility(x, y, positive)
   if not curve then return nil, why end
-  local line, low, high = { x = {}, y = {} }, { x = {}, y = {}, dashed = true }, { x = {}, y = {} }
+  local line, band = { x = {}, y = {} }, { name = "95 % band", x = {}, low = {}, high = {}, colour = "blue" }
   local first, last = axis.values[1], axis.values[#axis.values]
   for i = 0, 200 do
     local at = first + (last - first) * i / 200
-    local p, below, above = curve.at(at)
-    for _, one in ipairs { { line, p }, { low, below }, { high, above } } do
-      table.insert(one[1].x, at)
-      table.insert(one[1].y, one[2])
-    end
+    line.x[i + 1], band.x[i + 1] = at, at
+    line.y[i + 1], band.low[i + 1], band.high[i + 1] = curve.at(at)
   end
   line.name = ("median %.4g, dispersion %.3g"):format(curve.median, curve.dispersion)
-  low.name = "95 % band"
-  table.insert(low.x, 0 / 0) -- a gap between its two sides
-  table.insert(low.y, 0 / 0)
-  table.move(high.x, 1, #high.x, #low.x + 1, low.x)
-  table.move(high.y, 1, #high.y, #low.y + 1, low.y)
   local inside = curve.median >= first and curve.median <= last -- what no case is near to is no answer
   local median = inside and { quantity = quantity, parameter = axis.name, median = curve.median,
     dispersion = curve.dispersion, of_logarithm = curve.log }
   return { title = ("chance of %s"):format(quantity), x_label = axis.name, y_label = "chance",
-    series = { line, low, { name = "cases", x = x, y = y, style = "points" } } }, nil, median
+    series = { line, band, { name = "cases", x = x, y = y, style = "points", colour = "black" } } }, nil, median
 end
 
 -- The study with those cases alone that have an answer, and how many have none.
@@ -141,19 +134,27 @@ end
 local function sensitivity(quantity, list)
   table.sort(list, function(a, b)
     local p, q = math.abs(a.correlation), math.abs(b.correlation)
-    return p < q or p == q and a.parameter < b.parameter
+    return p > q or p == q and a.parameter < b.parameter
   end)
-  local series = { { x = { 0, 0 }, y = { 0.5, #list + 0.5 }, dashed = true } }
+  local bars = { style = "bars", x = {}, y = {}, labels = {} }
   for i, one in ipairs(list) do
-    local bar = { name = ("%s %+.2f"):format(one.parameter, one.correlation), x = {}, y = {} }
-    for k = 0, 100 do -- to and fro, so close that it is filled
-      bar.x[#bar.x + 1], bar.y[#bar.y + 1] = k % 2 * one.correlation, i - 0.2 + 0.004 * k
-      bar.x[#bar.x + 1], bar.y[#bar.y + 1] = (1 - k % 2) * one.correlation, i - 0.2 + 0.004 * k
-    end
-    series[#series + 1] = bar
+    bars.x[i], bars.y[i], bars.labels[i] = one.correlation, one.parameter, ("%+.2f"):format(one.correlation)
   end
-  return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", y_label = "parameter",
-    series = series }
+  return { title = "what " .. quantity .. " depends on", x_label = "rank correlation", series = { bars } }
+end
+
+-- A bar for each case of a study that varies no number; nil where they are too many to be told apart.
+local function by_name(of, quantity)
+  local bars = { style = "bars", x = {}, y = {}, labels = {} }
+  for _, c in ipairs(of.cases) do
+    local value = number_of(c.results[quantity])
+    if value then
+      local i = #bars.x + 1
+      bars.x[i], bars.y[i], bars.labels[i] = label(of, c), value, ("%.4g"):format(value)
+    end
+  end
+  if #bars.x < 2 or #bars.x > most then return nil end
+  return { y_label = quantity, series = { bars } }
 end
 
 local function file_name(text) return (text:gsub("[^%w_.-]", "_")) end
@@ -179,6 +180,7 @@ function pictures.draw(of)
     else of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem)) end
   end
   for _, quantity in ipairs(tables.quantities(known.cases)) do
+    if #axes == 0 then draw(by_name(known, quantity), file_name(quantity .. ".png")) end
     local truth = false
     for _, c in ipairs(known.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
     for _, axis in ipairs(axes) do
