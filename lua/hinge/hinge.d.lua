@@ -1263,6 +1263,7 @@ function run:probe(options) end
 ---@field max number
 ---@field min number
 ---@field name string its column in history.csv
+---@field unit string of the values: m, rad, m/s, rad/s, m/s^2, rad/s^2, N or N m
 
 ---```lua
 ---local _, _, uz = run:displacement(tip)
@@ -1464,11 +1465,15 @@ function hinge.strip(snapshots, columns, filename) end
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---local sag = swing:probe { node = tip, "uz" }
 ---swing:finish()
+---hinge.plot(swing, "swing.png") -- its energies and the sag over time
+---hinge.plot(swing, { "kinetic", "elastic", sag, title = "swing" }, "swing.svg")
 ---hinge.plot({ series = { { x = sag.time, y = sag.value } }, x_label = "s", y_label = "m" }, "sag.png")
 ---```
----@param plot hinge.plot see job:plot
----@param filename string plain name ending in .png
-function hinge.plot(plot, filename) end
+---@overload fun(what: hinge.plot|hinge.panels|hinge.run|string, filename: string)
+---@param what hinge.plot|hinge.panels|hinge.run|string see job:plot
+---@param choice? hinge.history only with a run or its folder: what of it
+---@param filename string plain name ending in .png or .svg
+function hinge.plot(what, choice, filename) end
 
 ---```lua
 ---hinge.note(("the tip is at z = %.4f m"):format(select(3, tip:position())))

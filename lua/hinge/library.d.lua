@@ -51,15 +51,34 @@ function job:picture(run, view, filename) end
 ---@param filename string plain name ending in .png
 function job:strip(snapshots, columns, filename) end
 
----Draws curves into a PNG in the output folder, in eight colours that follow the order of the series. If no picture can
----be drawn, the job notes this and the run continues.
+---Draws a plot into the output folder: PNG, or SVG where the filename ends in .svg. An SVG needs no display. what is a
+---table of curves (hinge.plot), of panels (hinge.panels), or a run: then its energies and probes are drawn over time,
+---those of one unit in one panel. For a static run the load factor is drawn over its probes, which is the
+---load-displacement curve, and energies over the load factor. The folder of a run that has ended will do as well as the
+---run: its history.csv is read; its probes then show no unit, unless they have the names that probes without a name get.
+---Units on the axes have prefixes that suit the values. If no picture can be drawn, the job notes this and the run
+---continues.
 ---```lua
 ---job:plot({ series = { { x = { 0, 1, 2 }, y = { 0, 3, 4 }, name = "measured", style = "points" } }, x_label = "mm",
 ---  y_label = "kN" }, "load.png")
+---job:plot({ series = { { x = { "Case I", "Case II" }, y = { 3.1, 2.2 }, style = "bars" } }, y_label = "kN" }, "cases.svg")
+---job:plot(run, "history.png")
 ---```
----@param plot hinge.plot
----@param filename string plain name ending in .png
-function job:plot(plot, filename) end
+---@overload fun(self: hinge.job, what: hinge.plot|hinge.panels|hinge.run|string, filename: string)
+---@param what hinge.plot|hinge.panels|hinge.run|string a run, or the folder of one that has ended
+---@param choice? hinge.history only with a run or its folder: what of it; default: its energies that are not 0
+---  throughout and all its probes, of a static run with probes these alone
+---@param filename string plain name ending in .png or .svg
+function job:plot(what, choice, filename) end
+
+---@class hinge.history what is plotted of a run
+---@field [integer] string|hinge.probe accounts of run.energy and probes, by name or probe; default as said above
+---a probe in place of the time or load factor; the others must then be probes of the same run
+---@field x? string|hinge.probe
+---@field title? string
+---@field columns? integer panels in a row, default 1
+---@field width? integer pixels, default 1200; 800 for each of several columns
+---@field height? integer pixels, default 900 for one panel; 160 and 420 for each row of several
 
 ---@class hinge.plot
 ---@field series hinge.series[]
@@ -68,15 +87,44 @@ function job:plot(plot, filename) end
 ---@field y_label? string
 ---@field log_x? boolean
 ---@field log_y? boolean
+---@field x_range? number[] { low, high } of the axis, which cut the curves; default: all that is drawn
+---@field y_range? number[] { low, high }; default: all that is drawn, within x_range where that is given
+---@field lines? hinge.plot_line[] level and upright lines through the whole plot
 ---@field width? integer pixels, default 1200
 ---@field height? integer pixels, default 900
 
----@class hinge.series one curve; it has a gap at a value that is no number, or not above 0 on a logarithmic axis
----@field x number[]
----@field y number[] as many as x
+---@class hinge.panels several plots in one picture
+---@field panels hinge.plot[] without width and height
+---@field columns? integer panels in a row, default 1; those of a column have their axes in line
+---@field share_x? boolean true: the panels of a column have one x axis, which stands below the lowest; default false
+---@field title? string above all
+---@field width? integer pixels, default 1200; 800 for each of several columns
+---@field height? integer pixels, default 160 and 420 for each row; 600 for one row
+
+---One curve, band or group of bars. It has a gap at a value that is no number, or not above 0 on a logarithmic axis.
+---The eight colours follow the order of the series: blue, red, green, purple, orange, sky, black, yellow (Okabe and Ito;
+---readers who see few colours can tell them apart). The next eight series have them again, dashed.
+---@class hinge.series
+---@field x number[]|string[] texts are categories, with which each series of the plot may have a part of them
+---@field y? number[]|string[] as many as x; not of a band. Texts: bars lie, and x has the numbers
+---@field low? number[] of a band: its lower edge
+---@field high? number[] of a band: its upper edge
 ---@field name? string in the legend; default: the series is not in the legend
----@field style? "line"|"points" default line
+---line (default), points, both; band: filled from low to high; bars: from 0 to the values, those of several series side
+---by side. Default with low and high: band
+---@field style? "line"|"points"|"line and points"|"band"|"bars"
 ---@field dashed? boolean
+---one of the names above, grey, "#rrggbb", or { red, green, blue } from 0 to 1; default: by the order
+---@field colour? string|number[]
+---texts beside the points, placed so that they hide little; those of bars stand at their ends. "" for none
+---@field labels? string[]
+
+---@class hinge.plot_line a level or upright line, thin and grey
+---@field x? number the line is upright, there
+---@field y? number the line is level, there
+---@field name? string beside it
+---@field dashed? boolean default true
+---@field colour? string|number[] as of a series
 
 ---Prints a line and keeps it in summary.json.
 ---```lua

@@ -275,7 +275,7 @@ Sheet read_plot(lua_State* L, int index, const std::string& function) {
     std::vector<std::string> fields = {"title", "width", "height"};
     const bool several = o.has("panels");
     if (several) fields.insert(fields.end(), {"panels", "columns", "share_x"});
-    else fields = panel_fields(), fields.insert(fields.end(), {"width", "height", "panels"});
+    else fields = panel_fields(), fields.insert(fields.end(), {"width", "height"});
     o.expect(fields);
     Sheet sheet;
     sheet.plot.title = o.text("title").value_or("");

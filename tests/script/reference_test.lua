@@ -214,9 +214,9 @@ local calls = {
   ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
   ["job:picture"] = function(x) job:picture(s.run, x, "x.png") end,
   ["hinge.picture"] = function(x) hinge.picture(s.run, x, "x.png") end,
-  ["hinge.plot"] = function(x) hinge.plot(with({ series = {} }, x), "x.png") end,
+  ["hinge.plot"] = function(x) hinge.plot(s.run, x, "x.png") end,
   ["job:strip"] = function(x) job:strip({ { s.run, x } }, 1, "x.png") end,
-  ["job:plot"] = function(x) job:plot(with({ series = {} }, x), "x.png") end,
+  ["job:plot"] = function(x) job:plot(s.run, x, "x.png") end,
   ["ten_storey.add"] = function(x) building.add(hinge.model(), x) end,
   ["aircraft.add"] = function(x) aircraft.add(hinge.model(), x) end,
   ["aircraft.add.shape"] = function(x) aircraft.add(hinge.model(), { shape = x }) end,
@@ -264,6 +264,19 @@ for _, f in ipairs(functions) do
   end
 end
 used["job:strip"] = true
+-- A plot is one of several kinds of table.
+local plots = {
+  ["hinge.plot"] = function(x) hinge.plot(with({ series = {} }, x), "x.png") end,
+  ["hinge.panels"] = function(x) hinge.plot(with({ panels = {} }, x), "x.png") end,
+  ["hinge.series"] = function(x) hinge.plot({ series = { x } }, "x.png") end,
+  ["hinge.plot_line"] = function(x) hinge.plot({ series = {}, lines = { x } }, "x.png") end,
+}
+for class, call in pairs(plots) do
+  calls["table " .. class] = call
+  if expect(classes[class], "no class %s", class) then
+    compare("table " .. class, classes[class].fields, classes[class].line)
+  end
+end
 for what in pairs(calls) do expect(used[what], "`calls` of this test has %s, which declares no options", what) end
 
 -- The page ------------------------------------------------------------------------------------------------------------
