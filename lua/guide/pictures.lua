@@ -26,18 +26,27 @@ local run = model:dynamic { from = rest, dt = 1e-3, duration = 1 }
 local sway = run:probe { node = node[2][2], "ux", name = "sway" }
 local fall = run:probe { node = node[2][2], "uz", name = "fall" }
 
--- A snapshot and a frame each 0.25 s; all snapshots share one box, so that they have one scale.
-local shots = {}
+-- A snapshot, a frame and bars of the storeys' drifts each 0.25 s; all snapshots share one box, so that they have one
+-- scale.
+local shots, drifts = {}, {}
 for step in run:steps() do
   if step.index % 250 == 0 then
     shots[#shots + 1] = { run:snapshot(), { box = { -1, 15, 0, 0, -0.5, 8 }, from = { 0, -1, 0.05 }, width = 500,
       height = 300 } }
     hinge.frame(run)
+    local lower, upper = run:displacement(node[2][1]), run:displacement(node[2][2])
+    drifts[#drifts + 1] = { name = ("%.2f s"):format(step.time), style = "bars",
+      x = { "lower storey", "upper storey" }, y = { lower, upper - lower } }
   end
 end
 hinge.strip(shots, 2, "pictures_strip.png")
-hinge.plot({ title = "the upper right corner", x_label = "time, s", y_label = "displacement, m", width = 1000,
-  height = 600, series = { { name = "to the right", x = sway.time, y = sway.value },
-    { name = "upwards", x = fall.time, y = fall.value } } }, "pictures_plot.png")
+hinge.plot(run, { "work", "gravity", "kinetic", "elastic", "plastic", sway, fall, width = 900, height = 800 },
+  "pictures_history.png")
+hinge.plot({ columns = 2, width = 1200, height = 480, panels = {
+  { title = "upper right corner", x_label = "time, s", y_label = "displacement, m",
+    series = { { name = "to the right", x = sway.time, y = sway.value },
+      { name = "upwards", x = fall.time, y = fall.value } },
+    lines = { { x = 0.3, name = "the force ends" } } },
+  { title = "drift of the storeys", y_label = "drift, m", series = drifts } } }, "pictures_plot.png")
 print(("%d of %d columns have yielded; the corner moved by %.1f m and %.1f m"):format(
   run:count { group = "columns", state = "yielded" }, #model:group "columns", sway.last, fall.last))

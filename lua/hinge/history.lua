@@ -65,7 +65,9 @@ local function source_of_run(where, run)
     add { name = name, unit = "J", energy = true, part = part[name], x = static and rows.factor or rows.time,
       y = rows[name] }
   end
-  for _, probe in ipairs(run.probes) do add { name = probe.name, unit = probe.unit, x = probe.time, y = probe.value } end
+  for _, probe in ipairs(run.probes) do
+    add { name = probe.name, unit = probe.unit, x = probe.time, y = probe.value }
+  end
   return source
 end
 
@@ -76,6 +78,10 @@ local units_of_default = { u = "m", r = "rad", v = "m/s", a = "m/s^2", f = "N", 
 local function unit_of(name) return units_of_default[name:match "^node%d+_(%a+)[xyz]$" or ""] or "" end
 
 local function source_of_folder(where, folder)
+  if core.sandboxed() then
+    check.fail("%s: what is %s; must be a plot or a run: a script in the sandbox reads no files", where,
+      check.show(folder))
+  end
   local path = folder .. "/history.csv"
   local file = io.open(path)
   if not file then
@@ -191,9 +197,9 @@ local function over_time(source, group, time_factor, x_label)
   local factor, unit = scale_of(group[1].unit, lists_of(group, "y"))
   local series = {}
   for i, curve in ipairs(group) do
-    series[i] = { name = #group > 1 and curve.name or nil, x = source.static and curve.x or scaled(curve.x, time_factor),
-      y = scaled(curve.y, factor), dashed = curve.name == "remainder", colour = curve.name == "remainder" and "black"
-        or nil }
+    local error = curve.name == "remainder"
+    series[i] = { name = #group > 1 and curve.name or nil, y = scaled(curve.y, factor),
+      x = source.static and curve.x or scaled(curve.x, time_factor), dashed = error, colour = error and "black" or nil }
   end
   return { x_label = x_label, y_label = label_of(group, unit), series = series }
 end
@@ -215,8 +221,8 @@ local function over_curve(where, group, other)
   local series = {}
   for i, curve in ipairs(group) do
     if #curve.y ~= #other.y then
-      check.fail("%s: field 'x' is '%s' with %d values, and '%s' has %d; energies are plotted over time or load factor, "
-        .. "probes over probes", where, other.name, #other.y, curve.name, #curve.y)
+      check.fail("%s: field 'x' is '%s' with %d values, and '%s' has %d; energies are plotted over time or load "
+        .. "factor, probes over probes", where, other.name, #other.y, curve.name, #curve.y)
     end
     series[i] = { name = #group > 1 and curve.name or nil, x = scaled(other.y, x_factor), y = scaled(curve.y, factor) }
   end
@@ -234,7 +240,7 @@ function history.plot(where, run, what)
     if core.planning() then return { series = {} } end
     source = source_of_run(where, run)
   end
-  if what ~= nil then check.value(where, "what", what, { "table" }) end
+  if what ~= nil then check.value(where, "choice", what, { "table" }) end
   local curves, options = asked(where, source, what or {})
   if source.steps == 0 then check.fail("%s: the run has taken no step yet; plot it after run:finish()", where) end
   if #curves == 0 or #curves[1].y == 0 then

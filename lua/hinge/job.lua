@@ -97,7 +97,7 @@ function Job:plot(plot, ...)
     plot = history.plot(where, plot, what)
   end
   check.no_more(where, select(more, ...))
-  check.value(where, "plot", plot, { "table" })
+  check.value(where, "what", plot, { "table" })
   try(self, filename, core.write_plot, plot, picture_path(where, self, filename, true), where)
 end
 

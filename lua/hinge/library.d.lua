@@ -52,16 +52,16 @@ function job:picture(run, view, filename) end
 function job:strip(snapshots, columns, filename) end
 
 ---Draws a plot into the output folder: PNG, or SVG where the filename ends in .svg. An SVG needs no display. what is a
----table of curves (hinge.plot), of panels (hinge.panels), or a run: then its energies and probes are drawn over time,
----those of one unit in one panel. For a static run the load factor is drawn over its probes, which is the
----load-displacement curve, and energies over the load factor. The folder of a run that has ended will do as well as the
----run: its history.csv is read; its probes then show no unit, unless they have the names that probes without a name get.
----Units on the axes have prefixes that suit the values. If no picture can be drawn, the job notes this and the run
----continues.
+---table of curves (hinge.plot), of panels (hinge.panels), or a run. Of a run its energies and probes are drawn over
+---time, those of one unit in one panel. For a static run the load factor is drawn over its probes, which is the
+---load-displacement curve, and energies are drawn over the load factor. In place of a run, the folder of one that has
+---ended will do: its history.csv is read. This file says no units of probes, so only probes without a name of their own
+---show one. Units on the axes have prefixes that suit the values. If no picture can be drawn, the job notes this and
+---the run continues.
 ---```lua
 ---job:plot({ series = { { x = { 0, 1, 2 }, y = { 0, 3, 4 }, name = "measured", style = "points" } }, x_label = "mm",
 ---  y_label = "kN" }, "load.png")
----job:plot({ series = { { x = { "Case I", "Case II" }, y = { 3.1, 2.2 }, style = "bars" } }, y_label = "kN" }, "cases.svg")
+---job:plot({ series = { { x = { "I", "II" }, y = { 3.1, 2.2 }, style = "bars" } }, y_label = "kN" }, "cases.svg")
 ---job:plot(run, "history.png")
 ---```
 ---@overload fun(self: hinge.job, what: hinge.plot|hinge.panels|hinge.run|string, filename: string)
@@ -102,8 +102,8 @@ function job:plot(what, choice, filename) end
 ---@field height? integer pixels, default 160 and 420 for each row; 600 for one row
 
 ---One curve, band or group of bars. It has a gap at a value that is no number, or not above 0 on a logarithmic axis.
----The eight colours follow the order of the series: blue, red, green, purple, orange, sky, black, yellow (Okabe and Ito;
----readers who see few colours can tell them apart). The next eight series have them again, dashed.
+---Eight colours follow the order of the series: blue, red, green, purple, orange, sky, black, yellow. Readers who are
+---colour-blind can tell them apart (Okabe and Ito). The next eight series have them again, dashed.
 ---@class hinge.series
 ---@field x number[]|string[] texts are categories, with which each series of the plot may have a part of them
 ---@field y? number[]|string[] as many as x; not of a band. Texts: bars lie, and x has the numbers

@@ -132,7 +132,7 @@ void Axes::set_ranges(double width, double height, Range extent) {
                                                std::clamp(static_cast<int>(width / (8 * em_)), 2, 9))
                                      : make_category_axis(panel_.x_categories, false);
     y_ = panel_.y_categories.empty() ? axis_of(panel_.y_range, y_extent(), panel_.log_y, 0.06,
-                                               std::clamp(static_cast<int>(height / (4 * em_)), 2, 8))
+                                               std::clamp(static_cast<int>(height / (3.2 * em_)), 2, 8))
                                      : make_category_axis(panel_.y_categories, true);
     // Categories that do not fit beside each other are written upwards.
     if (!panel_.x_categories.empty()) {
@@ -162,7 +162,8 @@ void Axes::set_margins() {
     margins_.top = (panel_.title.empty() ? 1.2 : 2.5) * em_ + (y_.scale.empty() ? 0 : 1.2 * em_);
 }
 
-void Axes::set_frame(const Box& frame) {
+void Axes::set_frame(const Box& frame, double left) {
+    margins_.left = left;
     frame_ = {std::round(frame.left), std::round(frame.bottom), std::round(frame.right), std::round(frame.top)};
 }
 

@@ -50,7 +50,8 @@ public:
     Axes(Pen& pen, const Panel& panel, double em, double width, double height, Range extent, bool words_below);
 
     Margins4 margins() const { return margins_; }
-    void set_frame(const Box& frame);
+    /// `left`: how wide the margin there is for all panels of the column.
+    void set_frame(const Box& frame, double left);
     const Box& frame() const { return frame_; }
     const Panel& panel() const { return panel_; }
     double em() const { return em_; }

@@ -129,45 +129,6 @@ void Curves::draw_series(std::size_t i) const {
     }
 }
 
-void Curves::draw_line(const ReferenceLine& line) const {
-    const Box& f = axes_.frame();
-    const bool log = line.upright ? panel_.log_x : panel_.log_y;
-    if (log && line.at <= 0) return;
-    const Pixel p = line.upright ? axes_.pixel(line.at, 0) : axes_.pixel(0, line.at);
-    const double at = std::round(line.upright ? p[0] : p[1]);
-    if (line.upright ? at < f.left || at > f.right : at < f.bottom || at > f.top) return;
-    const Colour colour = line.colour.value_or(faint_ink);
-    const auto a = static_cast<float>(at);
-    const Pixel from = line.upright ? Pixel{a, float(f.bottom)} : Pixel{float(f.left), a},
-                to = line.upright ? Pixel{a, float(f.top)} : Pixel{float(f.right), a};
-    axes_.pen().path({from, to}, std::max(1.0, em_ / 14), colour,
-                     line.dashed ? Dashes{0.45 * em_, 0.3 * em_} : Dashes{});
-    if (line.name.empty()) return;
-    // At the end where it hides less.
-    TextStyle style = {.size = 0.85 * em_, .colour = colour, .upright = 0, .upwards = line.upright};
-    const double wide = axes_.pen().size_of(line.name, style)[0], high = style.size, gap = 0.4 * em_;
-    const bool left = line.upright && at - f.left < 1.5 * em_;
-    const auto end = [&](bool far) -> Box {
-        if (line.upright) {
-            const double y = far ? f.top - gap - wide : f.bottom + gap, x = left ? at : at - high;
-            return {x, y, x + high, y + wide};
-        }
-        const double x = far ? f.right - gap - wide : f.left + gap;
-        return {x, at, x + wide, at + high};
-    };
-    const std::vector<Pixel> drawn = places(0.5 * em_);
-    const auto hidden = [&](const Box& b) {
-        return std::ranges::count_if(drawn, [&](const Pixel& p) { return b.holds(p[0], p[1]); });
-    };
-    const Box box = end(hidden(end(true)) <= hidden(end(false)));
-    if (line.upright) {
-        style.upright = left ? 1.15 : -0.15;
-        axes_.pen().text(at, box.bottom, line.name, style);
-    } else {
-        axes_.pen().text(box.left, at + 0.1 * em_, line.name, style);
-    }
-}
-
 void Curves::draw() const {
     // Areas beneath, so that they hide no curve.
     for (const bool areas : {true, false}) {
@@ -192,7 +153,7 @@ void Curves::draw_sample(std::size_t i, double left, double right, double middle
     if (s.style != SeriesStyle::line) axes_.pen().dot((left + right) / 2, middle, dot_radius(s), colour);
 }
 
-std::vector<Pixel> Curves::places(double apart) const {
+std::vector<Pixel> Curves::places_of_series(double apart) const {
     std::vector<Pixel> all;
     for (std::size_t i = 0; i < panel_.series.size(); ++i) {
         const Series& s = panel_.series[i];

@@ -29,6 +29,12 @@ private:
     std::vector<Strip> strips(const Series& series) const;
     void draw_run(const std::vector<Pixel>& run, bool dashed, Colour colour) const;
     void draw_series(std::size_t series) const;
+    std::vector<Pixel> places_of_series(double apart) const;
+    /// Where a line stands, pixels along the axis that it crosses; none: beside the frame.
+    std::optional<double> place_of(const ReferenceLine& line) const;
+    Box name_box(const ReferenceLine& line, double at, const std::vector<Pixel>& drawn) const;
+    bool stands_right(const ReferenceLine& line, double at) const;
+    TextStyle name_style(const ReferenceLine& line) const;
     void draw_line(const ReferenceLine& line) const;
     double curve_width() const;
 

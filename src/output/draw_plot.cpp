@@ -110,7 +110,7 @@ private:
             const Margins4& c = of_column[column(i)];
             const double left = cell_width_ * static_cast<double>(column(i));
             const double right = std::max(left + cell_width_ - c.right - beside, left + c.left + em_);
-            parts_[i].axes.set_frame({left + c.left, foot[row(i)], right, foot[row(i)] + high});
+            parts_[i].axes.set_frame({left + c.left, foot[row(i)], right, foot[row(i)] + high}, c.left);
         };
         std::vector<double> beside(columns_), own(parts_.size());
         for (std::size_t i = 0; i < parts_.size(); ++i) {

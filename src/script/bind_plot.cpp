@@ -312,11 +312,16 @@ int write_plot(lua_State* L) {
     return 0;
 }
 
+/// core.sandboxed(): whether the script is not trusted.
+int sandboxed(lua_State* L) { return lua_pushboolean(L, context(L)->sandbox), 1; }
+
 }  // namespace
 
 void open_plots(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {
-        {"write_plot", guarded<write_plot>}, {"run_history", guarded<run_history>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"write_plot", guarded<write_plot>},
+                                         {"run_history", guarded<run_history>},
+                                         {"sandboxed", guarded<sandboxed>},
+                                         {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -147,7 +147,7 @@ struct Happening {
 };
 
 /// Rows of the energy balance that are kept for plots, whether or not there is a history.csv: time, load factor, all
-/// accounts, remainder. Where they are many, every second one goes, and so on.
+/// accounts, energy error. Where they are many, every second one goes, and so on.
 struct KeptRows {
     static constexpr long most = 8192;
     long stride = 1, seen = 0;

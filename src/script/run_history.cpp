@@ -15,7 +15,7 @@ const char* unit_of(const Probe& p) {
 
 namespace {
 
-/// What stands in a row: time, load factor, the accounts with their parts, remainder.
+/// What stands in a row: time, load factor, the accounts with their parts, energy error.
 std::vector<std::string> columns_of(const Run& run) {
     std::vector<std::string> names = {"time", "factor"};
     for (const AccountInfo& account : run.accounts()) names.emplace_back(account.name);

@@ -72,8 +72,8 @@ print(sag.unit, speed.unit, shear.unit, run.energy.kinetic, #sag.value)
 expect(good, "plots of a run: %s", said)
 equal(said:match "^(.-)\n" and said:match "^(%S+\t%S+\t%S+)", "m\tm/s\tN", "units of probes")
 local all = svg "all.svg"
-for _, words in ipairs { "kinetic", "elastic", "work", "remainder", "energy, J", "sag, mm", "speed, m/s", "node1_fz, kN",
-  "time, ms" } do holds(all, words) end
+for _, words in ipairs { "kinetic", "elastic", "work", "remainder", "energy, J", "sag, mm", "speed, m/s",
+  "node1_fz, kN", "time, ms" } do holds(all, words) end
 for _, words in ipairs { "plastic", "fracture", "contact", "contact_stored" } do holds(all, words, false) end
 equal(select(2, all:gsub(">time, ms<", "")), 1, "the panels share one axis of time")
 expect((support.read(folder .. "/all.png") or ""):sub(2, 4) == "PNG", "all.png is no PNG")
@@ -139,7 +139,9 @@ holds(load, "load factor")
 holds(load, "time, s", false)
 local rising = curves(load)[1] or {}
 equal(#rising, 11, "points of the load-displacement curve")
-if #rising == 11 then expect(rising[11].y < rising[1].y and rising[11].x < rising[1].x, "the load rises, the tip falls") end
+if #rising == 11 then
+  expect(rising[11].y < rising[1].y and rising[11].x < rising[1].x, "the load rises, the tip falls")
+end
 holds(svg "elastic.svg", "elastic energy, J")
 
 -- ---- the folder of a run that is over -------------------------------------------------------------------------------
@@ -203,58 +205,74 @@ for _, words in ipairs { "both", "left", "right", "limit" } do holds(svg "panels
 
 local line = select(2, head:gsub("\n", "")) + 2
 for call, message in pairs {
-  ['hinge.plot(run, { "kinetik" }, "x.png")'] = "hinge.plot: unknown item 1 'kinetik' (did you mean 'kinetic'?); there "
-    .. "are kinetic, ..., remainder, sag, speed, node1_fz",
-  ['hinge.plot(run, { 42 }, "x.png")'] = "hinge.plot: item 1 is 42; must be a probe of the run or one of ...",
-  ['hinge.plot(run, { titel = "a" }, "x.png")'] = "hinge.plot: unknown field 'titel' (did you mean 'title'?); there are "
-    .. "columns, height, title, width, x",
-  ['hinge.plot(run, { "kinetic", x = "sog" }, "x.png")'] = "hinge.plot: unknown field 'x' 'sog' (did you mean 'sag'?)...",
-  ['hinge.plot(run, 5, "x.png")'] = "hinge.plot: field 'what' is 5; must be a table",
-  ['hinge.plot(run)'] = "hinge.plot: field 'filename' is missing; give a string",
-  ['hinge.plot(run, "x.pdf")'] = "hinge.plot: filename is 'x.pdf'; must be a plain name ending in .png or .svg ...",
-  ['hinge.plot(run, "../x.svg")'] = "hinge.plot: filename is '../x.svg'; must be a plain name ending in .png or .svg ...",
-  ['hinge.plot(run, {}, "x.svg", 3)'] = "hinge.plot: takes no further argument, got also 3",
-  ['hinge.plot(model, "x.png")'] = "hinge.plot: the run is a hinge.model; must be one that model:static{} or ...",
-  ['hinge.plot(nil, "x.png")'] = "hinge.plot: field 'plot' is missing; give a table",
-  ['hinge.plot("nowhere", "x.png")'] = "hinge.plot: there is no 'nowhere/history.csv'; give a run, or the folder of one "
-    .. "that has ended",
-  ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3 }, "x.png")'] = "hinge.plot: the run has taken no step yet; plot it "
-    .. "after run:finish()",
+  ['hinge.plot(run, { "kinetik" }, "x.png")']
+    = "hinge.plot: unknown item 1 'kinetik' (did you mean 'kinetic'?); there are kinetic, ..., sag, speed, "
+      .. "node1_fz",
+  ['hinge.plot(run, { 42 }, "x.png")']
+    = "hinge.plot: item 1 is 42; must be a probe of the run or one of ...",
+  ['hinge.plot(run, { titel = "a" }, "x.png")']
+    = "hinge.plot: unknown field 'titel' (did you mean 'title'?); there are columns, height, title, width, "
+      .. "x",
+  ['hinge.plot(run, { "kinetic", x = "sog" }, "x.png")']
+    = "hinge.plot: unknown field 'x' 'sog' (did you mean 'sag'?)...",
+  ['hinge.plot(run, 5, "x.png")']
+    = "hinge.plot: field 'choice' is 5; must be a table",
+  ['hinge.plot(run)']
+    = "hinge.plot: field 'filename' is missing; give a string",
+  ['hinge.plot(run, "x.pdf")']
+    = "hinge.plot: filename is 'x.pdf'; must be a plain name ending in .png or .svg ...",
+  ['hinge.plot(run, "../x.svg")']
+    = "hinge.plot: filename is '../x.svg'; must be a plain name ending in .png or .svg ...",
+  ['hinge.plot(run, {}, "x.svg", 3)']
+    = "hinge.plot: takes no further argument, got also 3",
+  ['hinge.plot(model, "x.png")']
+    = "hinge.plot: the run is a hinge.model; must be one that model:static{} or ...",
+  ['hinge.plot(nil, "x.png")']
+    = "hinge.plot: field 'what' is missing; give a table",
+  ['hinge.plot("nowhere", "x.png")']
+    = "hinge.plot: there is no 'nowhere/history.csv'; give a run, or the folder of one that has ended",
+  ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3 }, "x.png")']
+    = "hinge.plot: the run has taken no step yet; plot it after run:finish()",
   ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3, record = false }:finish(), "x.png")']
     = "hinge.plot: nothing was recorded; ask for probes before the first step (run:probe)",
   ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3, record = false }:finish(), { "kinetic" }, "x.png")']
     = "hinge.plot: nothing was recorded of 'kinetic' (record = false keeps no energies)",
-  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = "rad" } } }, "x.png")'] = "hinge.plot: series 1: field "
-    .. "'colour' is 'rad'; must be black, ... from 0 to 1 (did you mean 'red'?)",
-  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = { 255, 0, 0 } } } }, "x.png")'] = "hinge.plot: series 1: "
-    .. "field 'colour' is a table; must be black, ... from 0 to 1",
-  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, style = "dots" } } }, "x.png")'] = "hinge.plot: series 1: field "
-    .. "'style' is 'dots'; must be one of 'line', 'points', 'line and points', 'band', 'bars'",
-  ['hinge.plot({ panels = { { series = { { x = { 1, 2 }, y = { 1 } } } } } }, "x.png")'] = "hinge.plot: panel 1, series "
-    .. "1: field 'y' is 1 number; must hold as many as x, 2",
-  ['hinge.plot({ panels = { { seris = {} } } }, "x.png")'] = "hinge.plot: panel 1: unknown field 'seris' (did you mean "
-    .. "'series'?)...",
-  ['hinge.plot({ panels = {} }, "x.png")'] = "hinge.plot: field 'panels' is {}; must hold at least one { series =, ... }",
-  ['hinge.plot({ series = {}, columns = 2 }, "x.png")'] = "hinge.plot: unknown field 'columns'...",
-  ['hinge.plot({ series = { { x = { "a" }, y = { 1 } }, { x = { 1 }, y = { 1 } } } }, "x.png")'] = "hinge.plot: series "
-    .. "2: field 'x' is numbers; must hold names as in the series before: an axis has one or the other",
-  ['hinge.plot({ series = { { x = { "a" }, y = { "b" } } } }, "x.png")'] = "hinge.plot: field 'series' is names along x "
-    .. "and y; must have numbers along one of the two axes",
-  ['hinge.plot({ log_x = true, series = { { x = { "a" }, y = { 1 } } } }, "x.png")'] = "hinge.plot: field 'x_range or "
-    .. "log_x' is given; must be left out where x holds names",
-  ['hinge.plot({ series = { { x = { 1 }, low = { 1 } } } }, "x.png")'] = "hinge.plot: series 1: field 'high' is nil; "
-    .. "must be a list of numbers",
-  ['hinge.plot({ series = { { x = { 1 }, low = { 1 }, high = { 2 }, style = "line" } } }, "x.png")'] = "hinge.plot: "
-    .. "series 1: field 'style' is 'line'; must be 'band', which has low and high",
-  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, labels = { "a", "b" } } } }, "x.png")'] = "hinge.plot: series 1: "
-    .. "field 'labels' is 2 texts; must hold as many as x, 1",
-  ['hinge.plot({ x_range = { 2, 1 }, series = {} }, "x.png")'] = "hinge.plot: field 'x_range' is {2, 1}; must be { low, "
-    .. "high }, two numbers with low below high",
-  ['hinge.plot({ y_range = { 0, 1 }, log_y = true, series = {} }, "x.png")'] = "hinge.plot: field 'y_range' is {0, 1}; "
-    .. "must be ..., above 0 on a logarithmic axis",
-  ['hinge.plot({ lines = { { x = 1, y = 2 } }, series = {} }, "x.png")'] = "hinge.plot: line 1: field 'y' is 2; must be "
-    .. "left out beside x; ...",
-  ['hinge.plot({ lines = { {} }, series = {} }, "x.png")'] = "hinge.plot: line 1: field 'x' is missing; give it or y; ...",
+  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = "rad" } } }, "x.png")']
+    = "hinge.plot: series 1: field 'colour' is 'rad'; must be black, ... from 0 to 1 (did you mean 'red'?)",
+  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = { 255, 0, 0 } } } }, "x.png")']
+    = "hinge.plot: series 1: field 'colour' is a table; must be black, ... from 0 to 1",
+  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, style = "dots" } } }, "x.png")']
+    = "hinge.plot: series 1: field 'style' is 'dots'; must be one of 'line', 'points', 'line and points', "
+      .. "'band', 'bars'",
+  ['hinge.plot({ panels = { { series = { { x = { 1, 2 }, y = { 1 } } } } } }, "x.png")']
+    = "hinge.plot: panel 1, series 1: field 'y' is 1 number; must hold as many as x, 2",
+  ['hinge.plot({ panels = { { seris = {} } } }, "x.png")']
+    = "hinge.plot: panel 1: unknown field 'seris' (did you mean 'series'?)...",
+  ['hinge.plot({ panels = {} }, "x.png")']
+    = "hinge.plot: field 'panels' is {}; must hold at least one { series =, ... }",
+  ['hinge.plot({ series = {}, columns = 2 }, "x.png")']
+    = "hinge.plot: unknown field 'columns'...",
+  ['hinge.plot({ series = { { x = { "a" }, y = { 1 } }, { x = { 1 }, y = { 1 } } } }, "x.png")']
+    = "hinge.plot: series 2: field 'x' is numbers; must hold names as in the series before: an axis has "
+      .. "one or the other",
+  ['hinge.plot({ series = { { x = { "a" }, y = { "b" } } } }, "x.png")']
+    = "hinge.plot: field 'series' is names along x and y; must have numbers along one of the two axes",
+  ['hinge.plot({ log_x = true, series = { { x = { "a" }, y = { 1 } } } }, "x.png")']
+    = "hinge.plot: field 'x_range or log_x' is given; must be left out where x holds names",
+  ['hinge.plot({ series = { { x = { 1 }, low = { 1 } } } }, "x.png")']
+    = "hinge.plot: series 1: field 'high' is nil; must be a list of numbers",
+  ['hinge.plot({ series = { { x = { 1 }, low = { 1 }, high = { 2 }, style = "line" } } }, "x.png")']
+    = "hinge.plot: series 1: field 'style' is 'line'; must be 'band', which has low and high",
+  ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, labels = { "a", "b" } } } }, "x.png")']
+    = "hinge.plot: series 1: field 'labels' is 2 texts; must hold as many as x, 1",
+  ['hinge.plot({ x_range = { 2, 1 }, series = {} }, "x.png")']
+    = "hinge.plot: field 'x_range' is {2, 1}; must be { low, high }, two numbers with low below high",
+  ['hinge.plot({ y_range = { 0, 1 }, log_y = true, series = {} }, "x.png")']
+    = "hinge.plot: field 'y_range' is {0, 1}; must be ..., above 0 on a logarithmic axis",
+  ['hinge.plot({ lines = { { x = 1, y = 2 } }, series = {} }, "x.png")']
+    = "hinge.plot: line 1: field 'y' is 2; must be left out beside x; ...",
+  ['hinge.plot({ lines = { {} }, series = {} }, "x.png")']
+    = "hinge.plot: line 1: field 'x' is missing; give it or y; ...",
 } do
   local text = lua("run:step()\nprint(select(2, pcall(function()\n" .. call .. "\nend)))"):gsub("\n$", "")
   expect(support.says(text, ("script.lua:%d: %s"):format(line + 1, message)), "%s says\n  %s\n  wanted %s", call, text,
