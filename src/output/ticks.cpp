@@ -9,11 +9,11 @@
 namespace hinge::output {
 namespace {
 
-/// The round number 1, 2 or 5 times a power of ten nearest above `rough`.
+/// The round number 1, 2 or 5 times a power of ten nearest above `rough`, or a little below it.
 double round_step(double rough) {
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     for (const double digit : {1.0, 2.0, 5.0})
-        if (rough <= digit * power * 1.0000001) return digit * power;
+        if (rough <= digit * power * 1.25) return digit * power;
     return 10 * power;
 }
 

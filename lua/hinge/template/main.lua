@@ -55,7 +55,7 @@ local function simulate(p)
 
   -- 3. Pictures, and the results that summary.json keeps.
   hinge.picture(run, { title = "PROJECT, after the blow", from = { -0.2, -1, 0.2 } }, "portal.png")
-  hinge.plot({ series = { { x = sway.time, y = sway.value } }, x_label = "time, s", y_label = "sway, m" }, "sway.png")
+  hinge.plot(run, { sway, "kinetic", "elastic", "plastic" }, "sway.png")
   return {
     largest_sway_mm = 1000 * sway.max,
     plastic_work_kJ = run.energy.plastic / 1000,
