@@ -107,6 +107,9 @@ Point text_at(const std::string& svg, const std::string& words) {
     return {attribute(element, "x"), attribute(element, "y")};
 }
 
+/// How far a value is outside a range.
+double beyond(double v, double low, double high) { return v >= low && v <= high ? 0 : v < low ? low - v : v - high; }
+
 struct Rectangle {
     double x, y, width, height;
     std::string colour;
@@ -159,7 +162,7 @@ TEST_CASE("names are text in an SVG, never markup", "[plot]") {
 }
 
 TEST_CASE("a curve is cut at the ranges of the axes", "[plot]") {
-    Plot plot = plot_of({{"", {0, 1}, {-100, 100}}, {"", {0.1, 0.3, 0.9}, {5, 5, 1e300}}});
+    Plot plot = plot_of({{"", {0, 1}, {-100, 100}}, {"", {0.1, 0.3, 0.9}, {5, 5, 1e300}}, {"", {0.3, 0.4}, {50, 60}}});
     plot.panels[0].x_range = {0.2, 0.8};
     plot.panels[0].y_range = {-20, 20};
     const std::string svg = drawn(plot);
@@ -219,6 +222,14 @@ TEST_CASE("bars rise from zero to their values, side by side, over the names of 
         CHECK(text_at(svg, "2.0").y < blue[0].y);
         CHECK(text_at(svg, "-1.0").y > blue[1].y + blue[1].height);
     }
+    SECTION("cut at the range of the axis") {
+        plot.panels[0].x_categories = {"I", "II", "III"};
+        plot.panels[0].y_range = {-2, 1};
+        const auto blue = rectangles(drawn(plot), "#0072b2");
+        REQUIRE(blue.size() == 4);
+        CHECK(blue[0].height == Approx(blue[1].height).margin(1));  // one up, one down
+        CHECK(blue[2].height == Approx(blue[1].height).margin(1));
+    }
     SECTION("lying, the first one on top") {
         plot.panels[0].y_categories = {"I", "II", "III"};
         for (Series& s : plot.panels[0].series) std::swap(s.x, s.y);
@@ -262,8 +273,7 @@ TEST_CASE("labels stand beside their points and do not cover each other", "[plot
         REQUIRE(element != "");
         const double size = attribute(element, "font-size"), x = attribute(element, "x"), y = attribute(element, "y");
         boxes.push_back({x, y, 5.9 * size, 0.73 * size});  // 11 characters, without what hangs below the line
-        const double dx = std::max({x - dots[i].x, dots[i].x - x - 5.9 * size, 0.0}),
-                     dy = std::max({y - 0.73 * size - dots[i].y, dots[i].y - y, 0.0});
+        const double dx = beyond(dots[i].x, x, x + 5.9 * size), dy = beyond(dots[i].y, y - 0.73 * size, y);
         CHECK(std::hypot(dx, dy) < 4 * size);
         CHECK(x > 0);
         CHECK(x + 5.9 * size < 1000);
@@ -340,16 +350,19 @@ TEST_CASE("a long history stays a small file and keeps its extremes", "[plot]") 
 
 TEST_CASE("lines through a panel stand at their values and widen its axes", "[plot]") {
     Plot plot = plot_of({{"", {0, 10}, {0, 10}}});
-    plot.panels[0].lines = {{"limit", 20, false}, {"impact", 5, true}, {"", -1, false}};
+    plot.panels[0].lines = {{"limit", 20, false}, {"impact", 5, true}, {"", -1, false}, {"", 16, true}};
     const std::string svg = drawn(plot);
     const auto lines = shapes(svg, "polyline");
-    REQUIRE(lines.size() == 4);  // three lines and the curve
+    REQUIRE(lines.size() == 5);  // four lines and the curve
     CHECK(lines[0].front().y == lines[0].back().y);
     CHECK(lines[0].front().y - lines[2].front().y ==
-          Approx(21 / 10.0 * (lines[3].back().y - lines[3].front().y)).epsilon(0.02));
-    CHECK(lines[1].front().x == Approx((lines[3].front().x + lines[3].back().x) / 2).margin(1));
+          Approx(21 / 10.0 * (lines[4].back().y - lines[4].front().y)).epsilon(0.02));
+    CHECK(lines[1].front().x == Approx((lines[4].front().x + lines[4].back().x) / 2).margin(1));
     CHECK(text_at(svg, "limit").y < lines[0].front().y);
     CHECK(std::abs(text_at(svg, "impact").x - lines[1].front().x) < 30);
+    const double ten = lines[4].back().x - lines[4].front().x;
+    CHECK(lines[3].front().x - lines[4].front().x == Approx(1.6 * ten).epsilon(0.01));
+    CHECK(lines[3].front().x < 800);
 }
 
 TEST_CASE("eight colours follow the order of the series; the next eight are dashed", "[plot]") {
