@@ -84,10 +84,8 @@ local function frames_json(folder)
   local all = render.frames(folder)
   local files = {}
   for i, frame in ipairs(chosen(all)) do files[i] = frame.file end
-  local frames, others = core.pack_frames(files)
-  if not frames then return "null", 0 end
-  frames.of_other_models, frames.not_shown = others, #all - #files
-  return core.to_json(frames), frames.frames
+  local frames, count = core.pack_frames(files, #all - #files)
+  return frames or "null", count
 end
 
 local function name_of(folder) return folder:match "([^/]+)/*$" or folder end
@@ -104,18 +102,19 @@ local function names(folders)
 end
 
 local function run_json(folder, name)
-  local summary = read(folder .. "/summary.json")
+  local summary, owner = read(folder .. "/summary.json"), read(folder .. "/run.json")
   local has_frames = read(folder .. "/frames.pvd") ~= nil
-  if not summary and not has_frames then
-    check.fail("no run was written to %s: it has neither summary.json nor frames.pvd; hinge run SCRIPT --out DIR "
-      .. "makes one", folder)
+  if not summary and not has_frames and not read(folder .. "/history.csv") then
+    check.fail("no run was written to %s: it has neither summary.json nor frames.pvd nor history.csv; hinge run SCRIPT "
+      .. "--out DIR makes one", folder)
   end
   if summary and type(core.from_json(summary)) ~= "table" then
     check.fail("%s/summary.json is not whole; run the script again", folder)
   end
+  if owner and type(core.from_json(owner)) ~= "table" then owner = nil end
   local frames, count = frames_json(folder)
-  return ('{"name":%s,"summary":%s,"history":%s,"events":%s,"frames":%s}'):format(core.to_json(name),
-    summary or "null", history_json(folder), events_json(folder), frames), count
+  return ('{"name":%s,"summary":%s,"owner":%s,"history":%s,"events":%s,"frames":%s}'):format(core.to_json(name),
+    summary or "null", not summary and owner or "null", history_json(folder), events_json(folder), frames), count
 end
 
 local template = [[
@@ -125,8 +124,8 @@ local template = [[
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy"
-  content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:">
-<title>hinge report</title>
+  content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:%s">
+%s<title>hinge report</title>
 </head>
 <body>
 <noscript>This page draws what a run of hinge has left. It needs JavaScript, and no network.</noscript>
@@ -138,10 +137,18 @@ local template = [[
 </html>
 ]]
 
---- The page about the runs in these folders, as text; and how many frames it has.
-function page.text(folders)
+local function with_data(data, may_ask)
   local viewer = read(library .. "viewer.js") or check.fail("%sviewer.js is not there; src/viewer/build.sh makes it",
     library)
+  local icon = '<link rel="icon" href="data:,">\n' -- or a browser asks for one
+  return template:format(may_ask and "; connect-src 'self'" or "", may_ask and icon or "", harmless(data), viewer)
+end
+
+--- The page of hinge run --live, which asks the program that serves it for all it shows. `id`: the program's own.
+function page.live(id) return with_data(('{"live":%s}'):format(core.to_json(id)), true) end
+
+--- The page about the runs in these folders, as text; and how many frames it has.
+function page.text(folders)
   local runs, frames = {}, 0
   local called = names(folders)
   for i, folder in ipairs(folders) do
@@ -149,8 +156,7 @@ function page.text(folders)
     runs[i], count = run_json(folder, called[i])
     frames = frames + count
   end
-  local data = ('{"runs":[%s]}'):format(table.concat(runs, ","))
-  return template:format(harmless(data), viewer), frames
+  return with_data(('{"runs":[%s]}'):format(table.concat(runs, ","))), frames
 end
 
 --- options: folders (output folders), out (a file, or nil for report.html in the first folder). Returns the program's

@@ -18,6 +18,7 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include "script/events.h"
+#include "script/onlooker.h"
 #include "script/processes.h"
 
 namespace hinge::script {
@@ -68,6 +69,7 @@ void forget_runs(Context& c) {
     c.out_dir.clear(), c.owner.clear();
     c.owner_written = false;
     c.interrupted = 0;
+    if (c.onlooker) c.onlooker->forked(), c.onlooker = nullptr;
 }
 
 /// core.start(f, output, memory, resume): calls f() in a process of its own, which ends with what f returns as its

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "script/check.h"
+#include "script/happenings.h"
 #include "script/plan.h"
 #include "script/recording.h"
 #include "script/snapshot.h"
@@ -22,7 +23,10 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     record->every = every;
     record->doubts = std::move(doubts);
     const auto c = context(L);
-    if (c->record && !c->record->model->closed_at.empty()) c->record->run.reset();  // kept for the summary alone
+    if (c->record && !c->record->model->closed_at.empty()) {  // kept for the summary alone
+        if (c->record->run) write_happenings(*c->record);
+        c->record->run.reset();
+    }
     c->record = record;
     ++c->runs;
     record->asked_at = where(L);

@@ -60,31 +60,78 @@ void note_happenings(RunRecord& r) {
         for (const Break& b : r.run->broken_last()) add(Happening::What::fracture, b.element, b.end, b.cause);
 }
 
-void write_happenings(const Context& c, const RunRecord& r) {
-    const std::string path = c.out_dir + "/events.csv";
-    if (r.happenings.empty()) {
-        std::remove(path.c_str());
-        return;
+std::vector<std::string> event_columns(const Run& run) {
+    return {std::string(run.kind()) == "static" ? "factor" : "time",
+            "event",
+            "element",
+            "member",
+            "end",
+            "group",
+            "limit",
+            "strain",
+            "of",
+            "rule"};
+}
+
+std::vector<std::string> event_fields(const Run& run, const Happening& h) {
+    const Structure& s = run.structure();
+    const Element& e = s.elements()[h.element];
+    const auto& groups = s.model().members()[e.member].groups;
+    std::vector<std::string> fields = {number(h.at),
+                                       name(h.what),
+                                       std::to_string(h.element + 1),
+                                       std::to_string(e.member + 1),
+                                       h.end > 0 ? std::to_string(h.end) : "",
+                                       groups.empty() ? "" : s.model().groups()[groups[0]]};
+    fields.resize(10);
+    if (h.what != Happening::What::fracture) return fields;
+    const bool limit = h.limit != int(beam::Limit::rule);
+    fields[6] = beam::limit_names[h.limit];
+    if (limit) fields[7] = number(h.strain), fields[8] = number(h.of);
+    if (e.fracture >= 0) fields[9] = s.model().fracture()[e.fracture].asked_at;
+    return fields;
+}
+
+namespace {
+
+/// A line of events.csv. Names stand in quotes: the group's, and the rule's place.
+std::string line_of(const std::vector<std::string>& fields) {
+    std::string line;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const bool is_name = (i == 5 || i == 9) && !fields[i].empty();
+        line += (i > 0 ? "," : "") + (is_name ? quoted(fields[i]) : fields[i]);
     }
-    const Structure& s = r.run->structure();
-    const bool by_factor = std::string(r.run->kind()) == "static";
-    std::string text = by_factor ? "factor" : "time";
-    text += ",event,element,member,end,group,limit,strain,of,rule\n";
-    for (const Happening& h : r.happenings) {
-        const Element& e = s.elements()[h.element];
-        const auto& groups = s.model().members()[e.member].groups;
-        text += number(h.at) + "," + name(h.what) + "," + std::to_string(h.element + 1) + "," +
-                std::to_string(e.member + 1) + "," + (h.end > 0 ? std::to_string(h.end) : "") + "," +
-                (groups.empty() ? "" : quoted(s.model().groups()[groups[0]])) + ",";
-        if (h.what == Happening::What::fracture) {
-            const bool limit = h.limit != int(beam::Limit::rule);
-            const std::string asked = e.fracture < 0 ? "" : s.model().fracture()[e.fracture].asked_at;
-            text += std::string(beam::limit_names[h.limit]) + "," + (limit ? number(h.strain) : "") + "," +
-                    (limit ? number(h.of) : "") + "," + (asked.empty() ? "" : quoted(asked));
-        } else text += ",,";
-        text += "\n";
-    }
-    write_whole(path, text);
+    return line + "\n";
+}
+
+/// The lines from the happening of that number on; with the heading where it is the first.
+std::string lines_from(const RunRecord& r, std::size_t first) {
+    std::string text;
+    if (first == 0)
+        for (const std::string& column : event_columns(*r.run)) text += (text.empty() ? "" : ",") + column;
+    if (first == 0) text += "\n";
+    for (std::size_t i = first; i < r.happenings.size(); ++i) text += line_of(event_fields(*r.run, r.happenings[i]));
+    return text;
+}
+
+}  // namespace
+
+void begin_happenings(RunRecord& r, const std::string& path) {
+    r.events_path = path;
+    r.events_written = r.happenings.size();
+    if (r.happenings.empty()) std::remove(path.c_str());
+    else write_whole(path, lines_from(r, 0));
+}
+
+void write_happenings(RunRecord& r) {
+    if (r.events_path.empty() || r.events_written == r.happenings.size()) return;
+    append(r.events_path, lines_from(r, r.events_written));
+    r.events_written = r.happenings.size();
+}
+
+void leave_happenings(const Context& c, RunRecord& r) {
+    if (!r.events_path.empty()) return write_happenings(r);
+    if (r.begun || !c.writer) begin_happenings(r, c.out_dir + "/events.csv");
 }
 
 Json damage_by_group(const Run& run) {

@@ -31,6 +31,7 @@ struct Context {
     bool warns = false;                          ///< tell there of likely mistakes
     bool tells_failures = false;                 ///< and at the end of runs that failed, where the script never asked
     std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
+    struct Onlooker* onlooker = nullptr;         ///< who looks on while runs go on; null: nobody
     bool looks_over = false;                     ///< look for likely mistakes in the models that are run
     std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
     std::optional<Warning> of_units;             ///< the first such warning of the model looked at last
@@ -193,7 +194,8 @@ struct RunRecord : Recorded {
     std::vector<std::shared_ptr<Probe>> probes;
     long every = 1;    ///< steps between rows of history.csv; 0: none is kept
     std::string rows;  ///< not yet written
-    std::string history_path;
+    std::string history_path, events_path;
+    std::size_t events_written = 0;   ///< of the happenings
     std::string asked_at;             ///< the script's line that made the run
     std::vector<Warning> doubts;      ///< likely mistakes that are seen where it is made
     std::optional<Warning> of_units;  ///< of its model: what looks as if it were in another unit
@@ -267,7 +269,7 @@ void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int nu
 void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);
 void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number);
 
-/// Rows of history.csv that are not yet in the file.
+/// Rows of history.csv and events.csv that are not yet in the files.
 void write_rows(RunRecord& r);
 
 /// One step, recorded. False at the end.

@@ -13,6 +13,7 @@
 #include "script/events.h"
 #include "script/folders.h"
 #include "script/happenings.h"
+#include "script/onlooker.h"
 
 namespace hinge::script {
 
@@ -31,6 +32,21 @@ double abscissa(const Run& run) {
     return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time;
 }
 
+std::string history_row(const RunRecord& r, const Energy& e) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.9g,%.9g", r.run->state().time, r.run->state().factor);
+    std::string row = text;
+    const auto add = [&](double value) {
+        std::snprintf(text, sizeof text, ",%.9g", value);
+        row += text;
+    };
+    for (const AccountInfo& account : r.run->accounts())
+        if (account.part_of.empty()) add(e[account.name]);
+    add(e.error);
+    for (const auto& p : r.probes) add(value_of(*r.run, *p));
+    return row + '\n';
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -43,31 +59,41 @@ void sample(RunRecord& r) {
     }
 }
 
+/// Its history is history.csv from now on; those of the runs before it are kept by number.
+void take_files(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+    take_folder(*c);
+    record->history_path = c->out_dir + "/history.csv";
+    if (c->writer) {
+        write_rows(*c->writer);
+        const std::string number = "-" + std::to_string(++c->histories) + ".csv";
+        c->writer->history_path = c->out_dir + "/history" + number;
+        c->writer->events_path = c->out_dir + "/events" + number;
+        std::rename(record->history_path.c_str(), c->writer->history_path.c_str());
+        if (std::rename((c->out_dir + "/events.csv").c_str(), c->writer->events_path.c_str()) != 0)
+            std::remove(c->writer->events_path.c_str());  // of an earlier program: nothing has happened in this one
+    } else std::remove((c->out_dir + "/summary.json").c_str());  // of an earlier run: not about this one
+    c->writer = record;
+    begin_happenings(*record, c->out_dir + "/events.csv");
+}
+
 void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     r.begun = true;
     r.number = ++c->begun;
     r.start = r.last_progress = r.last_write = Clock::now();
-    if (!c->out_dir.empty() && r.every > 0) {
-        take_folder(*c);
-        // the last run's history is history.csv; those before it keep theirs by number
-        r.history_path = c->out_dir + "/history.csv";
-        if (c->writer) {
-            write_rows(*c->writer);
-            c->writer->history_path = c->out_dir + "/history-" + std::to_string(++c->histories) + ".csv";
-            std::rename(r.history_path.c_str(), c->writer->history_path.c_str());
-        } else
-            for (const char* left : {"/summary.json", "/events.csv"})  // of an earlier run: not about this one
-                std::remove((c->out_dir + left).c_str());
-        c->writer = record;
-        std::string header = "time,factor";
-        for (const AccountInfo& account : r.run->accounts())
-            if (account.part_of.empty()) header += "," + std::string(account.name);
-        header += ",remainder";
-        for (const auto& p : r.probes) header += "," + p->name;
-        write_whole(r.history_path, r.past.empty() ? header + "\n" : r.past);
-        r.past.clear();
-    }
+    const bool keeps = !c->out_dir.empty() && r.every > 0;
+    if (!keeps && !c->onlooker) return;
+    if (keeps) take_files(c, record);
+    std::string header = "time,factor";
+    for (const AccountInfo& account : r.run->accounts())
+        if (account.part_of.empty()) header += "," + std::string(account.name);
+    header += ",remainder";
+    for (const auto& p : r.probes) header += "," + p->name;
+    const std::string text = r.past.empty() ? header + "\n" : r.past;
+    if (c->onlooker) c->onlooker->begun(r, text);
+    if (!keeps) return;
+    write_whole(r.history_path, text);
+    r.past.clear();
 }
 
 /// The energy error beside what the run has turned over.
@@ -78,7 +104,7 @@ void weigh_error(RunRecord& r, const Energy& e) {
     r.last_energy_share = r.largest_energy->share(e, r.run->accounts());
 }
 
-void add_row(RunRecord& r) {
+void add_row(const Context& c, RunRecord& r) {
     const Energy e = r.run->energy();
     r.initial = e.initial;
     r.last_energy_error = e.error;
@@ -89,22 +115,10 @@ void add_row(RunRecord& r) {
     if (step < r.row_of) return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
     keep_row(r, e);
-    if (r.history_path.empty()) return;
-    char text[64];
-    std::snprintf(text, sizeof text, "%.9g,%.9g", r.run->state().time, r.run->state().factor);
-    r.rows += text;
-    const auto add = [&](double value) {
-        std::snprintf(text, sizeof text, ",%.9g", value);
-        r.rows += text;
-    };
-    for (const AccountInfo& account : r.run->accounts())
-        if (account.part_of.empty()) add(e[account.name]);
-    add(e.error);
-    for (const auto& p : r.probes) {
-        std::snprintf(text, sizeof text, ",%.9g", value_of(*r.run, *p));
-        r.rows += text;
-    }
-    r.rows += '\n';
+    if (r.history_path.empty() && (!c.onlooker || r.every == 0)) return;
+    const std::string row = history_row(r, e);
+    if (!r.history_path.empty()) r.rows += row;
+    if (c.onlooker) c.onlooker->row(r, row);
 }
 
 /// When elements broke and nodes lost their last one. What a run starts with broken, broke before it.
@@ -278,6 +292,7 @@ void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
 }  // namespace
 
 void write_rows(RunRecord& r) {
+    write_happenings(r);  // first: a kill in between loses none that happened before the last row
     if (r.rows.empty() || r.history_path.empty()) return;
     append(r.history_path, r.rows);
     r.rows.clear();
@@ -301,7 +316,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         note_happenings(r);
         note_what_went(r);
         begin_history(c, record);
-        if (!r.started) add_row(r);
+        if (!r.started) add_row(*c, r);
         r.started = true;
         tell_of_beginning(c, r);
     }
@@ -323,7 +338,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     note_what_went(r);
     if (more) {
         sample(r);
-        if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(r);
+        if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(*c, r);
     }
     if (more && !r.on_step.empty()) call_on_step(L, record);
     const bool over = !more || r.run->verdict() != Verdict::running;
@@ -332,7 +347,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
                                              (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
                                              ", failed: " + reason_of(r));
-    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(r);
+    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(*c, r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);
         r.last_write = now;
@@ -348,6 +363,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     }
     if (over) show_progress(*c, r, true);
     else show_if_due(*c, r, false);
+    if (c->onlooker) c->onlooker->stepped(*c, r, over, now);
     return more;
 }
 

@@ -11,4 +11,7 @@ const char* unit_of(const Probe& probe);              ///< "m", "rad", "m/s", ..
 void keep_row(RunRecord& r, const Energy& energy);    ///< for plots; see KeptRows
 int run_history(lua_State* L);                        ///< core.run_history(run): what has been kept
 
+/// A row of history.csv with these energies, and its line's end.
+std::string history_row(const RunRecord& record, const Energy& energy);
+
 }  // namespace hinge::script

@@ -1,0 +1,11 @@
+// What summary.json says of a run.
+#pragma once
+
+#include "script/events.h"
+
+namespace hinge::script {
+
+/// Adds the fields of summary.json from "kind" to "instability", as the run stands.
+void describe_run(Json& j, const RunRecord& record);
+
+}  // namespace hinge::script
