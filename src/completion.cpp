@@ -91,7 +91,7 @@ std::string kind_of(const CLI::App& verb) {
 std::vector<std::string> options_of(const CLI::App& verb, bool with_value) {
     std::vector<std::string> names;
     for (const CLI::Option* option : verb.get_options()) {
-        if (with_value && option->get_expected_max() == 0) continue;
+        if (with_value && option->get_expected_min() == 0) continue;
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
         for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
@@ -169,7 +169,7 @@ complete -c hinge -n __fish_use_subcommand -a '(__fish_complete_suffix .lua)'
             for (const std::string& name : option->get_snames()) names += "-s " + name + " ";
             if (names.empty()) continue;
             out << seen << names;
-            if (option->get_expected_max() > 0) out << "-r ";
+            if (option->get_expected_min() > 0) out << "-r ";
             if (option->check_lname("case")) out << "-a '(_hinge_names case)' ";
             if (option->check_lname("out")) out << "-a '(__fish_complete_directories)' ";
             out << "-d '" << short_text(option->get_description()) << "'\n";

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include "completion.h"
+#include "core/files.h"
+#include "live/live.h"
 #include "new_project.h"
 #include "prompt.h"
 #include "script/folders.h"
@@ -23,6 +25,7 @@ struct Request {
     std::string verb = "run", script, case_name, out, code, search, within, budget, quantity;
     std::vector<std::string> overrides, folders;
     std::map<std::string, std::string> study;  ///< options of hinge study, as text
+    std::optional<int> live_port;              ///< of hinge run --live; 0: any
     bool sandbox = false, effects = false, resume = false, quiet = false, json = false, out_given = false;
     hinge::script::Limits limits;
 };
@@ -181,6 +184,38 @@ std::FILE* events_alone_on_stdout() {
     return fdopen(own, "w");
 }
 
+/// --live: serves the page from now on; its address goes to standard error.
+std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, int port) {
+    auto live = std::make_unique<hinge::live::Live>(port);
+    lua_getglobal(L, "require");
+    lua_pushstring(L, "hinge.report_page");
+    bool ok = lua_pcall(L, 1, 1, 0) == LUA_OK;
+    if (ok) {
+        lua_getfield(L, -1, "live");
+        lua_pushstring(L, live->id().c_str());
+        ok = lua_pcall(L, 1, 1, 0) == LUA_OK;
+    }
+    if (!ok) throw hinge::OutsideError(lua_tostring(L, -1) ? lua_tostring(L, -1) : "the page could not be made");
+    live->show(lua_tostring(L, -1));
+    lua_settop(L, 0);
+    std::cerr << "live until the program ends: " << live->address() << std::endl;
+    hinge::script::write_event(context, "live", {{"address", live->address()}});
+    context.onlooker = live.get();
+    return live;
+}
+
+/// The program ends with that status: who looks is told how, and of what it leaves.
+void end_live(hinge::live::Live& live, Context& context, int status) {
+    context.onlooker = nullptr;
+    hinge::script::Json last = {{"status", status}, {"folder", context.out_dir}};
+    const std::string summary = context.out_dir + "/summary.json";
+    if (status <= 1 && context.record && context.record->number == live.shown() && fs::exists(summary)) {
+        auto whole = hinge::script::Json::parse(hinge::read_whole(summary), nullptr, false);
+        if (whole.is_object()) last["summary"] = std::move(whole);
+    }
+    live.end(last);
+}
+
 int with_lua(Request& request, const char* module, const char* function, bool progress) {
     std::unique_ptr<lua_State, void (*)(lua_State*)> state(luaL_newstate(), lua_close);
     lua_State* L = state.get();
@@ -200,8 +235,13 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     context->resume = request.resume;
     const bool ends_on_signals = request.verb == "run" || request.verb == "study";
     if (ends_on_signals) end_on_signals(*context);
+    std::unique_ptr<hinge::live::Live> live;
+    if (request.live_port) try {
+            live = begin_live(L, *context, *request.live_port);
+        } catch (const hinge::OutsideError& e) { return std::cerr << "hinge: " << e.what() << "\n", 2; }
     if (request.sandbox) hinge::script::confine(L, request.limits);
     const int status = call_library(L, module, function, request);
+    if (live) end_live(*live, *context, status);
     if (request.verb == "run") request.out = context->out_dir;  // its name may tell the parameters
     if (ends_on_signals)
         for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
@@ -265,6 +305,13 @@ int main(int argc, char** argv) {
                    "Print one JSON object a line, each with its 'event': run_begun, progress, state, warning, note, "
                    "run_ended, summary, error; what the script prints goes to standard error")
         ->excludes(quiet);
+    run_verb
+        ->add_option("--live", request.live_port,
+                     "Serve the page of hinge report while the program runs, to browsers on this computer alone: the "
+                     "newest frame, the energies, what has happened. Its address is printed. --live=PORT sets the port")
+        ->expected(0, 1)
+        ->check(CLI::Range(0, 65535))
+        ->type_name("[=PORT]");
     run_verb->footer(
         "Exit status: 0 done; 1 the run failed; 2 the script or its input is wrong; 3 interrupted, and a checkpoint "
         "was written; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no checkpoint was written.");
@@ -359,8 +406,10 @@ int main(int argc, char** argv) {
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named =
         !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
-    if (!words.empty() && (!named || words[0] == "--sandbox"))
-        words.insert(words.begin(), "run");    // hinge SCRIPT is hinge run SCRIPT
+    if (!words.empty() && (!named || words[0] == "--sandbox" || words[0].rfind("--live", 0) == 0))
+        words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
+    std::replace(words.begin(), words.end(), std::string("--live"),
+                 std::string("--live=0"));     // what follows is no port
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);

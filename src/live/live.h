@@ -1,0 +1,98 @@
+// hinge run --live: the page of hinge report about a run that goes on. The server's thread takes the page's wishes, the
+// run's thread makes what it wishes between two steps, and the server's thread packs it.
+#pragma once
+
+#include <mutex>
+#include <vector>
+
+#include "live/server.h"
+#include "output/picture.h"
+#include "script/events.h"
+#include "script/onlooker.h"
+
+namespace hinge::live {
+
+using script::Json;
+
+/// Rows of a history, every so many of them, so that they are never too many; and the last.
+class Rows {
+public:
+    explicit Rows(const std::string& heading = "");
+    void add(const std::string& row);  ///< of CSV
+    Json columns;
+    std::string json() const;  ///< a list of them
+
+private:
+    std::vector<std::string> kept_;
+    std::string last_;
+    std::size_t seen_ = 0, every_ = 1;
+};
+
+class Live : public script::Onlooker {
+public:
+    explicit Live(int port);
+    ~Live() override;
+
+    const std::string& id() const { return id_; }  ///< tells this program from others that were at the same port
+    int shown() const { return shown_; }           ///< number of the run that is shown, 0 before any
+    void show(std::string page);                   ///< the page that is served
+    std::string address() const;
+
+    void begun(const script::RunRecord& run, const std::string& history) override;
+    void row(const script::RunRecord& run, const std::string& row) override;
+    void stepped(const script::Context& context, const script::RunRecord& run, bool over,
+                 std::chrono::steady_clock::time_point now) override;
+    void forked() override { server_->leave_to_parent(); }
+
+    /// The program ends. Who looks is told, which takes a second at most; what: fields of the last state.
+    void end(const Json& what);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// What is known of the run shown, for whoever asks.
+    struct State {
+        long version = 0;
+        Json fields = {{"program", "running"}};  ///< all but what follows
+        std::shared_ptr<const output::Snapshot> snapshot;
+        int run = 0;  ///< its number
+        Rows rows;
+    };
+    struct Page {
+        Clock::time_point asked;
+        bool knows_end = false;
+    };
+
+    std::optional<Answer> answer(const Request& request);
+    Answer state_for(const Request& request, const State& state);
+    void take_shot(const script::Context& context, const script::RunRecord& run);
+    void change_to(const script::RunRecord& run);
+    bool anybody_left();  ///< who looks and does not know of the end
+
+    const std::string id_;
+    // of the run's thread
+    std::map<int, Rows> rows_;
+    int shown_ = 0;  ///< number of the run
+    bool shown_over_ = true;
+    std::size_t events_taken_ = 0;
+    Clock::time_point shown_stepped_ = {}, next_shot_ = {};
+    // of both
+    std::atomic<bool> wanted_ = false;
+    std::mutex mutex_;
+    std::shared_ptr<const State> state_ = std::make_shared<const State>();
+    Json event_columns_;
+    std::vector<std::string> events_;  ///< of the run shown, each a JSON array
+    bool over_ = false;
+    std::map<std::string, Page> pages_;
+    std::shared_ptr<const std::string> page_;
+    // of the server's thread
+    struct {
+        long version = -1;
+        bool with_model = false;
+        std::string text;
+    } packed_;  ///< for the next page that asks for the same
+
+    std::unique_ptr<Server> server_;  ///< last: its thread ends first
+};
+
+}  // namespace hinge::live
