@@ -54,7 +54,7 @@ class Browser {
   }
   async open(file) {
     this.problems.length = this.requests.length = 0;
-    await this.send("Page.navigate", { url: "file://" + path.resolve(file) });
+    await this.send("Page.navigate", { url: /^http:/.test(file) ? file : "file://" + path.resolve(file) });
   }
   /// The value of an expression in the page; promises are waited for.
   async value(expression) {

@@ -88,14 +88,16 @@ export const colourings = {
 };
 
 /// What scales colours where a section has no limit, and the largest displacement of what is attached to supports.
-export function measure(frames, scene) {
-  let n = 0, m = 0, u = 0;
+/// first: the frames before it have been measured.
+export function measure(frames, scene, first = 0) {
+  let n = 0, m = 0, u = first > 0 ? scene.largest_displacement : 0;
+  const largest = (b, c) => (frames.largest ? frames.largest[6 * b + c] : frames.scale[6 * b + c] * 32767);
   for (let b = 0; b < frames.bars; ++b) {
-    n = Math.max(n, frames.scale[6 * b] * 32767);
-    for (const c of [1, 2, 3, 4]) m = Math.max(m, frames.scale[6 * b + c] * 32767);
+    n = Math.max(n, largest(b, 0));
+    for (const c of [1, 2, 3, 4]) m = Math.max(m, largest(b, c));
     const node = frames.ends[2 * b];
     if (!frames.attached[b] || node === 0xffffffff) continue;
-    for (let f = 0; f < frames.count; ++f) {
+    for (let f = first; f < frames.count; ++f) {
       const o = 3 * (frames.nodes * f + node), d = 3 * node;
       u = Math.max(u, Math.hypot(frames.positions[o] - frames.declared[d], frames.positions[o + 1] - frames.declared[d + 1],
         frames.positions[o + 2] - frames.declared[d + 2]));

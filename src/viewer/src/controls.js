@@ -16,8 +16,12 @@ export function controls_of(player) {
       const time = Number(e.target.value); // before the slider is put where the player is
       player.play(false), player.seek(time);
     } });
+  const newest = make("button", { type: "button", title: "follow the newest frame", "aria-pressed": "true",
+    onclick: () => { player.play(false), player.seek(player.end); } }, "newest");
   player.show_time = () => {
+    range.min = player.begin, range.max = player.end;
     range.value = player.time;
+    newest.setAttribute("aria-pressed", player.at_end());
     play.textContent = player.playing ? "❚❚ pause" : "▶ play";
   };
   const magnify = make("input", { type: "range", min: 0, max: 3, step: 0.02, value: 0, "aria-label":
@@ -32,6 +36,7 @@ export function controls_of(player) {
     player.views[0].scene).map(([colour, text]) => make("span", {}, make("span", { class: "swatch",
     style: `background:${colour}` }), text)));
   show_legend();
+  player.show_legend = show_legend;
   const follow = tick("follow the member picked", false, set("follow"));
   player.show_options = () => { follow.firstChild.checked = options.follow; };
   const scenes = (f) => (value) => { player.views.forEach((v) => f(v.scene, value)), player.repaint(); };
@@ -41,7 +46,7 @@ export function controls_of(player) {
       range,
       make("button", { type: "button", title: "a frame on", "aria-label": "a frame on", onclick: () => player.step(1) }, "▸"),
       choice("speed", [[0.25, "¼"], [0.5, "½"], [1, "1"], [2, "2"], [4, "4"]].map(([v, t]) => [String(v), t]), "1",
-        (v) => { options.speed = Number(v); })),
+        (v) => { options.speed = Number(v); }), player.grows ? newest : null),
     make("div", { class: "row" },
       choice("colour", Object.entries(colourings).map(([k, c]) => [k, c.name]), "f_y", (v) => {
         set("colouring")(v), show_legend();

@@ -3,6 +3,7 @@ import style from "./page.css";
 import { make, number, table, card, bar, quantity } from "./page.js";
 import { plot } from "./plot.js";
 import { list, read_frames, frame_at, member_state } from "./run_data.js";
+import { look_on } from "./live.js";
 import { story_of } from "./story.js";
 import { member_panel } from "./member.js";
 import { Player } from "./player.js";
@@ -54,6 +55,9 @@ function heading(runs) {
   return make("header", {}, make("h1", {}, title), make("div", { class: "verdicts" }, runs.map((r) => {
     const s = r.summary;
     if (!s) return make("p", { class: "verdict" }, `${r.name}: no summary.json, frames alone`);
+    if (s.verdict === "unfinished") return make("p", { class: "verdict stopped" }, make("strong", {}, "unfinished"),
+      ` · ${runs.length > 1 ? `${r.name}: ` : ""}there is no summary.json, so the program still runs or was ended from `
+      + "outside; this is what it has written");
     const where = s.kind === "static" ? `load factor ${number(s.factor)}` : `t = ${number(s.time)} s`;
     return make("p", { class: `verdict ${["completed", "failed", "stopped"].includes(s.verdict) ? s.verdict : ""}` },
       make("strong", {}, runs.length > 1 ? `${r.name}: ${s.verdict}` : s.verdict),
@@ -128,6 +132,8 @@ function storey_rows(r, frame) {
     [...r.frames.members.values()].filter((m) => m.storey === k))]).reverse();
 }
 
+const hidden_kinds = new Set(); // of what happened
+
 function story(runs, player) {
   return each(runs, "What happened, in order", (r) => {
     const slack = player ? 1e-9 * Math.abs(player.end) : 0;
@@ -146,11 +152,13 @@ function story(runs, player) {
     });
     const kinds = [...new Set(entries.map((e) => e.kind))], box = make("ol", { class: "story" }, lines.map(([, li]) => li));
     const filter = kinds.length > 2 ? make("div", { class: "legend" }, kinds.map((k) => make("button", { type: "button",
-      "aria-pressed": "true", onclick: (event) => {
+      "aria-pressed": String(!hidden_kinds.has(k)), onclick: (event) => {
         const on = event.currentTarget.getAttribute("aria-pressed") !== "true";
         event.currentTarget.setAttribute("aria-pressed", on);
+        if (on) hidden_kinds.delete(k); else hidden_kinds.add(k);
         for (const li of box.querySelectorAll(`li.${k}`)) li.hidden = !on;
       } }, `${k} (${entries.filter((e) => e.kind === k).length})`))) : null;
+    for (const k of hidden_kinds) for (const li of box.querySelectorAll(`li.${k}`)) li.hidden = true;
     const more = r.events?.left_out ? make("p", { class: "hint" }, `${number(r.events.left_out)} further lines of events.csv `
       + "are not in this page") : null;
     const frames_note = [r.frames?.not_shown ? `${r.frames.not_shown} frames are not in this page` : "",
@@ -206,18 +214,24 @@ function member_card(runs, player) {
   const show = () => {
     const run = player.views[player.chosen.run].run;
     shown = member_panel(run, player.chosen.member, (t) => { player.play(false), player.seek(t); });
-    input.value = player.chosen.member || "";
+    if (document.activeElement !== input) input.value = player.chosen.member || "";
     panel.replaceChildren(...shown.parts);
     shown.cursor(player.time);
   };
   const head = make("div", { class: "row" }, make("label", {}, "member", input), runs.length > 1 ? make("label", {}, "of",
     make("select", { "aria-label": "run", onchange: (e) => player.choose(Number(e.target.value), player.chosen.member) },
       player.views.map((v, i) => make("option", { value: i }, v.run.name)))) : null);
-  return { card: make("section", { class: "card picked", "aria-live": "polite" }, head, panel), show,
+  const holder = make("section", { class: "card picked", "aria-live": "polite" }, head, panel);
+  let drawn = 0; // ms
+  const grew = () => { // frames were added: not under the pointer, and once a second at most
+    const now = performance.now();
+    if (player.chosen.member && !player.playing && !panel.matches(":active") && now - drawn > 1000) drawn = now, show();
+  };
+  return { card: holder, show, grew,
     cursor: (t) => shown?.cursor(t) };
 }
 
-function make_player(runs) {
+function make_player(runs, grows = false) {
   const with_frames = runs.filter((r) => r.frames);
   if (with_frames.length === 0) return [null, card("The structure", make("p", {}, "No frames were written, so there is "
     + "nothing to look at in 3D. A script asks for them with job:frame(run) or hinge.frame(run)."))];
@@ -228,9 +242,10 @@ function make_player(runs) {
     if (what === "options") p.show_options();
     if (what === "member") member?.show();
     if (what === "time") member?.cursor(p.time);
+    if (what === "frames") member?.grew();
   };
   try {
-    const player = new Player(with_frames, changed);
+    const player = new Player(with_frames, changed, grows);
     member = member_card(with_frames, player);
     member.show();
     return [player, make("div", { class: "watch" }, player.element, member.card)];
@@ -239,14 +254,12 @@ function make_player(runs) {
   }
 }
 
-async function main() {
-  document.head.append(make("style", {}, style));
-  const data = JSON.parse(document.getElementById("data").textContent);
-  const runs = await Promise.all(list(data.runs).map(async (r) => ({ ...r, frames: await read_frames(r.frames) })));
-  const [player, watch] = make_player(runs);
+// All that stands below the player, anew.
+function below(runs, player) {
+  cursors.length = 0;
   const seek = player ? (t) => { player.play(false), player.seek(t); } : undefined;
   const pair = (...cards) => (runs.length > 1 ? cards : [make("div", { class: "pair" }, ...cards)]);
-  report.append(...[heading(runs), watch, ...pair(story(runs, player), energies(runs, seek)),
+  const parts = [...pair(story(runs, player), energies(runs, seek)),
     make("div", { class: "pair" }, ...[damage(runs, "Damage by group", group_rows),
       damage(runs, "Damage by storey", storey_rows)].filter(Boolean)),
     make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
@@ -255,7 +268,25 @@ async function main() {
     ...pair(effects(runs), stages(runs)), warnings(runs),
     make("footer", {}, "Keys in the picture: arrows rotate, + and − zoom, space plays, comma and full stop step by a frame, "
       + "[ and ] pick the member before or after, f follows it, r looks from the corner, Escape picks none. "
-      + "Drawn with three.js, © three.js authors, MIT licence.")].filter(Boolean));
+      + "Drawn with three.js, © three.js authors, MIT licence.")].filter(Boolean);
+  if (player) for (const c of cursors) c(player.time);
+  return parts;
+}
+
+// A run without a summary: whose it is, and what else its files tell.
+function unfinished(r) {
+  const statics = list(r.events?.columns)[0] === "factor" || (list(r.history?.values)[0] || []).every((t) => !t);
+  return { ...r.owner, verdict: "unfinished", kind: statics ? "static" : "dynamic" };
+}
+
+async function main() {
+  document.head.append(make("style", {}, style));
+  const data = JSON.parse(document.getElementById("data").textContent);
+  if (data.live) return look_on(data.live, { report, heading, below, make_player });
+  const runs = await Promise.all(list(data.runs).map(async (r) => ({ ...r, summary: r.summary || (r.history ?
+    unfinished(r) : null), frames: await read_frames(r.frames) })));
+  const [player, watch] = make_player(runs);
+  report.append(heading(runs), watch, ...below(runs, player));
   if (player) player.seek(player.end);
   window.hinge_report = { runs, player, ready: true };
   document.documentElement.dataset.ready = "yes";

@@ -20,16 +20,16 @@ function draws_on_processor() {
 }
 
 export class Player {
-  /// runs: those with frames; changed(player) is called when the time or the member picked is another.
-  constructor(runs, changed) {
+  /// runs: those with frames; changed(player) is called when the time or the member picked is another. grows: frames
+  /// will be added (grew).
+  constructor(runs, changed, grows = false) {
     this.runs = runs;
     this.changed = changed;
+    this.grows = grows;
     this.chosen = { run: 0, member: 0 };
     this.options = { colouring: "f_y", magnify: 1, thicker: 1, smooth: true, hidden: new Set(), low: -Infinity,
       high: Infinity, follow: false, speed: 1, perspective: true, loop: false };
-    const xs = runs.map((r) => r.frames.abscissa);
-    this.begin = Math.min(...xs.map((x) => x[0]));
-    this.end = Math.max(...xs.map((x) => x[x.length - 1]));
+    this.#find_ends();
     this.time = this.end;
     this.playing = false;
     this.frames_drawn = 0;
@@ -71,7 +71,8 @@ export class Player {
       this.pressed = null;
     });
     this.canvas.addEventListener("keydown", (e) => this.#key(e));
-    new ResizeObserver(() => this.#resize()).observe(this.stage);
+    this.sizes = new ResizeObserver(() => this.#resize());
+    this.sizes.observe(this.stage);
     this.look("corner");
   }
 
@@ -129,6 +130,29 @@ export class Player {
 
   // ---- time ----
 
+  #find_ends() {
+    const xs = this.runs.map((r) => r.frames.abscissa);
+    this.begin = Math.min(...xs.map((x) => x[0]));
+    this.end = Math.max(...xs.map((x) => x[x.length - 1]));
+  }
+  at_end() { return !this.playing && this.time === this.end; }
+  /// Frames were added to the runs, and others may have been left out: who was at the end is there again.
+  grew() {
+    const follows = this.at_end();
+    this.#find_ends();
+    for (const v of this.views) {
+      v.frame = -1;
+      measure(v.run.frames, v.scene, v.run.frames.count - 1);
+    }
+    this.show_legend();
+    this.seek(follows ? this.end : this.time);
+    this.changed(this, "frames");
+  }
+  close() {
+    this.playing = false, this.laid_out = false;
+    this.sizes.disconnect();
+    this.renderer.dispose(), this.renderer.forceContextLoss();
+  }
   seek(time) {
     this.time = Math.min(this.end, Math.max(this.begin, time));
     this.#place();

@@ -34,6 +34,8 @@ function path(x, y, to_x, to_y) {
   return text;
 }
 
+const hidden = new Set(); // curves that were hidden, by their plot's label and their name: a plot may be drawn anew
+
 /// options: width and height, label (what it shows, for screen readers), x_label, unit (of y), series [{ name, x, y, colour, dash }],
 /// lines (levels drawn across), seek(x) is called with a click. Returns an element with a method cursor(x).
 export function plot({ label, x_label = "time, s", unit = "", series, width = 640, height = 250, lines = [], seek,
@@ -71,10 +73,13 @@ export function plot({ label, x_label = "time, s", unit = "", series, width = 64
   }
   const legend = make("div", { class: "legend" }, series.length > 1 || series[0]?.name ? series.map((s, i) => {
     const last = [...s.y].reverse().find(Number.isFinite);
-    return make("button", { type: "button", "aria-pressed": "true", title: "show or hide this curve", onclick: (event) => {
+    const key = `${label} ${s.name}`;
+    if (hidden.has(key)) curves[i].style.display = "none";
+    return make("button", { type: "button", "aria-pressed": String(!hidden.has(key)), title: "show or hide this curve", onclick: (event) => {
       const shown = event.currentTarget.getAttribute("aria-pressed") !== "true";
       event.currentTarget.setAttribute("aria-pressed", shown);
       curves[i].style.display = shown ? "" : "none";
+      if (shown) hidden.delete(key); else hidden.add(key);
     } }, make("span", { class: "swatch", style: `background:${s.colour || colours[i % colours.length]}` }), s.name,
     last === undefined || !unit ? null : make("small", {}, ` ${number(last / factor, 3)}`));
   }) : []);

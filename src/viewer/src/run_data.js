@@ -44,25 +44,31 @@ export const state_of = (byte) => byte & 3;
 export const hinges_of = (byte) => (byte >> 2) & 7;
 export const touched_of = (byte) => byte >> 5;
 
-export async function read_frames(packed) {
-  if (!packed) return null;
-  const n = packed.nodes, bars = packed.bars;
-  const [declared, held, ends, member, width, limits, memberships, positions, count, which, loose, f_y, state, forces,
-    scale] = await Promise.all([
-    whole(packed.declared, 4), whole(packed.held, 1), whole(packed.ends, 4), whole(packed.member, 4),
-    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4),
-    unpacked(packed.positions, 4, 3 * n), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
+/// What differs from frame to frame.
+export async function read_changes(packed) {
+  const bars = packed.bars;
+  const [positions, count, which, loose, f_y, state, forces, scale] = await Promise.all([
+    unpacked(packed.positions, 4, 3 * packed.nodes), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
     whole(packed.loose_at, 4), unpacked(packed.f_y, 2, bars), unpacked(packed.state, 1, bars),
     unpacked(packed.forces, 2, 6 * bars), whole(packed.force_scale, 4)]);
   const loose_from = [0];
   for (const c of count) loose_from.push(loose_from[loose_from.length - 1] + c);
-  const frames = {
-    count: packed.frames, nodes: n, bars,
-    times: list(packed.times), factors: packed.factors ? list(packed.factors) : null, groups: list(packed.groups),
-    not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
-    declared: floats(declared), held, ends, member, width: floats(width), limits: floats(limits),
+  return {
+    count: packed.frames, times: list(packed.times), factors: packed.factors ? list(packed.factors) : null,
     positions: floats(positions), loose_from, loose_end: which, loose_at: floats(loose),
     f_y, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
+  };
+}
+
+export async function read_frames(packed) {
+  if (!packed) return null;
+  const [declared, held, ends, member, width, limits, memberships, changes] = await Promise.all([
+    whole(packed.declared, 4), whole(packed.held, 1), whole(packed.ends, 4), whole(packed.member, 4),
+    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4), read_changes(packed)]);
+  const frames = {
+    nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups),
+    not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
+    declared: floats(declared), held, ends, member, width: floats(width), limits: floats(limits), ...changes,
   };
   frames.abscissa = frames.factors || frames.times;
   list_members(frames, memberships);
@@ -139,6 +145,7 @@ function find_storeys(frames) {
 export function frame_at(frames, at) {
   const x = frames.abscissa, slack = 1e-9 * Math.abs(x[x.length - 1] || 1);
   let low = 0, high = x.length - 1;
+  if (Math.abs(at - x[high]) <= slack) return high; // also where a load factor has fallen
   while (low < high) {
     const middle = (low + high + 1) >> 1;
     if (x[middle] <= at + slack) low = middle; else high = middle - 1;

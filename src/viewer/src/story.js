@@ -155,7 +155,7 @@ export function story_of(run) {
     text: `unstable: no more than this load factor is carried${i.node ? `; ${i.node} gives way` : ""}` });
   const met = rows.filter((r) => r.event === "contact"), bent = rows.filter((r) => r.event === "yield");
   entries.sort((a, b) => a.at - b.at);
-  if (summary) {
+  if (summary && !["running", "unfinished"].includes(summary.verdict)) {
     const counts = [met.length ? `in contact: ${by_group(met)}` : "", bent.length ? `yielded: ${by_group(bent)}` : ""]
       .filter(Boolean).join("; ");
     entries.push({ at: summary.kind === "static" ? summary.factor : summary.time, kind: "end", member: 0,

@@ -1,0 +1,73 @@
+// Frames of a run that goes on: arrays with room for more, of which every other frame is left out when it is used up.
+import { read_changes } from "./run_data.js";
+
+const most_frames = 240, most_bytes = 200e6;
+
+/// read: frames as read_frames gives them. They grow from now on.
+export function make_growing(read) {
+  const bytes = 12 * read.nodes + 27 * read.bars, room = Math.round(Math.min(most_frames, Math.max(8, most_bytes / bytes)));
+  const frames = { ...read, room, count: 0, times: [], factors: read.factors ? [] : null,
+    positions: new Float32Array(room * 3 * read.nodes), f_y: new Uint16Array(room * read.bars),
+    state: new Uint8Array(room * read.bars), forces: new Float32Array(room * 6 * read.bars),
+    scale: new Float32Array(6 * read.bars).fill(1), largest: new Float32Array(6 * read.bars), loose: [] };
+  frames.abscissa = frames.factors || frames.times;
+  put(frames, read);
+  return frames;
+}
+
+/// Adds the one frame that is packed there.
+export async function add_frame(frames, packed) {
+  const read = await read_changes(packed), x = frames.factors ? read.factors[0] : read.times[0];
+  if (frames.abscissa[frames.count - 1] === x) --frames.count; // the same step again: the last of a run
+  frames.times.length = frames.loose.length = frames.count;
+  if (frames.factors) frames.factors.length = frames.count;
+  if (frames.count === frames.room) thin_out(frames);
+  put(frames, read);
+}
+
+// The arrays that have so many numbers a frame.
+const arrays = (frames) => [[frames.positions, 3 * frames.nodes], [frames.f_y, frames.bars], [frames.state, frames.bars],
+  [frames.forces, 6 * frames.bars]];
+
+function put(frames, read) {
+  const at = frames.count, { bars, largest } = frames;
+  frames.positions.set(read.positions.subarray(0, 3 * frames.nodes), at * 3 * frames.nodes);
+  frames.f_y.set(read.f_y.subarray(0, bars), at * bars);
+  frames.state.set(read.state.subarray(0, bars), at * bars);
+  for (let c = 0; c < 6; ++c)
+    for (let b = 0; b < bars; ++b) {
+      const force = read.forces[c * bars + b] * read.scale[6 * b + c];
+      frames.forces[(6 * at + c) * bars + b] = force;
+      largest[6 * b + c] = Math.max(largest[6 * b + c], Math.abs(force));
+    }
+  frames.times.push(read.times[0]);
+  if (frames.factors) frames.factors.push(read.factors[0]);
+  frames.loose.push({ end: read.loose_end, at: read.loose_at });
+  ++frames.count;
+  join_loose(frames);
+}
+
+// The first frame stays, and the last.
+function thin_out(frames) {
+  const kept = [];
+  for (let f = 0; f < frames.count; ++f) if (f % 2 === 0 || f === frames.count - 1) kept.push(f);
+  for (const [array, size] of arrays(frames))
+    kept.forEach((f, i) => { if (f !== i) array.copyWithin(i * size, f * size, (f + 1) * size); });
+  for (const list of [frames.times, frames.factors, frames.loose]) {
+    if (!list) continue;
+    kept.forEach((f, i) => { list[i] = list[f]; });
+    list.length = kept.length;
+  }
+  frames.count = kept.length;
+}
+
+// Loose ends of all frames one after the other, as place_bars takes them.
+function join_loose(frames) {
+  const all = frames.loose.reduce((n, l) => n + l.end.length, 0);
+  frames.loose_from = [0], frames.loose_end = new Uint32Array(all), frames.loose_at = new Float32Array(3 * all);
+  for (const { end, at } of frames.loose) {
+    const from = frames.loose_from[frames.loose_from.length - 1];
+    frames.loose_end.set(end, from), frames.loose_at.set(at, 3 * from);
+    frames.loose_from.push(from + end.length);
+  }
+}
