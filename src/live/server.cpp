@@ -86,7 +86,7 @@ private:
         std::erase_if(clients_, [](const Client& c) { return c.fd < 0; });
         waiting_ = int(std::count_if(clients_.begin(), clients_.end(),
                                      [](const Client& c) { return c.stage == Client::Stage::waiting; }));
-        if (listens && watched[1].revents) take_in(now);
+        if (listens && watched[1].revents) take_in(now);  // one at a time: meanwhile others may have gone
     }
 
     void take_in(Clock::time_point now) {
@@ -212,7 +212,7 @@ int loopback_listener(int& port) {
     ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &again, sizeof again);
     socklen_t size = sizeof address;
     auto* general = reinterpret_cast<sockaddr*>(&address);
-    if (::bind(fd, general, size) != 0 || ::listen(fd, 16) != 0 || ::getsockname(fd, general, &size) != 0) {
+    if (::bind(fd, general, size) != 0 || ::listen(fd, 64) != 0 || ::getsockname(fd, general, &size) != 0) {
         const int error = errno;
         ::close(fd);
         cannot_listen(port, error);

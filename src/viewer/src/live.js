@@ -37,7 +37,7 @@ export async function look_on(program, page) {
 
 // What the program says next; null where it no longer answers.
 async function next_state(ask, known) {
-  for (let tried = 0; tried < 3;) {
+  for (let tried = 0; tried < 5;) {
     try {
       const answer = await ask(...known);
       if (answer.status === 200) return await answer.json();
@@ -45,7 +45,7 @@ async function next_state(ask, known) {
       tried = 0;
     } catch {
       ++tried;
-      await pause(200);
+      await pause(400);
     }
   }
   return null;

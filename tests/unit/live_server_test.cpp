@@ -1,0 +1,229 @@
+// The server of hinge run --live: whom it answers, whom it refuses, and that nobody holds it up.
+#include <catch2/catch.hpp>
+
+#include <arpa/inet.h>
+#include <dirent.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "core/errors.h"
+#include "live/http.h"
+
+using namespace hinge;
+using namespace hinge::live;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// A client's end of a connection; whatever takes longer than five seconds fails.
+struct Connection {
+    int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    bool connected;
+    explicit Connection(int port, int room = 0) {
+        if (room) ::setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
+        const timeval most = {5, 0};
+        ::setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof most);
+        sockaddr_in a = {};
+        a.sin_family = AF_INET, a.sin_port = htons(std::uint16_t(port)), a.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        connected = ::connect(fd, reinterpret_cast<sockaddr*>(&a), sizeof a) == 0;
+    }
+    ~Connection() { ::close(fd); }
+    void say(const std::string& text) {
+        CHECK(::send(fd, text.data(), text.size(), MSG_NOSIGNAL) == ssize_t(text.size()));
+    }
+    /// All that comes until the other end closes; "late" at its end where it does not.
+    std::string hear() {
+        std::string text;
+        char some[65536];
+        for (;;) {
+            const ssize_t n = ::recv(fd, some, sizeof some, 0);
+            if (n > 0) text.append(some, std::size_t(n));
+            else return n == 0 ? text : text + "late";
+        }
+    }
+};
+
+std::string get(int port, const std::string& path, const std::string& more = "Host: 127.0.0.1\r\n") {
+    Connection c(port);
+    c.say("GET " + path + " HTTP/1.1\r\n" + more + "\r\n");
+    return c.hear();
+}
+
+std::string status_of(const std::string& answer) { return answer.substr(0, answer.find("\r\n")); }
+std::string body_of(const std::string& answer) {
+    const auto end = answer.find("\r\n\r\n");
+    return end == std::string::npos ? "" : answer.substr(end + 4);
+}
+
+std::shared_ptr<const std::string> text(std::string t) { return std::make_shared<const std::string>(std::move(t)); }
+
+std::optional<Answer> plain(const Request& r) {
+    if (r.path == "/") return Answer{200, "text/html", text("the page")};
+    if (r.path == "/echo") return Answer{200, "text/plain", text(std::to_string(r.number("n", -7)))};
+    static const auto large = text(std::string(40'000'000, 'x'));
+    if (r.path == "/large") return Answer{200, "text/plain", large};
+    if (r.path == "/never") return std::nullopt;
+    return Answer{404, "text/plain", text("nothing")};
+}
+
+int threads_now() {
+    int n = 0;
+    DIR* folder = ::opendir("/proc/self/task");
+    while (const dirent* entry = ::readdir(folder)) n += entry->d_name[0] != '.';
+    ::closedir(folder);
+    return n;
+}
+
+int files_now() {
+    int n = 0;
+    DIR* folder = ::opendir("/proc/self/fd");
+    while (const dirent* entry = ::readdir(folder)) n += entry->d_name[0] != '.';
+    ::closedir(folder);
+    return n;
+}
+
+}  // namespace
+
+TEST_CASE("the live server answers GET", "[live]") {
+    Server server(0, plain);
+    const std::string page = get(server.port(), "/");
+    CHECK(status_of(page) == "HTTP/1.1 200 OK");
+    CHECK(body_of(page) == "the page");
+    for (const char* line : {"Content-Length: 8\r\n", "Cache-Control: no-store\r\n", "X-Frame-Options: DENY\r\n",
+                             "Connection: close\r\n", "Content-Type: text/html\r\n"})
+        CHECK(page.find(line) != std::string::npos);
+    CHECK(body_of(get(server.port(), "/echo?a=b&n=12")) == "12");
+    CHECK(body_of(get(server.port(), "/echo?n=1x")) == "-7");
+    CHECK(body_of(get(server.port(), "/echo?&=&n&n=")) == "-7");
+    CHECK(status_of(get(server.port(), "/../etc/passwd")) == "HTTP/1.1 404 Not Found");
+    CHECK(body_of(get(server.port(), "/large")).size() == 40'000'000);
+}
+
+TEST_CASE("the live server refuses other hosts, other methods and what is no request", "[live]") {
+    Server server(0, plain);
+    const int port = server.port();
+    const auto with = [&](const std::string& lines) { return status_of(get(port, "/", lines)); };
+    for (const char* host : {"127.0.0.1", "127.0.0.1:80", "localhost:12345", "LocalHost", " 127.0.0.1 "})
+        CHECK(with("Host:" + std::string(host) + "\r\n") == "HTTP/1.1 200 OK");
+    for (const char* host : {"evil.example", "127.0.0.1.evil.example", "evil.example:80", "localhost:80:80", "",
+                             "127.0.0.2", "localhost:", "localhost:8x", "localhost.", "0.0.0.0"})
+        CHECK(with("Host: " + std::string(host) + "\r\n") == "HTTP/1.1 403 Forbidden");
+    CHECK(with("") == "HTTP/1.1 400 Bad Request");
+    CHECK(with("Host: localhost\r\nHost: localhost\r\n") == "HTTP/1.1 400 Bad Request");
+    CHECK(with("Host: localhost\r\nno colon\r\n") == "HTTP/1.1 400 Bad Request");
+    // a page of somebody else's may lead here, and ask for nothing
+    const std::string elsewhere = "Host: localhost\r\nSec-Fetch-Site: cross-site\r\n";
+    CHECK(with(elsewhere) == "HTTP/1.1 200 OK");
+    CHECK(status_of(get(port, "/echo", elsewhere)) == "HTTP/1.1 403 Forbidden");
+    CHECK(status_of(get(port, "/echo", "Host: localhost\r\nSec-Fetch-Site: same-origin\r\n")) == "HTTP/1.1 200 OK");
+    const auto raw = [&](const std::string& request) {
+        Connection c(port);
+        c.say(request);
+        return status_of(c.hear());
+    };
+    const std::string host = " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    CHECK(raw("POST /" + host + "a body that nobody reads") == "HTTP/1.1 405 Method Not Allowed");
+    CHECK(raw("HEAD /" + host) == "HTTP/1.1 405 Method Not Allowed");
+    CHECK(raw("GET / HTTP/2.0\r\nHost: localhost\r\n\r\n") == "HTTP/1.1 505 HTTP Version Not Supported");
+    for (const std::string& junk : {std::string("\r\n\r\n"), std::string("GET\r\n\r\n"), "GET  " + host.substr(1),
+                                    "GET http://evil.example/" + host, std::string("\x16\x03\x01\0\xff\r\n\r\n", 9),
+                                    "GET /\x01" + host, "get /" + host, std::string("GET / FTP/1.1\r\n\r\n")})
+        CHECK(raw(junk) == "HTTP/1.1 400 Bad Request");
+    CHECK(raw("GET /" + std::string(20000, 'a') + host) == "HTTP/1.1 431 Request Header Fields Too Large");
+}
+
+TEST_CASE("clients that never read, never ask or go away hold nobody up", "[live]") {
+    const int threads = threads_now(), files = files_now();
+    {
+        Server server(0, plain);
+        std::vector<std::unique_ptr<Connection>> others;
+        for (int i = 0; i < 4; ++i) {  // each has asked for 40 MB and takes none of it
+            others.push_back(std::make_unique<Connection>(server.port(), 4096));
+            others.back()->say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        }
+        for (int i = 0; i < 4; ++i) others.push_back(std::make_unique<Connection>(server.port()));  // says nothing
+        for (int i = 0; i < 4; ++i) {                                                               // half a request
+            others.push_back(std::make_unique<Connection>(server.port()));
+            others.back()->say("GET /la");
+        }
+        for (int i = 0; i < 50; ++i) {  // asks and is gone
+            Connection c(server.port());
+            c.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        }
+        const auto before = std::chrono::steady_clock::now();
+        int answered = 0;
+        for (int i = 0; i < 20; ++i) answered += body_of(get(server.port(), "/")) == "the page";
+        CHECK(answered == 20);
+        CHECK(std::chrono::steady_clock::now() - before < 3s);
+        // with as many as it takes, others are turned away at once
+        while (others.size() < 24) others.push_back(std::make_unique<Connection>(server.port()));
+        CHECK(status_of(others.back()->hear()) == "HTTP/1.1 503 Service Unavailable");
+    }
+    CHECK(threads_now() == threads);
+    CHECK(files_now() == files);
+}
+
+TEST_CASE("a request may wait for news", "[live]") {
+    std::atomic<int> version = 0, asked = 0;
+    Server server(0, [&](const Request& r) -> std::optional<Answer> {
+        ++asked;
+        if (version <= r.number("after", 0)) return std::nullopt;
+        return Answer{200, "text/plain", text(std::to_string(version))};
+    });
+    std::vector<std::unique_ptr<Connection>> waiting;
+    for (int i = 0; i < 3; ++i) {
+        waiting.push_back(std::make_unique<Connection>(server.port()));
+        waiting.back()->say("GET /?after=0 HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    }
+    for (int i = 0; i < 500 && server.waiting() < 3; ++i) std::this_thread::sleep_for(10ms);
+    REQUIRE(server.waiting() == 3);
+    waiting.pop_back();  // one goes away
+    server.wake();       // and there is nothing new
+    for (int i = 0; i < 500 && (asked < 5 || server.waiting() > 2); ++i) std::this_thread::sleep_for(10ms);
+    CHECK(server.waiting() == 2);
+    version = 1;
+    server.wake();
+    for (auto& c : waiting) CHECK(body_of(c->hear()) == "1");
+    CHECK(body_of(get(server.port(), "/?after=0")) == "1");
+}
+
+TEST_CASE("a live server ends while clients wait, and its port is free again", "[live]") {
+    const int threads = threads_now();
+    auto server = std::make_unique<Server>(0, plain);
+    const int port = server->port();
+    Connection waits(port);
+    waits.say("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    for (int i = 0; i < 500 && server->waiting() < 1; ++i) std::this_thread::sleep_for(10ms);
+    try {
+        Server second(port, plain);
+        FAIL("two servers have one port");
+    } catch (const OutsideError& e) {
+        CHECK(std::string(e.what()).find("cannot listen on 127.0.0.1 at port " + std::to_string(port) +
+                                         ": Address already in use; "
+                                         "another program has that port: give another one, or --live alone") !=
+              std::string::npos);
+    }
+    const auto before = std::chrono::steady_clock::now();
+    server.reset();
+    CHECK(std::chrono::steady_clock::now() - before < 1s);
+    CHECK(threads_now() == threads);
+    CHECK(waits.hear() == "");
+    CHECK_FALSE(Connection(port).connected);
+    Server again(port, plain);
+    CHECK(body_of(get(port, "/")) == "the page");
+}
+
+TEST_CASE("a handler that finds no memory costs its client, and no more", "[live]") {
+    Server server(0, [](const Request& r) -> std::optional<Answer> {
+        if (r.path == "/fails") throw std::bad_alloc();
+        return Answer{200, "text/plain", text("fine")};
+    });
+    CHECK(get(server.port(), "/fails") == "");
+    CHECK(body_of(get(server.port(), "/")) == "fine");
+}
