@@ -71,6 +71,10 @@ void Rows::add(const std::string& row) {
     every_ *= 2;
 }
 
+void Rows::end_with(const std::string& row) {
+    if (kept_.empty() || kept_.back() != row) last_ = row;
+}
+
 std::string Rows::json() const {
     std::string text = "[";
     for (const std::string& row : kept_) text += (text.size() > 1 ? "," : "") + row_json(row);
@@ -151,8 +155,10 @@ void Live::take_shot(const Context& c, const RunRecord& run) {
                 {"planned", run.run->planned_steps()},
                 {"summary", std::move(summary)}};
     if (Rows& rows = rows_[run.number]; true) {
-        if (run.every == 0) rows.add(script::history_row(run, run.run->energy()));
+        const std::string row = script::history_row(run, run.run->energy());
+        if (run.every == 0) rows.add(row);
         s.rows = rows;
+        s.rows.end_with(row);
     }
     std::vector<std::string> more;
     const std::size_t all = std::min(run.happenings.size(), most_events);

@@ -18,7 +18,8 @@ using script::Json;
 class Rows {
 public:
     explicit Rows(const std::string& heading = "");
-    void add(const std::string& row);  ///< of CSV
+    void add(const std::string& row);       ///< of CSV
+    void end_with(const std::string& row);  ///< the last one is this until another is added
     Json columns;
     std::string json() const;  ///< a list of them
 

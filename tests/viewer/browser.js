@@ -104,4 +104,22 @@ class Browser {
   }
 }
 
-module.exports = { Browser };
+// Numbers that tell one drawing from another: a hash of the canvas, and how many of its pixels are not the background.
+const drawing = `(async () => {
+  const p = hinge_report.player;
+  await new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));
+  const copy = document.createElement("canvas");
+  copy.width = p.canvas.width, copy.height = p.canvas.height;
+  const draw = copy.getContext("2d");
+  p.redraw();
+  await new Promise((r) => requestAnimationFrame(() => { draw.drawImage(p.canvas, 0, 0); r(); }));
+  const bytes = draw.getImageData(0, 0, copy.width, copy.height).data;
+  let hash = 0, drawn = 0;
+  for (let i = 0; i < bytes.length; i += 4) {
+    hash = (Math.imul(hash, 31) + bytes[i] + (bytes[i + 1] << 8) + (bytes[i + 2] << 16)) | 0;
+    if (bytes[i] !== bytes[0] || bytes[i + 1] !== bytes[1] || bytes[i + 2] !== bytes[2]) ++drawn;
+  }
+  return { hash, drawn };
+})()`;
+
+module.exports = { Browser, drawing };
