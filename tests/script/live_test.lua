@@ -1,5 +1,6 @@
 -- hinge run --live: the page and the newest frame over plain sockets, whom it refuses, that it changes no bit, that it
--- ends with the run, and, in a headless Chromium where one and Node.js are installed, the page (tests/viewer/live_test.js).
+-- ends with the run, and, in a headless Chromium where one and Node.js are installed, the page
+-- (tests/viewer/live_test.js).
 --
 -- Run: lua5.4 tests/script/live_test.lua BUILD [PICTURE]      PICTURE: where a picture of the page goes
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -12,7 +13,7 @@ local function path(name) return folder .. "/" .. name end
 local function text_of(name) return support.read(path(name)) or "" end
 
 -- A frame of two storeys under its weight, and a bar that flies into it and breaks. It goes on until there is a file
--- STOP, or to its end; pace: s that it waits after every tenth step.
+-- STOP, or to its end; wait: s that it waits after every tenth step.
 support.write(path "scene.lua", [=[
 local hinge = require "hinge"
 local how = ...
@@ -46,7 +47,7 @@ local run = model:dynamic { from = loaded, dt = 2e-5, duration = tonumber(how.du
 run:probe { node = node[1][2], "ux", name = "sway" }
 for step in run:steps() do
   local clock = os.clock() -- and not a command that sleeps: the signal would go there
-  if how.pace and step.index % 10 == 0 then repeat until os.clock() > clock + how.pace end
+  if how.wait and step.index % 10 == 0 then repeat until os.clock() > clock + how.wait end
   if how.stop and step.index % 20 == 0 then
     local file = io.open(how.stop)
     if file then file:close() run:stop() end
@@ -83,7 +84,8 @@ end
 -- What the server answers, by bash's own sockets; "" where there is none.
 local function ask(address, request)
   local port = address:match ":(%d+)/"
-  local script = ("exec 3<>/dev/tcp/127.0.0.1/%s && printf %%b %s >&3 && timeout 30 cat <&3"):format(port, quote(request))
+  local script = ("exec 3<>/dev/tcp/127.0.0.1/%s && printf %%b %s >&3 && timeout 30 cat <&3")
+    :format(port, quote(request))
   return support.output("bash -c " .. quote(script) .. " 2>/dev/null")
 end
 local function get(address, target, host)
@@ -107,14 +109,15 @@ local function second_run(address, query)
 end
 
 -- The page and the newest frame; a second program at once; what is refused.
-local one, at_one = start("one", "duration=10 pace=0.01 stop=stop_one")
-local two, at_two = start("two", "duration=10 pace=0.01 stop=stop_two record=no")
+local one, at_one = start("one", "duration=10 wait=0.01 stop=stop_one")
+local two, at_two = start("two", "duration=10 wait=0.01 stop=stop_two record=no")
 expect(at_one ~= at_two, "two programs at once have one address: %s", at_one)
 local status, page = get(at_one, "/")
 equal(status, "HTTP/1.1 200 OK", "the page")
 local id = page:match '<script type="application/json" id="data">{"live":"(%x+)"}</script>'
 expect(id and #id == 16, "the page has no id")
-expect(page:find("connect-src 'self'", 1, true) and page:find("default-src 'none'", 1, true), "what the page may ask for")
+expect(page:find("connect-src 'self'", 1, true) and page:find("default-src 'none'", 1, true),
+  "what the page may ask for")
 local first = second_run(at_one, "page=a&program=" .. tostring(id))
 equal(first.program, "running", "the program")
 equal(first.run, 2, "number of the run")
@@ -147,25 +150,27 @@ equal(get(at_one, "/state", "evil.example"), "HTTP/1.1 403 Forbidden", "another 
 equal(get(at_one, "/", "evil.example:80"), "HTTP/1.1 403 Forbidden", "another host")
 equal(get(at_one, "/summary.json"), "HTTP/1.1 404 Not Found", "another path")
 equal(ask(at_one, "what is this\\r\\n\\r\\n"):match "^(.-)\r\n", "HTTP/1.1 400 Bad Request", "no request")
-equal(ask(at_one, "POST / HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n"):match "^(.-)\r\n", "HTTP/1.1 405 Method Not Allowed",
-  "another method")
+equal(ask(at_one, "POST / HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n"):match "^(.-)\r\n",
+  "HTTP/1.1 405 Method Not Allowed", "another method")
 local port = at_one:match ":(%d+)/"
 local refused, _, complaint = run(("cd %s && %s run --live=%s scene.lua duration=0.001 --out live_three"):format(
   quote(folder), hinge, port))
-expect(refused == 2 and complaint == ("hinge: --live: cannot listen on 127.0.0.1 at port %s: Address already in use; another "
-  .. "program has that port: give another one, or --live alone\n"):format(port), "a port in use: %s %s", refused, complaint)
+expect(refused == 2 and complaint == ("hinge: --live: cannot listen on 127.0.0.1 at port %s: Address already in use; "
+  .. "another program has that port: give another one, or --live alone\n"):format(port), "a port in use: %s %s",
+  refused, complaint)
 local interfaces = support.output "cat /proc/net/tcp"
 expect(interfaces:find((" 0100007F:%04X 00000000:0000 0A"):format(port)), "it does not listen on 127.0.0.1")
 expect(not interfaces:find((" 00000000:%04X "):format(port)), "it listens on all interfaces")
 
 -- A client that asks and never reads does not hold the run up, nor its end; Ctrl-C ends it, and who waits is told.
-local mute = io.popen(("bash -c 'for i in 1 2 3; do exec {f}<>/dev/tcp/127.0.0.1/%s; printf \"GET / HTTP/1.1\\r\\nHost: "
-  .. "localhost\\r\\n\\r\\n\" >&$f; done; echo there; sleep 20'"):format(port))
+local mute = io.popen(("bash -c 'for i in 1 2 3; do exec {f}<>/dev/tcp/127.0.0.1/%s; "
+  .. "printf \"GET / HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n\" >&$f; done; echo there; sleep 20'"):format(port))
 mute:read "l"
 local before = state(at_one, "after=0&run=2")
 local after = state(at_one, "after=" .. before.version .. "&run=2")
 expect(after.summary.steps > before.summary.steps, "the run stands still")
-local waits = io.popen(("bash -c 'exec 3<>/dev/tcp/127.0.0.1/%s; printf \"GET /state?after=1000000&page=w HTTP/1.1\\r\\n"
+local waits = io.popen(("bash -c 'exec 3<>/dev/tcp/127.0.0.1/%s; "
+  .. "printf \"GET /state?after=1000000&page=w HTTP/1.1\\r\\n"
   .. "Host: localhost\\r\\n\\r\\n\" >&3; echo there; cat <&3'"):format(port))
 waits:read "l"
 os.execute "sleep 0.3"
@@ -182,7 +187,7 @@ ends(two, "run:stop")
 equal(support.json(text_of "live_two/summary.json").verdict, "stopped", "verdict of the run that was stopped")
 
 -- Who waits at the end hears of it, with the summary, and the program does not wait for who does not.
-local three, at_three = start("three", "duration=10 pace=0.01 stop=stop_three")
+local three, at_three = start("three", "duration=10 wait=0.01 stop=stop_three")
 second_run(at_three)
 support.write(path "stop_three", "")
 local last, answers = second_run(at_three), 0
@@ -204,7 +209,7 @@ local function plain(name, verb)
   return run(("cd %s && %s %s scene.lua duration=0.03 --out live_%s"):format(quote(folder), hinge, verb, name))
 end
 equal(plain("alone", "run -q"), 0, "a run without --live")
-local looked, at_looked = start("looked", "duration=0.03 pace=0.01")
+local looked, at_looked = start("looked", "duration=0.03 wait=0.01")
 local states = 0
 while alive(looked) do
   local _, body = get(at_looked, "/state?after=" .. states .. "&page=b")
@@ -212,7 +217,8 @@ while alive(looked) do
 end
 expect(states > 2, "it was looked at %d times", states)
 local unseen, _, told = plain("unseen", "run -q --live")
-expect(unseen == 0 and support.says(told, "live until the program ends: http://127.0.0.1:.../\n"), "nobody looks: %s", told)
+expect(unseen == 0 and support.says(told, "live until the program ends: http://127.0.0.1:.../\n"), "nobody looks: %s",
+  told)
 local alone = support.json(text_of "live_alone/summary.json")
 for _, name in ipairs { "looked", "unseen" } do
   local summary = support.json(text_of("live_" .. name .. "/summary.json"))
@@ -228,7 +234,8 @@ local _, events = plain("json", "run --json --live")
 local event = support.json(events:match "^[^\n]*")
 expect(event.event == "live" and event.address:find "^http://127%.0%.0%.1:%d+/$", "--json: %s", events:sub(1, 200))
 local boxed, _, told_there = plain("boxed", "--live --sandbox")
-expect(boxed == 0 and told_there:find("live until the program ends: http", 1, true), "--sandbox: %s %s", boxed, told_there)
+expect(boxed == 0 and told_there:find("live until the program ends: http", 1, true), "--sandbox: %s %s", boxed,
+  told_there)
 for _, verb in ipairs { "study", "cost", "plan", "check" } do
   local other = plain("other", verb .. " --live")
   equal(other, 2, "hinge " .. verb .. " --live")
@@ -249,9 +256,10 @@ local starts = chromium and support.run(("timeout 60 %s --headless --no-sandbox 
   :format(quote(chromium))) == 0
 if node and starts then
   os.remove(path "stop_one")
-  local shown, at_shown = start("one", "duration=10 pace=0.02 stop=stop_one record=10")
-  local seen, said, wrong = run(("%s %s %s %s %s %s"):format(quote(node), quote(support.root .. "tests/viewer/live_test.js"),
-    quote(chromium), quote(at_shown), quote(path "stop_one"), arg[2] and quote(arg[2]) or ""))
+  local shown, at_shown = start("one", "duration=10 wait=0.02 stop=stop_one record=10")
+  local seen, said, wrong = run(("%s %s %s %s %s %s"):format(quote(node),
+    quote(support.root .. "tests/viewer/live_test.js"), quote(chromium), quote(at_shown), quote(path "stop_one"),
+    arg[2] and quote(arg[2]) or ""))
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 25, "in a browser: %s", said)
   ends(shown, "the program that was looked at")
