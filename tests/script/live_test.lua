@@ -189,8 +189,8 @@ equal(support.json(text_of "live_two/summary.json").verdict, "stopped", "verdict
 -- Who waits at the end hears of it, with the summary, and the program does not wait for who does not.
 local three, at_three = start("three", "duration=10 wait=0.01 stop=stop_three")
 second_run(at_three)
-support.write(path "stop_three", "")
-local last, answers = second_run(at_three), 0
+local last, answers = second_run(at_three, "page=w"), 0
+os.execute(("{ sleep 0.5; touch %s; } &"):format(quote(path "stop_three"))) -- while the next request waits
 for _ = 1, 50 do
   local _, body = get(at_three, ("/state?after=%d&run=2&page=w"):format(last.version))
   if body == "" then break end
