@@ -24,7 +24,7 @@ using hinge::script::Context;
 struct Request {
     std::string verb = "run", script, case_name, out, code, search, within, budget, quantity;
     std::vector<std::string> overrides, folders;
-    std::map<std::string, std::string> study;  ///< options of hinge study, as text
+    std::map<std::string, std::string> texts;  ///< options of hinge study and hinge render, which Lua reads
     std::optional<int> live_port;              ///< of hinge run --live; 0: any
     bool sandbox = false, effects = false, resume = false, quiet = false, json = false, out_given = false;
     hinge::script::Limits limits;
@@ -67,7 +67,7 @@ CLI::App* add_study(CLI::App& app, Request& request) {
         "of all values. Nothing given: what the scenario's own vary has");
     const auto study_option = [&](const char* flags, const char* name, const char* help) {
         return study_verb->add_option_function<std::string>(
-            flags, [&request, name](const std::string& text) { request.study[name] = text; }, help);
+            flags, [&request, name](const std::string& text) { request.texts[name] = text; }, help);
     };
     study_option("--cases", "cases", "The scenario's cases: all, or names such as I,III");
     study_option("-j,--jobs", "jobs", "Cases at a time (default: as many as there are cores)");
@@ -83,28 +83,63 @@ CLI::App* add_study(CLI::App& app, Request& request) {
                            "out/SCRIPT-study)");
     study_verb->add_flag("--resume", request.resume, "Keep the cases that are finished, and run the others");
     study_verb->add_flag_callback(
-        "--restart", [&] { request.study["restart"] = "yes"; }, "Run all cases anew, also those that are finished");
+        "--restart", [&] { request.texts["restart"] = "yes"; }, "Run all cases anew, also those that are finished");
     study_verb->add_flag("-q,--quiet", request.quiet, "Print the last lines only");
     study_verb->add_flag_callback(
-        "--list", [&] { request.study["list"] = "yes"; },
+        "--list", [&] { request.texts["list"] = "yes"; },
         "Print all cases, a line each: number, case, parameters; runs nothing");
     study_option("--case", "number",
                  "Run this case alone, by its number, or several as 3-7: for GNU parallel or any other queue. Finished "
                  "ones are left alone; --collect gathers");
     study_verb->add_flag_callback(
-        "--collect", [&] { request.study["collect"] = "yes"; },
+        "--collect", [&] { request.texts["collect"] = "yes"; },
         "Gather what --case and --slurm have finished so far, also while they run");
     study_verb->add_flag_callback(
-        "--slurm", [&] { request.study["slurm"] = "yes"; }, "Submit the study to Slurm as a job array");
+        "--slurm", [&] { request.texts["slurm"] = "yes"; }, "Submit the study to Slurm as a job array");
     study_option("--per-task", "per_task", "With --slurm: cases a task of the array (default 1)");
     study_option("--sbatch", "sbatch", "With --slurm: options for sbatch, such as '-p long -t 2:00:00'");
     study_verb->add_flag_callback(
-        "--dry-run", [&] { request.study["dry_run"] = "yes"; },
+        "--dry-run", [&] { request.texts["dry_run"] = "yes"; },
         "With --slurm: print what would be submitted, and submit nothing");
     study_verb->footer(
         "Exit status: 0 all cases have an answer; 1 some of them failed; 2 the script or its input is wrong; 3 "
         "interrupted, the same command with --resume goes on.");
     return study_verb;
+}
+
+/// hinge render and its options.
+CLI::App* add_render(CLI::App& app, Request& request) {
+    auto* verb = app.add_subcommand("render", "Draw the frames of a run: a PNG picture beside each, or all as a film");
+    verb->add_option("folder", request.out, "A run's output folder")->required();
+    const auto text = [&](const char* flags, const char* name, const char* help, const char* type) {
+        verb->add_option_function<std::string>(
+                flags, [&request, name](const std::string& value) { request.texts[name] = value; }, help)
+            ->type_name(type);
+    };
+    const auto flag = [&](const char* flags, const char* name, const char* help) {
+        verb->add_flag_callback(flags, [&request, name] { request.texts[name] = "yes"; }, help);
+    };
+    flag("--film", "film", "Make a film: MP4, or a GIF where ffmpeg is not installed");
+    flag("--mp4", "mp4", "Make a film as MP4 (H.264), by the program ffmpeg");
+    flag("--webm", "webm", "Make a film as WebM (VP9), by the program ffmpeg");
+    flag("--gif", "gif", "Make a film as GIF, which needs no other program");
+    text("--out", "film_file", "The film's file, which ends in .mp4, .webm or .gif (default film.mp4 in the folder)",
+         "FILE");
+    text("--fps", "fps", "Pictures a second of the film (default 25)", "N");
+    text("--seconds", "seconds", "How long the film is (default: a picture for each frame)", "S");
+    text("--size", "size", "Pixels (default 1600x1200; of a film 1920x1080, of a GIF 960x540)", "WxH");
+    text("--view", "view", "Where the eye is: front, back, left, right, top, iso or perspective", "NAME");
+    text("--from", "from", "Direction from the scene to the eye instead, such as -1,-1.4,0.55", "X,Y,Z");
+    text("--show", "show", "What colours mean: f_y (the default), N, Qx, Qy, Mx, My, Mz, group or none", "WHAT");
+    text("--scale", "scale", "Magnify displacements so many times", "K");
+    flag("--ghost", "ghost", "Draw the undeformed shape, too");
+    text("--groups", "groups", "Only the members of these groups, such as columns,beams", "NAMES");
+    text("--title", "title", "Text above", "TEXT");
+    text("-j,--jobs", "jobs", "Pictures at a time (default: as many as there are cores)", "N");
+    verb->footer(
+        "Exit status: 0; 1 a frame could not be drawn (it is named, the others are drawn) or the film not be written; 2 "
+        "there are no frames, or an option is wrong; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no film is left.");
+    return verb;
 }
 
 /// Calls require("hinge.<module>").<function>(table) and returns its status.
@@ -131,7 +166,7 @@ int call_library(lua_State* L, const char* module, const char* function, Request
     if (request.effects) set("effects", "all");
     if (request.quiet) set("quiet", "yes");
     if (request.resume) set("resume", "yes");
-    for (const auto& [name, value] : request.study) set(name.c_str(), value);
+    for (const auto& [name, value] : request.texts) set(name.c_str(), value);
     if (request.verb == "study") {
         lua_newtable(L);
         for (std::size_t i = 0; i < request.overrides.size(); ++i)
@@ -233,7 +268,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     if (request.json) context->events = events_alone_on_stdout();
     context->sandbox = request.sandbox;
     context->resume = request.resume;
-    const bool ends_on_signals = request.verb == "run" || request.verb == "study";
+    const bool ends_on_signals = request.verb == "run" || request.verb == "study" || request.verb == "render";
     if (ends_on_signals) end_on_signals(*context);
     std::unique_ptr<hinge::live::Live> live;
     if (request.live_port) try {
@@ -355,8 +390,7 @@ int main(int argc, char** argv) {
         "settings given, such as out/frame-cost-speed=100; with --effects effects.csv and summary.json, "
         "out/SCRIPT[-CASE]-effects)");
     auto* study_verb = add_study(app, request);
-    auto* render_verb = app.add_subcommand("render", "Draw the frames of a run as PNG pictures");
-    render_verb->add_option("folder", request.out, "A run's output folder")->required();
+    auto* render_verb = add_render(app, request);
     auto* report_verb =
         app.add_subcommand("report",
                            "Write a page about a run, or several side by side: what was run, what happened, energies, "

@@ -111,6 +111,11 @@ CalmX::~CalmX() {
     ::XSetIOErrorHandler(reinterpret_cast<XIOErrorHandler>(io_errors_));
 }
 
+void share_display() {
+    const char* given = std::getenv("DISPLAY");
+    if (!given || !is_local(given) || !answers(given)) ::setenv("DISPLAY", virtual_display().c_str(), 1);
+}
+
 bool display_alive() {
     if (!connection || owner != ::getpid() || server_gone) return false;
     pollfd socket{ConnectionNumber(connection), POLLIN, 0};

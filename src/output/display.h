@@ -20,6 +20,10 @@ private:
 /// else to a virtual display. Opened once; opened anew after a fork or when the server has gone. `fresh` tells.
 void* drawing_display(bool& fresh);
 
+/// Sets DISPLAY to a virtual display, unless it names one that answers: for processes that are started from this one.
+/// Opens no connection that lasts, so that they begin with none.
+void share_display();
+
 /// Whether the server still answers.
 bool display_alive();
 

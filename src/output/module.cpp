@@ -11,8 +11,12 @@
 
 #include "core/errors.h"
 #include "core/files.h"
+#include "output/display.h"
 #include "output/draw_plot.h"
 #include "output/draw_snapshot.h"
+#include "output/film.h"
+#include "output/frame_box.h"
+#include "output/gif.h"
 #include "output/picture.h"
 #include "output/plot.h"
 #include "output/quiet_vtk.h"
@@ -91,6 +95,26 @@ HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* con
 HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
     return guarded(error, room, [&] { write_whole(given(path), draw_plot(path, plot, width, height)); });
 }
+
+HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, double* box, int* empty, char* error,
+                                 int room) {
+    return guarded(error, room, [&] {
+        const auto found = frame_box(snapshot, view);
+        *empty = !found;
+        if (found) std::copy(found->begin(), found->end(), box);
+    });
+}
+
+HINGE_EXPORT int hinge_write_gif(const char* path, int n, const char* const* pictures, const int* hundredths,
+                                 void (*tick)(void* with), void* with, char* error, int room) {
+    return guarded(error, room, [&] {
+        std::vector<GifFrame> frames;
+        for (int i = 0; i < n; ++i) frames.push_back({given(pictures[i]), hundredths[i]});
+        write_whole(given(path), encode_gif(frames, [&] { tick(with); }));
+    });
+}
+
+HINGE_EXPORT int hinge_share_display(char* error, int room) { return guarded(error, room, share_display); }
 }  // extern "C"
 
 }  // namespace hinge::output

@@ -1,10 +1,7 @@
 // The one off-screen window all pictures are taken in.
 #include "output/window.h"
 
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -58,25 +55,6 @@ private:
 };
 
 }  // namespace
-
-std::string encode_png(const Pixels& pixels) {
-    const vtkNew<vtkUnsignedCharArray> bytes;
-    bytes->SetNumberOfComponents(3);
-    bytes->SetArray(const_cast<unsigned char*>(pixels.rgb.data()), static_cast<vtkIdType>(pixels.rgb.size()),
-                    1);  // lent, not given
-    const vtkNew<vtkImageData> image;
-    image->SetDimensions(pixels.width, pixels.height, 1);
-    image->GetPointData()->SetScalars(bytes);
-    const vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(image);
-    writer->SetCompressionLevel(4);
-    writer->WriteToMemoryOn();
-    writer->Write();
-    vtkUnsignedCharArray* result = writer->GetResult();
-    if (writer->GetErrorCode() != 0 || !result) throw OutsideError("cannot encode the picture as PNG: out of memory?");
-    return {reinterpret_cast<const char*>(result->GetPointer(0)),
-            static_cast<std::size_t>(result->GetNumberOfValues())};
-}
 
 void check_size(int width, int height) {
     if (width < smallest || width > largest || height < smallest || height > largest)

@@ -1,7 +1,9 @@
 // What a script draws of a run: frames and pictures.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "output/film.h"
 #include "script/picture_module.h"
 #include "script/snapshot.h"
 
@@ -34,8 +36,18 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, const SnapshotBox& box) {
-    const Structure& structure = *box.structure;
+/// Leaves only the bars of these groups, by the names that a frame's file has.
+void keep_groups(output::Snapshot& snapshot, const std::set<std::string>& names) {
+    const auto wanted = [&](int group) { return group >= 0 && names.count(snapshot.groups.at(std::size_t(group))) > 0; };
+    std::set<int> members;
+    for (const auto& [member, group] : snapshot.memberships)
+        if (wanted(group)) members.insert(member);
+    std::erase_if(snapshot.bars,
+                  [&](const output::Bar& b) { return !wanted(b.group) && members.count(b.member) == 0; });
+}
+
+/// `box`: whose snapshot it is; none for one that was read from a file.
+output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, const SnapshotBox* box) {
     Options o(L, index, "picture", true);
     output::View view;
     view.width = o.integer("width", 1, view.width);
@@ -54,11 +66,20 @@ output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, cons
         }
     }
     lua_pop(L, 1);
-    if (o.push_field("groups") == LUA_TTABLE) {
+    if (o.push_field("groups") == LUA_TTABLE && !box) {
+        std::set<std::string> names;
+        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
+            lua_rawgeti(L, -1, i);
+            names.insert(lua_tostring(L, -1) ? lua_tostring(L, -1) : "");
+            lua_pop(L, 1);
+        }
+        keep_groups(snapshot, names);
+    } else if (lua_type(L, -1) == LUA_TTABLE) {
+        const Structure& structure = *box->structure;
         std::vector<int> wanted;
         for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
             lua_rawgeti(L, -1, i);
-            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box.model,
+            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box->model,
                                             &structure.model()));
             lua_pop(L, 1);
         }
@@ -77,7 +98,7 @@ int write_picture(lua_State* L) {
     const SnapshotBox& box = snapshot_argument(L, 1, "write_picture");
     if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
     output::Snapshot snapshot = box.value;
-    const output::View view = read_view(L, 2, snapshot, box);
+    const output::View view = read_view(L, 2, snapshot, &box);
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
     char error[512] = "";
@@ -99,7 +120,7 @@ int write_strip(lua_State* L) {
         lua_rawgeti(L, 2, i);
         const SnapshotBox& box = snapshot_argument(L, lua_absindex(L, -2), "write_strip");
         snapshots.push_back(box.value);
-        views.push_back(read_view(L, lua_absindex(L, -1), snapshots.back(), box));
+        views.push_back(read_view(L, lua_absindex(L, -1), snapshots.back(), &box));
         lua_pop(L, 2);
     }
     std::vector<const output::Snapshot*> list;
@@ -146,18 +167,50 @@ int pieces(lua_State* L) {
     lua_setfield(L, -2, "bars");
     return 1;
 }
+
+/// A frame written before, and the view of it at that place of the stack.
+std::pair<output::Snapshot, output::View> read_frame(lua_State* L, const char* file, int view) {
+    char error[512] = "";
+    std::pair<output::Snapshot, output::View> frame;
+    must_work(picture_function<hinge_read_snapshot>(*context(L), "hinge_read_snapshot")(file, frame.first, error,
+                                                                                        sizeof error),
+              error);
+    frame.second = read_view(L, view, frame.first, nullptr);
+    return frame;
+}
+
 /// core.render_file(vtp, png, view): draws a frame written before.
 int render_file(lua_State* L) {
     const char *from = luaL_checkstring(L, 1), *to = luaL_checkstring(L, 2);
+    luaL_checktype(L, 3, LUA_TTABLE);
     char error[512] = "";
-    output::Snapshot snapshot;
-    const auto c = context(L);
-    must_work(picture_function<hinge_read_snapshot>(*c, "hinge_read_snapshot")(from, snapshot, error, sizeof error),
+    const auto [snapshot, view] = read_frame(L, from, 3);
+    must_work(picture_function<hinge_render>(*context(L), "hinge_render")(to, snapshot, view, error, sizeof error),
               error);
-    output::View view;
-    if (lua_type(L, 3) == LUA_TSTRING) view.title = lua_tostring(L, 3);
-    must_work(picture_function<hinge_render>(*c, "hinge_render")(to, snapshot, view, error, sizeof error), error);
     return 0;
+}
+
+/// core.frame_box(vtp, view): what a picture of this frame would show, without stray fragments: { xmin, xmax, ymin,
+/// ymax, zmin, zmax }, m, or nil where there is nothing to show; the names of the frame's groups; whether it is of statics, which have no time.
+int frame_box(lua_State* L) {
+    const char* from = luaL_checkstring(L, 1);
+    luaL_checktype(L, 2, LUA_TTABLE);
+    char error[512] = "";
+    double box[6];
+    int empty = 0;
+    const auto [snapshot, view] = read_frame(L, from, 2);
+    must_work(picture_function<hinge_frame_box>(*context(L), "hinge_frame_box")(snapshot, view, box, &empty, error,
+                                                                                sizeof error),
+              error);
+    if (empty) lua_pushnil(L);
+    else lua_createtable(L, 6, 0);
+    for (int i = 0; i < 6 && !empty; ++i) lua_pushnumber(L, box[i]), lua_rawseti(L, -2, i + 1);
+    lua_createtable(L, int(snapshot.groups.size()), 0);
+    lua_Integer i = 0;
+    for (const std::string& group : snapshot.groups)
+        lua_pushlstring(L, group.data(), group.size()), lua_rawseti(L, -2, ++i);
+    lua_pushboolean(L, snapshot.factor.has_value());
+    return 3;
 }
 
 }  // namespace
@@ -166,7 +219,8 @@ void open_pictures(lua_State* L, int module) {
     static const luaL_Reg functions[] = {
         {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>},
         {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
-        {"pieces", guarded<pieces>},           {nullptr, nullptr}};
+        {"frame_box", guarded<frame_box>},     {"pieces", guarded<pieces>},
+        {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

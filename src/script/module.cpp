@@ -57,6 +57,7 @@ int open_core(lua_State* L) {
     open_frames(L, module);
     open_measure(L, module);
     open_processes(L, module);
+    open_film(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
                                          {"error_kind", guarded<error_kind>},
                                          {"did_you_mean", guarded<suggest>},

@@ -1,0 +1,118 @@
+-- Films: which frame is seen when, and what writes MP4, WebM and GIF.
+local core = require "hinge.core"
+local check = require "hinge.check"
+
+local film = {}
+
+local function quote(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
+
+--- What can be written: the encoder of the program ffmpeg and its options; GIF needs neither.
+film.formats = {
+  mp4 = { name = "MP4", encoder = "libx264",
+    options = "-c:v libx264 -preset medium -crf 18 -pix_fmt yuv420p -movflags +faststart -f mp4" },
+  webm = { name = "WebM", encoder = "libvpx-vp9",
+    options = "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 5 -row-mt 1 -tile-columns 2 -pix_fmt yuv420p "
+      .. "-f webm" },
+  gif = { name = "GIF" },
+}
+
+-- The encoders that ffmpeg has, as text; nil where there is no ffmpeg.
+local function encoders()
+  local pipe = io.popen "{ ffmpeg -hide_banner -encoders ; } 2>/dev/null </dev/null"
+  local text = pipe and pipe:read "a" or ""
+  if pipe then pipe:close() end
+  return text ~= "" and text or nil
+end
+
+--- Nil where this format can be written here, else why not and what to do.
+function film.lacks(format)
+  local encoder = film.formats[format].encoder
+  if not encoder then return nil end
+  local list = encoders()
+  if list and list:find(" " .. encoder .. " ", 1, true) then return nil end
+  return list and ("the ffmpeg that is installed has no encoder %s"):format(encoder)
+    or "the program ffmpeg is not installed (apt-get install ffmpeg)"
+end
+
+--- Which frame is seen how long. times: of the frames, s; fps: pictures a second; seconds: how long the film is, nil for
+-- as many pictures as frames. Time in the film is proportional to time in the run, so a frame stays until the next one
+-- is nearer; frames without times that go forward (even = true says so of statics) are seen equally long. Returns a list
+-- of { frame = its number, pictures = how many }; how long the film is; and how many times slower it is than what it
+-- shows, nil for frames without times.
+function film.schedule(times, fps, seconds, even)
+  local n = #times
+  local goes_forward = n > 1 and not even and times[n] > times[1]
+  for i = 2, n do goes_forward = goes_forward and times[i] >= times[i - 1] end
+  local pictures = seconds and math.max(1, math.floor(seconds * fps + 0.5)) or n
+  local list, at = {}, 1
+  for k = 0, pictures - 1 do
+    if goes_forward then
+      local t = times[1] + (times[n] - times[1]) * (pictures > 1 and k / (pictures - 1) or 1)
+      while at < n and math.abs(times[at + 1] - t) <= math.abs(times[at] - t) do at = at + 1 end
+    else
+      at = 1 + k * n // pictures
+    end
+    local last = list[#list]
+    if last and last.frame == at then last.pictures = last.pictures + 1
+    else list[#list + 1] = { frame = at, pictures = 1 } end
+  end
+  local slower = goes_forward and pictures > 1 and (pictures - 1) / fps / (times[n] - times[1]) or nil
+  return list, pictures / fps, slower
+end
+
+--- How long a film is and how slow, in words.
+function film.speed_text(length, span, slower)
+  local text = ("%.3g s"):format(length)
+  if not slower then return text end
+  local how = slower >= 1.05 and ("%.3g times slower"):format(slower)
+    or slower <= 0.95 and ("%.3g times faster"):format(1 / slower) or "as fast as it was"
+  return ("%s for %.3g s: %s"):format(text, span, how)
+end
+
+--- Writes the film `path` of pictures (PNG files, in order, each with `pictures`, how many there are of it), and counts
+-- on the shared number `steps`, to film.steps(...). Called in a process of its own.
+function film.write(format, path, list, fps, folder, steps)
+  if format == "gif" then
+    local files, hundredths, seen, told = {}, {}, 0, 0
+    for i, one in ipairs(list) do
+      seen = seen + one.pictures
+      files[i], hundredths[i] = one.file, math.floor(100 * seen / fps + 0.5) - told
+      told = told + hundredths[i]
+    end
+    core.write_gif(path, files, hundredths, steps)
+    return
+  end
+  local command = ("exec ffmpeg -nostdin -hide_banner -loglevel error -y -f image2pipe -c:v png -framerate %.10g -i - "
+    .. "-an -vf scale=out_color_matrix=bt709:out_range=tv -colorspace bt709 -color_primaries bt709 -color_trc bt709 %s "
+    .. "%s 2>%s"):format(fps, film.formats[format].options, quote("file:" .. path), quote(folder .. "/encoder.txt"))
+  local pipe = assert(io.popen(command, "w"))
+  for _, one in ipairs(list) do
+    local file = assert(io.open(one.file, "rb"))
+    local bytes = file:read "a"
+    file:close()
+    for _ = 1, one.pictures do
+      pipe:write(bytes)
+      steps:next()
+    end
+  end
+  local _, how, code = pipe:close()
+  if how ~= "exit" or code ~= 0 then check.fail("ffmpeg ended with %s %s", how, code) end
+end
+
+--- How far film.write counts.
+function film.steps(format, list)
+  if format == "gif" then return 2 * #list end
+  local sum = 0
+  for _, one in ipairs(list) do sum = sum + one.pictures end
+  return sum
+end
+
+--- What ffmpeg complained of last, or nil.
+function film.complaint(folder)
+  local file = io.open(folder .. "/encoder.txt")
+  local text = file and file:read "a" or ""
+  if file then file:close() end
+  return text:match "([^\n]+)%s*$"
+end
+
+return film

@@ -1,0 +1,107 @@
+-- Work on numbered items in several processes, each taking the next item when it has done one; with a line on a terminal
+-- that says how far it is.
+local core = require "hinge.core"
+
+local workers = {}
+
+local function time_text(seconds)
+  if seconds < 100 then return ("%.0f s"):format(math.max(1, seconds)) end
+  return ("%.0f min"):format(seconds / 60)
+end
+
+-- The line "37 of 100 pictures, 12 s left"; nothing where stderr is no terminal.
+local function progress(what, total)
+  local width, began = core.width(), core.clock()
+  local show = {}
+  function show.tick(done)
+    if not width then return end
+    local line = ("%d of %d %s"):format(done, total, what)
+    if done > 0 and done < total then
+      line = ("%s, %s left"):format(line, time_text((core.clock() - began) / done * (total - done)))
+    end
+    io.stderr:write("\r\27[K" .. line:sub(1, width - 1))
+  end
+  function show.close()
+    if width then io.stderr:write "\r\27[K" end
+  end
+  return show
+end
+
+-- What a process of its own does: items until there are none, and a line of JSON about each.
+local function work_on(number, task)
+  while true do
+    local i = number:next()
+    if i > task.count then return 0 end
+    local ok, result = pcall(task.work, i, task.steps)
+    io.stdout:write(core.to_json { item = i, ok = ok, result = ok and result or nil,
+      problem = not ok and tostring(result) or nil }, "\n")
+    io.stdout:flush()
+  end
+end
+
+-- The lines of JSON that the processes have left, by item.
+local function results_in(files)
+  local results = {}
+  for _, path in ipairs(files) do
+    local file = io.open(path)
+    for line in file and file:lines() or function() end do
+      local result = line:find "^{" and core.from_json(line)
+      if result and result.item then results[result.item] = result end
+    end
+    if file then file:close() end
+  end
+  return results
+end
+
+--- Calls task.work(i, task.steps) for i from 1 to task.count in at most task.jobs processes, of which each has a file in
+-- task.folder. task: also what (what the items are called), steps (a shared number that work counts on, and that says
+-- how far it is, of task.total; without it the items say). Returns { [i] = { ok = true, result = what work returned } or
+-- { ok = false, problem = text } }; or nil where a signal came, after the processes have been ended. task.killed(process)
+-- hears of those.
+function workers.run(task)
+  local number, running, count, files = core.shared_number(), {}, 0, {}
+  local show = progress(task.what, task.total or task.count)
+  local ends = {} -- how processes ended that did not end well
+
+  local function start()
+    local file = ("%s/%s-%d.txt"):format(task.folder, task.what:match "%a+$", #files + 1)
+    files[#files + 1] = file
+    running[core.start(function() return work_on(number, task) end, file, 0, false)] = number:so_far()
+    count = count + 1
+  end
+
+  for _ = 1, math.min(task.jobs, task.count) do start() end
+  local interrupted = false
+  while count > 0 do
+    local process, kind, code = core.wait(0.1, interrupted)
+    if process == "interrupted" then
+      interrupted = true
+      for one in pairs(running) do core.kill(one, false) end
+    elseif process and running[process] then
+      local began_at = running[process]
+      running[process] = nil
+      count = count - 1
+      if interrupted and task.killed then task.killed(process) end
+      if kind == "signal" or code ~= 0 then
+        ends[#ends + 1] = kind == "signal" and ("by signal %d"):format(code) or ("with status %d"):format(code)
+        if task.killed then task.killed(process) end
+        -- Another one takes what is left, unless this one did not get as far as an item.
+        if not interrupted and number:so_far() > began_at and number:so_far() < task.count then start() end
+      end
+    end
+    local done = task.steps and task.steps:so_far() or math.max(0, math.min(number:so_far(), task.count) - count)
+    if not interrupted then show.tick(done) end
+  end
+  show.close()
+  if interrupted then return nil end
+
+  local results = results_in(files)
+  for i = 1, task.count do
+    results[i] = results[i] or { ok = false, problem = #ends > 0
+      and ("the process that worked on it ended %s"):format(table.concat(ends, ", "))
+      or "nothing was heard of it; is the disk full?" }
+  end
+  return results
+end
+
+return workers
