@@ -71,19 +71,31 @@ local function draw(frames, list, what, folder)
   return true
 end
 
--- Names the frames that could not be drawn, on stderr. Returns how many there are.
-local function tell_problems(frames, list)
-  local most, count = 10, 0
-  for _, i in ipairs(list) do
-    local frame = frames[i]
-    if frame.problem then
+-- Names the frames that could not be drawn, on stderr: the first one of each reason with it. Returns how many there are.
+local function tell_problems(frames)
+  local count, reasons, alike = 0, {}, {}
+  for _, frame in ipairs(frames) do
+    local problem = frame.problem
+    if problem then
       count = count + 1
-      local text = frame.problem
-      if not text:find(frame.file, 1, true) then text = ("%s: %s"):format(frame.file, text) end
-      if count <= most then io.stderr:write(("hinge: not drawn: %s\n"):format(text)) end
+      local reason = problem:gsub("%S+%.%a%a%a%f[%W]", "")
+      if not alike[reason] then
+        reasons[#reasons + 1] = reason
+        if not problem:find(frame.file, 1, true) then problem = ("%s: %s"):format(frame.file, problem) end
+        alike[reason] = { first = problem }
+      else
+        table.insert(alike[reason], frame.file:match "[^/]*$")
+      end
     end
   end
-  if count > most then io.stderr:write(("hinge: not drawn: %d more\n"):format(count - most)) end
+  for _, reason in ipairs(reasons) do
+    local others = alike[reason]
+    io.stderr:write(("hinge: not drawn: %s\n"):format(others.first))
+    if #others > 0 then
+      io.stderr:write(("hinge: not drawn for the same reason: %s%s\n"):format(table.concat(others, ", ", 1,
+        math.min(8, #others)), #others > 8 and (" and %d more"):format(#others - 8) or ""))
+    end
+  end
   return count
 end
 
@@ -98,7 +110,7 @@ local function make_pictures(frames, what, folder)
   for _, frame in ipairs(frames) do frame.picture = frame.file:gsub("%.vtp$", "") .. ".png" end
   local list = numbers_to(#frames)
   if not draw(frames, list, what, folder) then return nil end
-  local failed = tell_problems(frames, list)
+  local failed = tell_problems(frames)
   print(("%s in %s"):format(check.count(#frames - failed, "picture"), what.folder))
   return failed > 0 and 1 or 0
 end
@@ -118,7 +130,13 @@ local function seen(schedule, frames)
   return list
 end
 
--- Writes the film aside and gives it its name when it is whole. Returns true, false where a signal came.
+local function cannot_write(what, problem)
+  io.stderr:write(("hinge: cannot write %s: %s\n"):format(what.file, problem))
+  return 1
+end
+
+-- Writes the film aside and gives it its name when it is whole. Returns true, false where a signal came; or false and
+-- what went wrong.
 local function write_film(list, what, folder)
   local aside, steps = folder .. "/film." .. what.format, core.shared_number()
   local results = workers.run { what = what.format == "gif" and "steps of the GIF" or "pictures encoded", count = 1,
@@ -126,45 +144,44 @@ local function write_film(list, what, folder)
     work = function() film.write(what.format, aside, list, what.fps, folder, steps) end }
   if not results then return false end
   if not results[1].ok then
-    check.fail("cannot write %s: %s", what.file, film.complaint(folder) or results[1].problem)
+    local own = results[1].problem:gsub("^cannot write %S*: ", "")
+    return false, film.complaint(folder) or own
   end
   core.rename(aside, what.file)
   return true
 end
 
-local function megabytes(path)
+local function size_text(path)
   local file = assert(io.open(path, "rb"))
   local size = file:seek "end"
   file:close()
-  return size / 1e6
+  return size < 1e6 and ("%.0f kB"):format(size / 1e3) or ("%.1f MB"):format(size / 1e6)
 end
 
 local function make_film(frames, what, folder)
-  local good, times = {}, {}
+  local times, list = {}, {}
   for i, frame in ipairs(frames) do
-    if not frame.problem then
-      good[#good + 1] = i
-      times[#times + 1] = tonumber(frame.time) or 0 / 0
-    end
+    times[i] = tonumber(frame.time) or 0 / 0
     frame.picture = ("%s/%06d.png"):format(folder, i)
   end
   local schedule, length, slower = film.schedule(times, what.fps, what.seconds, what.statics)
-  local list = {}
-  for i, entry in ipairs(schedule) do
-    entry.frame = good[entry.frame]
-    list[i] = entry.frame
-  end
+  for i, entry in ipairs(schedule) do list[i] = entry.frame end
   if not draw(frames, list, what, folder) then return nil end
-  local pictures = seen(schedule, frames)
-  local failed = tell_problems(frames, numbers_to(#frames))
+  for _, frame in ipairs(frames) do -- a full disk: the film would not find room either
+    local _, stop = (frame.problem or ""):find("cannot write " .. frame.picture .. ": ", 1, true)
+    if stop then return cannot_write(what, frame.problem:sub(stop + 1)) end
+  end
+  local pictures, failed = seen(schedule, frames), tell_problems(frames)
   if #pictures == 0 then
     io.stderr:write(("hinge: no film: none of %s could be drawn\n"):format(check.count(#frames, "frame")))
     return 1
   end
-  if not write_film(pictures, what, folder) then return nil end
-  print(("%s: %s; %s of %d x %d, %.1f MB"):format(what.file,
+  local written, problem = write_film(pictures, what, folder)
+  if problem then return cannot_write(what, problem) end
+  if not written then return nil end
+  print(("%s: %s; %s of %d x %d, %s"):format(what.file,
     film.speed_text(length, slower and times[#times] - times[1], slower), check.count(#pictures, "picture"),
-    what.view.width, what.view.height, megabytes(what.file)))
+    what.view.width, what.view.height, size_text(what.file)))
   return failed > 0 and 1 or 0
 end
 
@@ -194,7 +211,9 @@ function render.main(options)
     local ok, status = pcall(make, frames, what, folder)
     core.remove_folder(folder)
     if not ok then error(status, 0) end
-    return status or 128 + core.signal()
+    if status then return status end
+    io.stderr:write(what.format and "hinge: interrupted; there is no film\n" or "hinge: interrupted\n")
+    return 128 + core.signal()
   end)
 end
 

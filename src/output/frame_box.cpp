@@ -7,17 +7,33 @@
 #include "output/snapshot_check.h"
 
 namespace hinge::output {
+namespace {
+
+/// Of all ends, how many may lie beyond each side: what flies away alone must not make the rest small in all of a film.
+constexpr double beyond = 0.005;
+
+std::array<double, 2> range(std::vector<double> values) {
+    const auto skipped = static_cast<std::ptrdiff_t>(beyond * static_cast<double>(values.size()));
+    const auto low = values.begin() + skipped, high = values.end() - 1 - skipped;
+    std::nth_element(values.begin(), low, values.end());
+    const double least = *low;
+    std::nth_element(values.begin(), high, values.end());
+    return {least, *high};
+}
+
+}  // namespace
 
 std::optional<std::array<double, 6>> frame_box(const Snapshot& snapshot, const View& view) {
     check_snapshot(snapshot);
     const std::vector<Vec> shown = without_strays(ends_of(choose_bars(snapshot, view)));
     if (shown.empty()) return {};
-    std::array<double, 6> box = {shown[0][0], shown[0][0], shown[0][1], shown[0][1], shown[0][2], shown[0][2]};
-    for (const Vec& p : shown)
-        for (std::size_t c = 0; c < 3; ++c) {
-            box[2 * c] = std::min(box[2 * c], p[c]);
-            box[2 * c + 1] = std::max(box[2 * c + 1], p[c]);
-        }
+    std::array<double, 6> box;
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<double> values;
+        for (const Vec& p : shown) values.push_back(p[c]);
+        const auto [low, high] = range(std::move(values));
+        box[2 * c] = low, box[2 * c + 1] = high;
+    }
     return box;
 }
 
