@@ -117,7 +117,8 @@ CLI::App* add_render(CLI::App& app, Request& request) {
             ->type_name(type);
     };
     const auto flag = [&](const char* flags, const char* name, const char* help) {
-        verb->add_flag_callback(flags, [&request, name] { request.texts[name] = "yes"; }, help);
+        verb->add_flag_callback(
+            flags, [&request, name] { request.texts[name] = "yes"; }, help);
     };
     flag("--film", "film", "Make a film: MP4, or a GIF where ffmpeg is not installed");
     flag("--mp4", "mp4", "Make a film as MP4 (H.264), by the program ffmpeg");
@@ -137,7 +138,8 @@ CLI::App* add_render(CLI::App& app, Request& request) {
     text("--title", "title", "Text above", "TEXT");
     text("-j,--jobs", "jobs", "Pictures at a time (default: as many as there are cores)", "N");
     verb->footer(
-        "Exit status: 0; 1 a frame could not be drawn (it is named, the others are drawn) or the film not be written; 2 "
+        "Exit status: 0; 1 a frame could not be drawn (it is named, the others are drawn) or the film not be written; "
+        "2 "
         "there are no frames, or an option is wrong; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no film is left.");
     return verb;
 }

@@ -24,10 +24,10 @@ function render.frames(folder)
   return frames
 end
 
--- One camera for all frames: adds the box that holds what each of them shows to the view. Frames that cannot be read get
--- their `problem`; those of statics are noted.
-local function look_at(frames, what, folder)
-  local results = workers.run { what = "frames read", count = #frames, jobs = what.jobs, folder = folder,
+-- One camera for all frames: adds the box that holds what each of them shows to the view. Frames that cannot be read
+-- get their `problem`; those of statics are noted.
+local function look_at(frames, what)
+  local results = workers.run { what = "frames read", count = #frames, jobs = what.jobs,
     work = function(i)
       local box, groups, of_statics = core.frame_box(frames[i].file, what.view)
       return { box = box, groups = groups, statics = of_statics }
@@ -55,13 +55,13 @@ local function look_at(frames, what, folder)
 end
 
 -- Draws those of the frames that are in the list and have no problem, each into its `picture`.
-local function draw(frames, list, what, folder)
+local function draw(frames, list, what)
   local chosen = {}
   for _, i in ipairs(list) do
     if not frames[i].problem then chosen[#chosen + 1] = frames[i] end
   end
   if #chosen == 0 then return true end
-  local results = workers.run { what = "pictures drawn", count = #chosen, jobs = what.jobs, folder = folder,
+  local results = workers.run { what = "pictures drawn", count = #chosen, jobs = what.jobs,
     work = function(i) core.render_file(chosen[i].file, chosen[i].picture, what.view) end,
     killed = function(process)
       for _, frame in ipairs(chosen) do os.remove(("%s.%d.part"):format(frame.picture, process)) end
@@ -71,7 +71,7 @@ local function draw(frames, list, what, folder)
   return true
 end
 
--- Names the frames that could not be drawn, on stderr: the first one of each reason with it. Returns how many there are.
+-- Names the frames that could not be drawn, on stderr: the first one of each reason with it. Returns how many.
 local function tell_problems(frames)
   local count, reasons, alike = 0, {}, {}
   for _, frame in ipairs(frames) do
@@ -106,10 +106,10 @@ local function numbers_to(n)
 end
 
 -- Every frame as a PNG beside it.
-local function make_pictures(frames, what, folder)
+local function make_pictures(frames, what)
   for _, frame in ipairs(frames) do frame.picture = frame.file:gsub("%.vtp$", "") .. ".png" end
   local list = numbers_to(#frames)
-  if not draw(frames, list, what, folder) then return nil end
+  if not draw(frames, list, what) then return nil end
   local failed = tell_problems(frames)
   print(("%s in %s"):format(check.count(#frames - failed, "picture"), what.folder))
   return failed > 0 and 1 or 0
@@ -140,7 +140,7 @@ end
 local function write_film(list, what, folder)
   local aside, steps = folder .. "/film." .. what.format, core.shared_number()
   local results = workers.run { what = what.format == "gif" and "steps of the GIF" or "pictures encoded", count = 1,
-    jobs = 1, folder = folder, steps = steps, total = film.steps(what.format, list),
+    jobs = 1, steps = steps, total = film.steps(what.format, list),
     work = function() film.write(what.format, aside, list, what.fps, folder, steps) end }
   if not results then return false end
   if not results[1].ok then
@@ -164,9 +164,9 @@ local function make_film(frames, what, folder)
     times[i] = tonumber(frame.time) or 0 / 0
     frame.picture = ("%s/%06d.png"):format(folder, i)
   end
-  local schedule, length, slower = film.schedule(times, what.fps, what.seconds, what.statics)
+  local schedule, length, span = film.schedule(times, what.fps, what.seconds, what.statics)
   for i, entry in ipairs(schedule) do list[i] = entry.frame end
-  if not draw(frames, list, what, folder) then return nil end
+  if not draw(frames, list, what) then return nil end
   for _, frame in ipairs(frames) do -- a full disk: the film would not find room either
     local _, stop = (frame.problem or ""):find("cannot write " .. frame.picture .. ": ", 1, true)
     if stop then return cannot_write(what, frame.problem:sub(stop + 1)) end
@@ -180,37 +180,33 @@ local function make_film(frames, what, folder)
   if problem then return cannot_write(what, problem) end
   if not written then return nil end
   print(("%s: %s; %s of %d x %d, %s"):format(what.file,
-    film.speed_text(length, slower and times[#times] - times[1], slower), check.count(#pictures, "picture"),
+    film.speed_text(length, span), check.count(#pictures, "picture"),
     what.view.width, what.view.height, size_text(what.file)))
   return failed > 0 and 1 or 0
 end
 
--- The pictures or the film. Returns the exit status, nil where a signal came.
-local function make(frames, what, folder)
-  core.share_display(math.max(1, core.cores() // what.jobs))
-  if not look_at(frames, what, folder) then return nil end
-  return (what.format and make_film or make_pictures)(frames, what, folder)
+-- A film, by way of a folder beside it that is gone afterwards.
+local function make_film_aside(frames, what)
+  local beside = what.file:match "^(.*)/[^/]*$" or "."
+  local folder = ("%s/.hinge-render-%d"):format(beside, core.process())
+  core.make_folder(folder)
+  local ok, status = pcall(make_film, frames, what, folder)
+  core.remove_folder(folder)
+  if not ok then error(status, 0) end
+  return status
 end
 
---- options: see hinge.render.options. Returns the program's exit status: 0; 1 where a frame could not be drawn or a film
--- not be written; 2 for options that are wrong; 130 or 143 after Ctrl-C or SIGTERM.
+--- options: see hinge.render.options. Returns the program's exit status: 0; 1 where a frame could not be drawn or a
+-- film not be written; 2 for options that are wrong; 130 or 143 after Ctrl-C or SIGTERM.
 function render.main(options)
   return runner.guard(function()
     local what = render_options.read(options)
     local frames = render.frames(what.folder)
     if what.note then io.stderr:write(("hinge: %s\n"):format(what.note)) end
-    if #frames == 0 then
-      if what.format then check.fail("no frames to draw: %s/frames.pvd lists none", what.folder) end
-      print(("%s in %s"):format(check.count(0, "picture"), what.folder))
-      return 0
-    end
-    what.jobs = math.min(what.jobs, #frames)
-    local beside = what.format and (what.file:match "^(.*)/[^/]*$" or ".") or what.folder
-    local folder = ("%s/.hinge-render-%d"):format(beside == "" and "/" or beside, core.process())
-    core.make_folder(folder)
-    local ok, status = pcall(make, frames, what, folder)
-    core.remove_folder(folder)
-    if not ok then error(status, 0) end
+    if #frames == 0 and what.format then check.fail("no frames to draw: %s/frames.pvd lists none", what.folder) end
+    what.jobs = math.max(1, math.min(what.jobs, #frames))
+    if #frames > 0 then core.share_display(math.max(1, core.cores() // what.jobs)) end
+    local status = look_at(frames, what) and (what.format and make_film_aside or make_pictures)(frames, what)
     if status then return status end
     io.stderr:write(what.format and "hinge: interrupted; there is no film\n" or "hinge: interrupted\n")
     return 128 + core.signal()

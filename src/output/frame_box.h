@@ -8,8 +8,8 @@
 
 namespace hinge::output {
 
-/// xmin, xmax, ymin, ymax, zmin, zmax in m of what a picture without a box would be fitted to, but for the few ends that
-/// lie farthest out; nothing without bars.
+/// xmin, xmax, ymin, ymax, zmin, zmax in m of what a picture without a box would be fitted to, but for the few ends
+/// that lie farthest out; nothing without bars.
 std::optional<std::array<double, 6>> frame_box(const Snapshot& snapshot, const View& view);
 
 }  // namespace hinge::output

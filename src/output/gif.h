@@ -12,8 +12,8 @@ struct GifFrame {
     int hundredths;    ///< how long it stays, 1/100 s
 };
 
-/// The bytes of a GIF that repeats for ever. All pictures have the first one's size. One palette serves all; each picture
-/// after the first holds only the rectangle in which it differs. `tick` is called twice for each picture.
+/// The bytes of a GIF that repeats for ever. All pictures have the first one's size. One palette serves all; each
+/// picture after the first holds only the rectangle in which it differs. `tick` is called twice for each picture.
 std::string encode_gif(const std::vector<GifFrame>& frames, const std::function<void()>& tick);
 
 }  // namespace hinge::output

@@ -36,8 +36,8 @@ private:
 
 /// Colours that stand for all in a histogram, and which of them stands for each of its bins.
 struct Palette {
-    std::vector<Rgb> colours;            ///< at most `most`
-    std::vector<std::uint8_t> of_bin;    ///< 0 for bins where there is nothing
+    std::vector<Rgb> colours;          ///< at most `most`
+    std::vector<std::uint8_t> of_bin;  ///< 0 for bins where there is nothing
     static constexpr std::size_t most = 255;
 };
 

@@ -34,7 +34,8 @@ std::string encode_png(const Pixels& pixels) {
     std::string lines;  // from the top, each after a 0: no filter
     lines.reserve((row + 1) * static_cast<std::size_t>(pixels.height));
     for (int y = pixels.height; y-- > 0;)
-        lines.append(1, '\0').append(reinterpret_cast<const char*>(&pixels.rgb[row * static_cast<std::size_t>(y)]), row);
+        lines.append(1, '\0').append(reinterpret_cast<const char*>(&pixels.rgb[row * static_cast<std::size_t>(y)]),
+                                     row);
     uLongf size = ::compressBound(lines.size());
     std::string packed(size, '\0');
     if (::compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(lines.data()),
@@ -43,8 +44,8 @@ std::string encode_png(const Pixels& pixels) {
     packed.resize(size);
     const std::string eight_bits_rgb = {8, 2, 0, 0, 0};
     return "\x89PNG\r\n\x1a\n" +
-           chunk("IHDR", big_endian(std::size_t(pixels.width)) + big_endian(std::size_t(pixels.height)) +
-                             eight_bits_rgb) +
+           chunk("IHDR",
+                 big_endian(std::size_t(pixels.width)) + big_endian(std::size_t(pixels.height)) + eight_bits_rgb) +
            chunk("IDAT", packed) + chunk("IEND", "");
 }
 

@@ -1,5 +1,6 @@
 // What hinge render takes and Lua lacks: a display and a number that several processes share, folders, and GIF.
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -47,6 +48,33 @@ int shared_number(lua_State* L) {
     return 1;
 }
 
+/// A file without a disk, for what processes tell: a full disk is one of the things that they have to tell of.
+struct MemoryFile {
+    static constexpr const char* lua_name = "hinge.memory_file";
+    int descriptor;
+};
+
+/// file:path(): a name under which this process and those that it starts can open it.
+int path(lua_State* L) {
+    const MemoryFile* file = find<MemoryFile>(L, 1);
+    if (!file) throw InputError("path: takes a memory file, got " + show(L, 1));
+    const std::string name = "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(file->descriptor);
+    return lua_pushlstring(L, name.data(), name.size()), 1;
+}
+
+int close_file(lua_State* L) {
+    if (const MemoryFile* file = find<MemoryFile>(L, 1)) ::close(file->descriptor);
+    return 0;
+}
+
+/// core.memory_file(): see above; it is gone with its last reference.
+int memory_file(lua_State* L) {
+    const int descriptor = ::memfd_create("hinge", MFD_CLOEXEC);
+    if (descriptor < 0) throw OutsideError("no file descriptors left; raise the limit (ulimit -n)");
+    push<MemoryFile>(L, descriptor);
+    return 1;
+}
+
 /// core.share_display(threads): the processes that are started from now on draw on one display, which is there, each
 /// with so many threads.
 int share_display(lua_State* L) {
@@ -57,8 +85,8 @@ int share_display(lua_State* L) {
     return 0;
 }
 
-/// core.write_gif(path, pictures, hundredths, number): PNG files joined into a GIF, each for so many 1/100 s; the shared
-/// number goes on by two for each.
+/// core.write_gif(path, pictures, hundredths, number): PNG files joined into a GIF, each for so many 1/100 s; the
+/// shared number goes on by two for each.
 int write_gif(lua_State* L) {
     const char* path = luaL_checkstring(L, 1);
     luaL_checktype(L, 2, LUA_TTABLE);
@@ -77,10 +105,10 @@ int write_gif(lua_State* L) {
     for (const std::string& file : files) pictures.push_back(file.c_str());
     char error[512] = "";
     const auto tick = [](void* with) { ++*static_cast<std::atomic<long>*>(with); };
-    must_work(picture_function<hinge_write_gif>(*context(L), "hinge_write_gif")(
-                  path, int(pictures.size()), pictures.data(), hundredths.data(), tick, number->value, error,
-                  sizeof error),
-              error);
+    must_work(
+        picture_function<hinge_write_gif>(*context(L), "hinge_write_gif")(
+            path, int(pictures.size()), pictures.data(), hundredths.data(), tick, number->value, error, sizeof error),
+        error);
     return 0;
 }
 
@@ -116,17 +144,21 @@ int signal(lua_State* L) {
 }  // namespace
 
 void open_film(lua_State* L, int module) {
-    luaL_newmetatable(L, SharedNumber::lua_name);
-    lua_pushcfunction(L, forget);
-    lua_setfield(L, -2, "__gc");
-    lua_createtable(L, 0, 2);
-    lua_pushcfunction(L, guarded<next>);
-    lua_setfield(L, -2, "next");
-    lua_pushcfunction(L, guarded<so_far>);
-    lua_setfield(L, -2, "so_far");
-    lua_setfield(L, -2, "__index");
-    lua_pop(L, 1);
+    const auto type = [&](const char* name, lua_CFunction gone, const luaL_Reg* methods) {
+        luaL_newmetatable(L, name);
+        lua_pushcfunction(L, gone);
+        lua_setfield(L, -2, "__gc");
+        lua_createtable(L, 0, 2);
+        luaL_setfuncs(L, methods, 0);
+        lua_setfield(L, -2, "__index");
+        lua_pop(L, 1);
+    };
+    static const luaL_Reg of_number[] = {{"next", guarded<next>}, {"so_far", guarded<so_far>}, {nullptr, nullptr}};
+    static const luaL_Reg of_file[] = {{"path", guarded<path>}, {nullptr, nullptr}};
+    type(SharedNumber::lua_name, forget, of_number);
+    type(MemoryFile::lua_name, close_file, of_file);
     static const luaL_Reg functions[] = {{"shared_number", guarded<shared_number>},
+                                         {"memory_file", guarded<memory_file>},
                                          {"share_display", guarded<share_display>},
                                          {"write_gif", guarded<write_gif>},
                                          {"make_folder", guarded<make_folder>},

@@ -38,7 +38,9 @@ int write_frame(lua_State* L) {
 
 /// Leaves only the bars of these groups, by the names that a frame's file has.
 void keep_groups(output::Snapshot& snapshot, const std::set<std::string>& names) {
-    const auto wanted = [&](int group) { return group >= 0 && names.count(snapshot.groups.at(std::size_t(group))) > 0; };
+    const auto wanted = [&](int group) {
+        return group >= 0 && names.count(snapshot.groups.at(std::size_t(group))) > 0;
+    };
     std::set<int> members;
     for (const auto& [member, group] : snapshot.memberships)
         if (wanted(group)) members.insert(member);
@@ -191,7 +193,8 @@ int render_file(lua_State* L) {
 }
 
 /// core.frame_box(vtp, view): what a picture of this frame would show, without stray fragments: { xmin, xmax, ymin,
-/// ymax, zmin, zmax }, m, or nil where there is nothing to show; the names of the frame's groups; whether it is of statics, which have no time.
+/// ymax, zmin, zmax }, m, or nil where there is nothing to show; the names of the frame's groups; whether it is of
+/// statics, which have no time.
 int frame_box(lua_State* L) {
     const char* from = luaL_checkstring(L, 1);
     luaL_checktype(L, 2, LUA_TTABLE);
@@ -216,11 +219,13 @@ int frame_box(lua_State* L) {
 }  // namespace
 
 void open_pictures(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {
-        {"write_frame", guarded<write_frame>}, {"write_picture", guarded<write_picture>},
-        {"write_strip", guarded<write_strip>}, {"render_file", guarded<render_file>},
-        {"frame_box", guarded<frame_box>},     {"pieces", guarded<pieces>},
-        {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"write_frame", guarded<write_frame>},
+                                         {"write_picture", guarded<write_picture>},
+                                         {"write_strip", guarded<write_strip>},
+                                         {"render_file", guarded<render_file>},
+                                         {"frame_box", guarded<frame_box>},
+                                         {"pieces", guarded<pieces>},
+                                         {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -1,4 +1,5 @@
-// Cases of a study in processes of their own (bind_processes.cpp), and what those of hinge render share (bind_film.cpp).
+// Cases of a study in processes of their own (bind_processes.cpp), and what those of hinge render share
+// (bind_film.cpp).
 #pragma once
 
 #include <lua.hpp>

@@ -34,20 +34,21 @@ function film.lacks(format)
     or "the program ffmpeg is not installed (apt-get install ffmpeg)"
 end
 
---- Which frame is seen how long. times: of the frames, s; fps: pictures a second; seconds: how long the film is, nil for
--- as many pictures as frames. Time in the film is proportional to time in the run, so a frame stays until the next one
--- is nearer; frames without times that go forward (even = true says so of statics) are seen equally long. Returns a list
--- of { frame = its number, pictures = how many }; how long the film is; and how many times slower it is than what it
--- shows, nil for frames without times.
+--- Which frame is seen how long. times: of the frames, s; fps: pictures a second; seconds: how long the film is, nil
+-- for as many pictures as frames. Time in the film is proportional to time in the run, so a frame is seen while it is the
+-- nearest; the first and the last one stand for half a mean interval beyond, too. Frames whose times do not go forward
+-- are seen equally long, and those of statics (even = true). Returns a list of { frame = its number, pictures = how many
+-- }; how long the film is, s; and how long what it shows took, s, or nil for frames without times.
 function film.schedule(times, fps, seconds, even)
   local n = #times
   local goes_forward = n > 1 and not even and times[n] > times[1]
   for i = 2, n do goes_forward = goes_forward and times[i] >= times[i - 1] end
   local pictures = seconds and math.max(1, math.floor(seconds * fps + 0.5)) or n
+  local span = goes_forward and (times[n] - times[1]) * n / (n - 1) or nil
   local list, at = {}, 1
   for k = 0, pictures - 1 do
-    if goes_forward then
-      local t = times[1] + (times[n] - times[1]) * (pictures > 1 and k / (pictures - 1) or 1)
+    if span then
+      local t = times[1] + span * ((k + 0.5) / pictures - 0.5 / n)
       while at < n and math.abs(times[at + 1] - t) <= math.abs(times[at] - t) do at = at + 1 end
     else
       at = 1 + k * n // pictures
@@ -56,14 +57,14 @@ function film.schedule(times, fps, seconds, even)
     if last and last.frame == at then last.pictures = last.pictures + 1
     else list[#list + 1] = { frame = at, pictures = 1 } end
   end
-  local slower = goes_forward and pictures > 1 and (pictures - 1) / fps / (times[n] - times[1]) or nil
-  return list, pictures / fps, slower
+  return list, pictures / fps, span
 end
 
---- How long a film is and how slow, in words.
-function film.speed_text(length, span, slower)
+--- How long a film is and how slow, in words. Both times as film.schedule gives them.
+function film.speed_text(length, span)
   local text = ("%.3g s"):format(length)
-  if not slower then return text end
+  if not span then return text end
+  local slower = length / span
   local how = slower >= 1.05 and ("%.3g times slower"):format(slower)
     or slower <= 0.95 and ("%.3g times faster"):format(1 / slower) or "as fast as it was"
   return ("%s for %.3g s: %s"):format(text, span, how)

@@ -51,8 +51,8 @@ local function direction(text)
     not_zero = not_zero or list[#list] ~= 0
   end
   if #list ~= 3 or select(2, text:gsub(",", "")) ~= 2 or not not_zero then
-    check.fail("--from %s: must be a direction from the scene to the eye, three numbers such as -1,-1.4,0.55, not all 0",
-      text)
+    check.fail("--from %s: must be a direction from the scene to the eye: three numbers such as -1,-1.4,0.55, not "
+      .. "all 0", text)
   end
   return list
 end
@@ -104,7 +104,8 @@ end
 function options.read(given)
   if given.view and given.from then check.fail "--from: --view is given, too; one of them says where the eye is" end
   local what = { folder = given.out, fps = number("--fps", given.fps, " pictures a second", 240),
-    seconds = number("--seconds", given.seconds, " s", 86400), jobs = values.whole("-j", given.jobs, 1) or core.cores() }
+    seconds = number("--seconds", given.seconds, " s", 86400),
+    jobs = values.whole("-j", given.jobs, 1) or core.cores() }
   local pixels = size(given.size)
   what.view = { view = one_of("--view", given.view, views), from = direction(given.from),
     scale = number("--scale", given.scale, "", 1e9), ghost = given.ghost and true or nil,

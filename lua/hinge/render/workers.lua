@@ -1,5 +1,5 @@
--- Work on numbered items in several processes, each taking the next item when it has done one; with a line on a terminal
--- that says how far it is.
+-- Work on numbered items in several processes, each of which takes the next item when it has done one; with a line on a
+-- terminal that says how far it is.
 local core = require "hinge.core"
 
 local workers = {}
@@ -42,31 +42,28 @@ end
 -- The lines of JSON that the processes have left, by item.
 local function results_in(files)
   local results = {}
-  for _, path in ipairs(files) do
-    local file = io.open(path)
-    for line in file and file:lines() or function() end do
+  for _, file in ipairs(files) do
+    for line in io.lines(file:path()) do
       local result = line:find "^{" and core.from_json(line)
       if result and result.item then results[result.item] = result end
     end
-    if file then file:close() end
   end
   return results
 end
 
---- Calls task.work(i, task.steps) for i from 1 to task.count in at most task.jobs processes, of which each has a file in
--- task.folder. task: also what (what the items are called), steps (a shared number that work counts on, and that says
--- how far it is, of task.total; without it the items say). Returns { [i] = { ok = true, result = what work returned } or
--- { ok = false, problem = text } }; or nil where a signal came, after the processes have been ended. task.killed(process)
--- hears of those.
+--- Calls task.work(i, task.steps) for i from 1 to task.count in at most task.jobs processes. task: also what (what the
+-- items are called) and steps (a shared number on which work counts how far it is, of task.total; without it the items
+-- are counted). Returns { [i] = { ok = true, result = what work returned } or { ok = false, problem = text } }; or nil
+-- where a signal came, after the processes have been ended. task.killed(process) hears of those that did not end well.
 function workers.run(task)
   local number, running, count, files = core.shared_number(), {}, 0, {}
   local show = progress(task.what, task.total or task.count)
   local ends = {} -- how processes ended that did not end well
 
   local function start()
-    local file = ("%s/%s-%d.txt"):format(task.folder, task.what:match "%a+$", #files + 1)
+    local file = core.memory_file()
     files[#files + 1] = file
-    running[core.start(function() return work_on(number, task) end, file, 0, false)] = number:so_far()
+    running[core.start(function() return work_on(number, task) end, file:path(), 0, false)] = number:so_far()
     count = count + 1
   end
 
@@ -99,7 +96,7 @@ function workers.run(task)
   for i = 1, task.count do
     results[i] = results[i] or { ok = false, problem = #ends > 0
       and ("the process that worked on it ended %s"):format(table.concat(ends, ", "))
-      or "nothing was heard of it; is the disk full?" }
+      or "nothing was heard of it" }
   end
   return results
 end
