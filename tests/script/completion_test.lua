@@ -54,7 +54,7 @@ expect(#verbs >= 11, "%d verbs", #verbs)
 for _, verb in ipairs(verbs) do
   local begun = verb:sub(1, 3)
   expect((" " .. offers(begun) .. " "):find(" " .. verb .. " ", 1, true), "%s is not offered after %s", verb, begun)
-  equal(offers(verb, "--"), table.concat(listed(verb, "%f[%-](%-%-[%a-]+)%f[^%a-]"), " "), "options of " .. verb)
+  equal(offers(verb, "--"), table.concat(listed(verb, "%f[%-](%-%-[%w-]+)%f[^%w-]"), " "), "options of " .. verb)
 end
 
 for _, case in ipairs {

@@ -35,10 +35,10 @@ function film.lacks(format)
 end
 
 --- Which frame is seen how long. times: of the frames, s; fps: pictures a second; seconds: how long the film is, nil
--- for as many pictures as frames. Time in the film is proportional to time in the run, so a frame is seen while it is the
--- nearest; the first and the last one stand for half a mean interval beyond, too. Frames whose times do not go forward
--- are seen equally long, and those of statics (even = true). Returns a list of { frame = its number, pictures = how many
--- }; how long the film is, s; and how long what it shows took, s, or nil for frames without times.
+-- for as many pictures as frames. Time in the film is proportional to time in the run, so a frame is seen while it is
+-- the nearest; the first and the last one stand for half a mean interval beyond, too. Frames whose times do not go
+-- forward are seen equally long, and those of statics (even = true). Returns a list of { frame = its number, pictures =
+-- how many }; how long the film is, s; and how long what it shows took, s, or nil for frames without times.
 function film.schedule(times, fps, seconds, even)
   local n = #times
   local goes_forward = n > 1 and not even and times[n] > times[1]
