@@ -1,8 +1,12 @@
 // The one off-screen window all pictures are taken in.
 #include "output/window.h"
 
+#include <GL/gl.h>
+#include <vtkActorCollection.h>
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkUnsignedCharArray.h>
@@ -33,14 +37,36 @@ void ready_window(int width, int height) {
     window->SetSize(width, height);
 }
 
+/// Whether nothing in a layer lets shine through what is behind it.
+bool is_opaque(vtkRenderer* layer) {
+    vtkActorCollection* actors = layer->GetActors();
+    if (layer->GetViewProps()->GetNumberOfItems() != actors->GetNumberOfItems()) return false;
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+        if (actor->HasTranslucentPolygonalGeometry()) return false;
+    return true;
+}
+
+/// Blending of what hides what is behind it changes nothing, and takes a sixth of the time that a software renderer
+/// needs.
+void blend(vtkObject* layer, unsigned long event, void*, void*) {
+    auto* state = static_cast<vtkOpenGLRenderWindow*>(static_cast<vtkRenderer*>(layer)->GetRenderWindow())->GetState();
+    if (event == vtkCommand::StartEvent) state->vtkglDisable(GL_BLEND);
+    else state->vtkglEnable(GL_BLEND);
+}
+
 /// Puts renderers into the window for one picture, and the window's context back for other threads.
 class Session {
 public:
     explicit Session(std::span<vtkRenderer* const> layers) : layers_(layers) {
+        blending_->SetCallback(blend);
         window->SetNumberOfLayers(static_cast<int>(layers.size()));
         for (std::size_t i = 0; i < layers.size(); ++i) {
             layers[i]->SetLayer(static_cast<int>(i));
             window->AddRenderer(layers[i]);
+            if (!is_opaque(layers[i])) continue;
+            layers[i]->AddObserver(vtkCommand::StartEvent, blending_);
+            layers[i]->AddObserver(vtkCommand::EndEvent, blending_);
         }
     }
     ~Session() {
@@ -52,6 +78,7 @@ public:
 
 private:
     std::span<vtkRenderer* const> layers_;
+    vtkNew<vtkCallbackCommand> blending_;
 };
 
 }  // namespace
