@@ -211,6 +211,7 @@ for arguments, text in pairs {
     or "--webm: ",
   ["--gif --fps 0"] = "--fps 0: must be a number above 0", ["--gif --fps 60"] = "--fps 60: a GIF shows at most 50",
   ["--fps 20"] = "--fps 20: is for films", ["--gif --seconds inf"] = "--seconds inf: must be a number above 0",
+  ["--gif --seconds 1e9"] = "--seconds 1e9: must be a number above 0 and at most 86400 s",
   ["-j 0"] = "-j 0: must be a whole number of at least 1", ["-j 1.5"] = "-j 1.5: must be a whole number",
   ["--out a.avi"] = "--out a.avi: must end in .mp4, .webm or .gif",
   ["--out a.mp4 --gif"] = "--out a.mp4: the name of a film made by --gif ends in .gif",
@@ -267,13 +268,14 @@ support.run(("chmod +x %s/bin/Xvfb"):format(quote(folder)))
 for signal, wanted in pairs { INT = 130, TERM = 143 } do
   os.remove(folder .. "/servers")
   status, printed, complaint = support.run(("cd %s && { env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long "
-    .. "--gif%s & } && "
-    .. "p=$! && until [ -n \"$(find . -name 000003.png)\" ]; do sleep 0.05; done; kill -%s $p; wait $p"):format(
+    .. "--gif%s & } && p=$! && "
+    .. "until [ -n \"$(find . -name 000003.png)\" ]; do sleep 0.05; done; kill -%s $p; wait $p"):format(
     quote(folder), quote(folder), hinge, small, signal))
   equal(status, wanted, "status after SIG" .. signal)
   equal(complaint, "hinge: interrupted; there is no film\n", "after SIG" .. signal)
   equal(printed, "", "printed after SIG" .. signal)
-  equal(left_over() .. (read "long/film.gif" or ""), "", "left over after SIG" .. signal)
+  equal(left_over(), "", "left over after SIG" .. signal)
+  expect(not read "long/film.gif", "a film is left after SIG%s", signal)
   local servers = 0
   for process in (read "servers" or ""):gmatch "%d+" do
     servers = servers + 1
@@ -283,6 +285,18 @@ for signal, wanted in pairs { INT = 130, TERM = 143 } do
   end
   equal(servers, 1, "Xvfb that all processes share")
 end
+
+-- A process that is killed loses the frame that it was at; another one takes its place.
+support.write(folder .. "/long/frames.pvd", table.concat(lines, "\n", 1, 100))
+status, printed, complaint = support.run(("cd %s && { %s render long --gif -j 1%s & } && p=$! && "
+  .. "until [ -n \"$(find . -name 000003.png)\" ]; do sleep 0.02; done; kill -KILL $(pgrep -P $p -x hinge); wait $p")
+  :format(quote(folder), hinge, small))
+equal(status, 1, "status after a process was killed")
+expect(printed:find "^long/film%.gif: .* 99 pictures", "after a process was killed: %s", printed)
+local _, named = complaint:gsub("hinge: not drawn: [^\n]*: the process that worked on it ended by signal 9\n", "")
+equal(named, 1, "the frame that is named: " .. complaint)
+equal(#gif_of "long/film.gif".frames, 99, "pictures of the film")
+equal(left_over(), "", "left over after a process was killed")
 
 -- A full disk, where one may be made.
 local tiny = folder .. "/tiny"
