@@ -211,7 +211,7 @@ for arguments, text in pairs {
     or "--webm: ",
   ["--gif --fps 0"] = "--fps 0: must be a number above 0", ["--gif --fps 60"] = "--fps 60: a GIF shows at most 50",
   ["--fps 20"] = "--fps 20: is for films", ["--gif --seconds inf"] = "--seconds inf: must be a number above 0",
-  ["--gif --seconds 1e9"] = "--seconds 1e9: must be a number above 0 and at most 86400 s",
+  ["--gif --seconds 86401"] = "--seconds 86401: must be a number above 0 and at most 86400 s",
   ["-j 0"] = "-j 0: must be a whole number of at least 1", ["-j 1.5"] = "-j 1.5: must be a whole number",
   ["--out a.avi"] = "--out a.avi: must end in .mp4, .webm or .gif",
   ["--out a.mp4 --gif"] = "--out a.mp4: the name of a film made by --gif ends in .gif",
