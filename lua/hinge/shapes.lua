@@ -3,7 +3,7 @@
 -- x and y are the section's axes, y along the member's `up`. Ix bends about x, so it resists deflection along y. Each
 -- function returns the table that core.section takes: area (m^2), Ix, Iy, J (m^4), shear_area_x and shear_area_y (m^2),
 -- plastic = { A, Zx, Zy, Zz } (m^2, m^3: fully plastic resultant over yield stress; Zz over yield stress / sqrt 3),
--- size = { width, depth } (m, along x and y) and kind.
+-- size = { width, depth } (m, along x and y; of an H also web and flange, for pictures) and kind.
 --
 -- Shear areas: Cowper (1966) with Poisson's ratio 0, which is the area of equal shear strain energy. It gives the
 -- paper's 5/6 for the rectangle and needs no material.
@@ -99,7 +99,7 @@ function shapes.h(options)
   local di, dm = d - 2 * tf, d - tf
   local area = 2 * b * tf + di * tw
   return {
-    kind = "h", size = { width = b, depth = d }, area = area,
+    kind = "h", size = { width = b, depth = d, web = tw, flange = tf }, area = area,
     Ix = (b * d ^ 3 - (b - tw) * di ^ 3) / 12, Iy = (2 * tf * b ^ 3 + di * tw ^ 3) / 12,
     J = (2 * b * tf ^ 3 + di * tw ^ 3) / 3,
     shear_area_x = 5 / 6 * 2 * b * tf,

@@ -105,6 +105,13 @@ struct SectionForces {
     double N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0;
 };
 
+/// A load that acts where the state is, for who shows it: on a node, or on an element.
+struct ShownLoad {
+    int node = -1, element = -1;
+    double at = -1;            ///< on an element: at this share of its length, 0 to 1; -1: spread over it
+    Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the element's two ends, N/m and N m/m
+};
+
 /// Something reached an element in this step, or broke it: a body at rest that it belongs to takes part again.
 struct Reached {
     int element;
@@ -251,6 +258,8 @@ public:
     virtual void started(const std::vector<Vec6>& out_of_balance) { (void)out_of_balance; }
 
     // ---- what others want to know -----------------------------------------------------------------------------------
+    /// Loads of the script that act where the state is. Weights are not among them.
+    virtual void show_loads(std::vector<ShownLoad>& to) const { (void)to; }
     virtual void steady_load_changed(int node, const Vec3& force) { (void)node, (void)force; }
     virtual void reached(const std::vector<Reached>& elements) { (void)elements; }
     virtual void effective_stiffness_begins() {}

@@ -104,6 +104,21 @@ public:
             if (l.node == node) l.steady.head<3>() += force;
     }
 
+    void show_loads(std::vector<ShownLoad>& to) const override {
+        const auto show = [&](int node, const Vec6& f) {
+            if (!f.isZero(0)) to.push_back({node, -1, -1, {f.head<3>(), Vec3::Zero()}, {f.tail<3>(), Vec3::Zero()}});
+        };
+        if (w_.kind.dynamic) {
+            for (const Loaded& l : loaded_) show(l.node, l.now);
+            return;
+        }
+        for (const NodalLoad& l : declared()) {
+            Vec6 f;
+            f << l.force, l.moment;
+            show(l.node, (l.held ? 1 : w_.state.factor) * f);
+        }
+    }
+
     bool calls_script() const override {
         for (const NodalLoad& l : declared())
             if (l.follows_state() || l.history) return true;

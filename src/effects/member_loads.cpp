@@ -25,6 +25,12 @@ struct Portion {
     Vec3 force, moment;
 };
 
+/// Of a spread load, per length of the member at its end; `along`: the member's direction at the start.
+Vec3 force_per_length(const MemberLoad& load, int end, const Vec3& along) {
+    const Vec3& q = load.force[end];
+    return load.axes != LoadAxes::projected || q.isZero(0) ? q : Vec3(q.cross(along).norm() / q.norm() * q);
+}
+
 std::vector<Portion> portions(const MemberLoad& load, int n, double length, const Vec3& along) {
     std::vector<Portion> list;
     if (!load.spread()) {
@@ -32,10 +38,7 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
         list.push_back({element, load.at * n - element, load.at, load.force[0], load.moment[0]});
         return list;
     }
-    Vec3 force[2] = {load.force[0], load.force[1]};
-    if (load.axes == LoadAxes::projected)
-        for (Vec3& q : force)
-            if (!q.isZero(0)) q *= q.cross(along).norm() / q.norm();
+    const Vec3 force[2] = {force_per_length(load, 0, along), force_per_length(load, 1, along)};
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k) {
             const double xi = (i + gauss_point[k]) / n, part = gauss_weight[k] * length / n;
@@ -164,6 +167,39 @@ public:
             const MemberEnds::Chord chord = l.ends.chord(w_.structure, w_.state);
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
             l.ends.add_section_forces(element, end, chord.span.norm(), m, forces);
+        }
+    }
+
+    void show_loads(std::vector<ShownLoad>& to) const override {
+        for (std::size_t i = 0; i < loads_.size(); ++i) {
+            const Loaded& l = loads_[i];
+            const MemberLoad& load = declared()[i];
+            const double factor = w_.kind.dynamic ? l.kept_factor : factor_now(l, w_.state.factor);
+            if (factor == 0) continue;
+            const int n = l.ends.count;
+            for (int k = 0; k < n; ++k) {
+                const int element = l.ends.first + k;
+                const Element& e = w_.structure.elements()[element];
+                if (w_.state.broken[element]) continue;
+                ShownLoad shown{-1, element, -1, {}, {}};
+                const Mat3 to_space = factor * (l.local ? Mat3(axes_of(place_element(w_.structure, element, w_.state)))
+                                                        : Mat3(Mat3::Identity()));
+                if (!load.spread()) {
+                    if (k != std::min(n - 1, int(load.at * n))) continue;
+                    shown.at = load.at * n - k;
+                    shown.force[0] = to_space * load.force[0], shown.moment[0] = to_space * load.moment[0];
+                    shown.force[1].setZero(), shown.moment[1].setZero();
+                } else {
+                    const Vec3 along = e.chord.normalized();
+                    for (int end : {0, 1}) {
+                        const double xi = double(k + end) / n;
+                        shown.force[end] = to_space * ((1 - xi) * force_per_length(load, 0, along) +
+                                                       xi * force_per_length(load, 1, along));
+                        shown.moment[end] = to_space * ((1 - xi) * load.moment[0] + xi * load.moment[1]);
+                    }
+                }
+                to.push_back(shown);
+            }
         }
     }
 

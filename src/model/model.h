@@ -39,6 +39,7 @@ struct Section {
            Zz = 0;  ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
     std::optional<double> N0, Mx0, My0, Mz0;  ///< given directly, N and N m
     double width = 0, depth = 0;              ///< m, along x and y: contact and pictures
+    double web = 0, flange = 0;               ///< m, thickness of an H's: pictures
     std::string asked_at = {};                ///< the script's line, "" where none
 };
 

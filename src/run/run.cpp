@@ -109,6 +109,12 @@ SectionForces Run::section_forces(int element, double side) const {
     return forces;
 }
 
+std::vector<ShownLoad> Run::shown_loads() const {
+    std::vector<ShownLoad> loads;
+    for (const auto& effect : effects_) effect->show_loads(loads);
+    return loads;
+}
+
 Eigen::Vector2d Run::largest_moment(int element) const {
     const SectionForces a = section_forces(element, -1), b = section_forces(element, 1);
     return {std::max(std::abs(a.Mx), std::abs(b.Mx)), std::max(std::abs(a.My), std::abs(b.My))};

@@ -68,6 +68,8 @@ public:
     Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
     /// At an end of an element, side -1 or 1; zero in a broken one. Loads between its nodes are in them.
     SectionForces section_forces(int element, double side) const;
+    /// Loads that act where the state is.
+    std::vector<ShownLoad> shown_loads() const;
     double yield_value(int element) const;            ///< f_y of eq 14, the larger of its sections; 0 when broken
     double yield_value(int element, double r) const;  ///< at r: -1 node 1, 1 node 2, 0 between
 

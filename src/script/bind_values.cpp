@@ -72,6 +72,8 @@ int section(lua_State* L) {
         Options p(L, -1, "hinge.section.general, size");
         s.width = p.number("width", "m", Range::positive);
         s.depth = p.number("depth", "m", Range::positive);
+        s.web = p.number("web", "m", Range::positive, 0);
+        s.flange = p.number("flange", "m", Range::positive, 0);
         p.finish();
     }
     lua_pop(L, 1);
