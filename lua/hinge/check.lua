@@ -56,8 +56,21 @@ local bounds = {
   { "at_most", "of at most", function(v, limit) return v <= limit end },
 }
 
-local function allowed(rule)
+local allowed
+
+-- What else a value may be, beside its kind: { "number", also = { "auto" } }.
+local function with_also(rule)
+  local others = {}
+  for _, value in ipairs(rule.also) do others[#others + 1] = "'" .. value .. "'" end
+  local plain = {}
+  for k, v in pairs(rule) do plain[k] = v end
+  plain.also = nil
+  return allowed(plain) .. " or " .. table.concat(others, " or ")
+end
+
+function allowed(rule)
   local kind = rule[1]
+  if rule.also then return with_also(rule) end
   if rule.one_of then return "one of " .. table.concat(rule.one_of, ", ") end
   local number = rule.whole and "whole number" or "number"
   local text
@@ -88,8 +101,16 @@ local function good_number(value, rule)
   return true
 end
 
+local function among(value, list)
+  for _, v in ipairs(list) do
+    if v == value then return true end
+  end
+  return false
+end
+
 local function good(value, rule)
   local kind = rule[1]
+  if rule.also and among(value, rule.also) then return true end
   if kind == "number" then return good_number(value, rule) end
   if kind == "numbers" then
     if type(value) ~= "table" or #value < 2 or rule.count and #value ~= rule.count then return false end
@@ -101,11 +122,7 @@ local function good(value, rule)
   local mark = ({ section = "area", material = "E" })[kind]
   if mark then return (type(value) == "userdata" or type(value) == "table") and type(value[mark]) == "number" end
   if type(value) ~= kind then return false end
-  if not rule.one_of then return true end
-  for _, v in ipairs(rule.one_of) do
-    if v == value then return true end
-  end
-  return false
+  return not rule.one_of or among(value, rule.one_of)
 end
 
 --- One field against its rule; see check.options.
@@ -130,8 +147,8 @@ end
 
 --- Checks a table of named options and returns a copy with the defaults filled in.
 -- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=,
--- count=, one_of= }; kinds: number, numbers (a list of `count`, or of any two or more), string,
--- boolean, table, function, section, material.
+-- count=, one_of=, also= (other values that it may be) }; kinds: number, numbers (a list of `count`, or of any two or
+-- more), string, boolean, table, function, section, material.
 function check.options(where, options, rules)
   if options == nil then options = {} end
   if type(options) ~= "table" then

@@ -193,8 +193,9 @@ function section.general(options) end
 ---@field Mz0? number N m, of torsion
 ---m^2, m^3. A, Zx and Zy are multiplied by the yield stress, Zz by the yield stress / sqrt 3
 ---@field plastic? { A?: number, Zx?: number, Zy?: number, Zz?: number }
----m, along x and y, for contact and pictures; default: both are the square root of the area
----@field size? { width: number, depth: number }
+---m, along x and y, for contact and pictures; default: both are the square root of the area. With the thickness of a
+---web and of the flanges pictures show an H
+---@field size? { width: number, depth: number, web?: number, flange?: number }
 ---@field kind? string a name for messages
 
 ---@class hinge.section read-only
@@ -1447,6 +1448,8 @@ function hinge.frame(run) end
 
 ---```lua
 ---hinge.picture(run, { title = "under 1 kN", width = 800, height = 600 }, "cantilever.png")
+---hinge.picture(run, { scale = 50, ghost = true, supports = true, loads = true, show = "Mx", view = "front",
+---  labels = true }, "moments.png")
 ---```
 ---@param run hinge.run see job:picture
 ---@param view? hinge.view

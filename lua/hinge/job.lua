@@ -2,22 +2,11 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local history = require "hinge.history"
+local view_rules = require "hinge.view".rules
 
 local Job = {}
 Job.__index = Job
 Job.__name = "hinge.job"
-
-local view_rules = {
-  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
-  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
-  from = { "numbers", count = 3, optional = true },
-  up = { "numbers", count = 3, optional = true },
-  leave_out_broken = { "boolean", optional = true },
-  above = { "number", unit = "m", optional = true },
-  groups = { "table", optional = true },
-  title = { "string", optional = true },
-  box = { "numbers", count = 6, unit = "m", optional = true },
-}
 
 -- What a call is named in messages: job:picture, or hinge.picture where a script has no job.
 local function named(job, what) return (job.prefix or "job:") .. what end

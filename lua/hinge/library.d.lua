@@ -20,10 +20,14 @@ local job = {}
 ---@param run hinge.run
 function job:frame(run) end
 
----Draws the structure as it is now into a PNG in the output folder. Members have six colours of f_y (eq 14); fractured
----members are black, as in figure 17. If no picture can be drawn, the job notes this and the run continues.
+---Draws the structure as it is now into a PNG in the output folder. Members have their true sections. Six colours along
+---each element tell f_y (eq 14): five for its fifths, and red where the section is fully plastic. Readers who are
+---colour-blind can tell them apart. Broken elements are black, as in figure 17. A plastic hinge is a red dot whose area
+---grows with its plastic rotation, up to 0.2 rad. If no picture can be drawn, the job notes this and the run continues.
 ---```lua
 ---job:picture(run, { title = "under 1 kN", from = { 0, -1, 0.2 }, width = 800, height = 600 }, "cantilever.png")
+---job:picture(run, { view = "front", scale = "auto", ghost = true, loads = true, labels = true }, "deformed.png")
+---job:picture(run, { view = "front", show = "Mx" }, "moments.png")
 ---```
 ---@param run hinge.run
 ---@param view? hinge.view
@@ -33,11 +37,30 @@ function job:picture(run, view, filename) end
 ---@class hinge.view
 ---@field width? integer pixels, default 1600
 ---@field height? integer pixels, default 1200
----@field from? vec3 direction from the scene to the eye, default { -1, -1.4, 0.55 }
----@field up? vec3 default { 0, 0, 1 }
+---a view by name. perspective (default) is from the left, in front and above. The others have no perspective: front
+---looks along y, and against z where `up` is y; iso shows the three axes equally long
+---@field view? "front"|"back"|"left"|"right"|"top"|"iso"|"perspective"
+---direction from the scene to the eye, with perspective, in place of a name; default { -1, -1.4, 0.55 }
+---@field from? vec3
+---@field up? vec3 the direction that is upwards in the picture, default { 0, 0, 1 }
+---displacements are drawn so many times as large, and members bend as their nodes have rotated; default 1. "auto": the
+---largest one is about a twentieth of the structure. The picture says the factor
+---@field scale? number|"auto"
+---what is shown of the members. f_y (default), group or none: by their colour. The others draw a diagram along them
+---with the largest value of each member: N, the shear forces Qx and Qy in N, and Mx, My and the torsion Mz in N m, in
+---the section's axes. Moments lie on the side in tension
+---@field show? "f_y"|"group"|"none"|"N"|"Qx"|"Qy"|"Mx"|"My"|"Mz"
+---N or N m; the value that a diagram draws in full size, so that several pictures have one scale; default: its largest
+---@field largest? number
+---@field ghost? boolean true: the shape at the start, in grey; default false
+---@field supports? boolean supports of the nodes, default true
+---@field ground? boolean the planes that members may fall on, default true
+---@field hinges? boolean dots where plastic hinges are, default true
+---@field loads? boolean true: the loads that act now, with their values; default false
+---@field labels? boolean|"nodes"|"members" true: the numbers of nodes and members; default false
 ---@field leave_out_broken? boolean as in figure 18
 ---@field above? number m; only parts that are wholly above this height
----@field groups? string[] only these groups
+---@field groups? (string|hinge.group)[] only members of these groups
 ---@field title? string
 ---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show; it gives several pictures the same view
 

@@ -24,33 +24,42 @@ function render.frames(folder)
   return frames
 end
 
--- One camera for all frames: adds the box that holds what each of them shows to the view. Frames that cannot be read
--- get their `problem`; those of statics are noted.
-local function look_at(frames, what)
+-- What the frames say of their pictures, see core.frame_box. Frames that cannot be read get their `problem`. Returns
+-- nil where a signal came.
+local function read_frames(frames, what)
   local results = workers.run { what = "frames read", count = #frames, jobs = what.jobs,
-    work = function(i)
-      local box, groups, of_statics = core.frame_box(frames[i].file, what.view)
-      return { box = box, groups = groups, statics = of_statics }
-    end }
-  if not results then return false end
-  local all, known, statics = nil, {}, false
-  for i, frame in ipairs(frames) do
-    local found = results[i].result
-    if not found then
-      frame.problem = results[i].problem
-    else
-      statics = statics or found.statics
-      for _, name in ipairs(found.groups) do known[name] = true end
-      local box = found.box
-      all = all or box
-      for c = 1, box and 6 or 0 do all[c] = (c % 2 == 1 and math.min or math.max)(all[c], box[c]) end
-    end
+    work = function(i) return core.frame_box(frames[i].file, what.view) end }
+  local found = results and {}
+  for i, frame in ipairs(results and frames or {}) do
+    frame.problem = results[i].problem
+    found[#found + 1] = results[i].result
+  end
+  return found
+end
+
+-- One view for all frames: the box that holds what each of them shows, one scale of displacements and one of diagrams.
+-- Whether the frames are of statics is noted. Returns false where a signal came.
+local function look_at(frames, what)
+  local found = read_frames(frames, what)
+  if found and what.view.scale == "auto" then -- that of the frame with the largest displacements
+    local scale = math.huge
+    for _, f in ipairs(found) do scale = math.min(scale, f.scale) end
+    what.view.scale = scale < math.huge and scale or nil
+    found = read_frames(frames, what)
+  end
+  if not found then return false end
+  local all, known, largest = nil, {}, 0
+  for _, f in ipairs(found) do
+    what.statics = what.statics or f.statics
+    for _, name in ipairs(f.groups) do known[name] = true end
+    all, largest = all or f.box, math.max(largest, f.largest)
+    for c = 1, f.box and 6 or 0 do all[c] = (c % 2 == 1 and math.min or math.max)(all[c], f.box[c]) end
   end
   local some = next(known) ~= nil
   for _, name in ipairs(some and what.view.groups or {}) do
     if not known[name] then check.unknown("--groups", "group", name, check.keys(known)) end
   end
-  what.view.box, what.statics = all, statics
+  what.view.box, what.view.largest = all, largest > 0 and largest or nil
   return true
 end
 

@@ -7,38 +7,43 @@
 #include <string>
 #include <vector>
 
-#include "output/bars.h"
+#include "output/symbols.h"
+#include "output/words.h"
 
 namespace hinge::output {
 namespace {
 
-/// The size of plain text, pixels; everything else is measured by it.
-double text_size(const View& view) { return std::clamp(std::min(view.height / 44.0, view.width / 52.0), 7.0, 60.0); }
-
 std::string time_text(double seconds) {
     char text[48];
-    if (std::abs(seconds) >= 10) std::snprintf(text, sizeof text, "t = %.2f s", seconds);
+    if (std::abs(seconds) >= 1)
+        std::snprintf(text, sizeof text, "t = %.*f s", std::abs(seconds) >= 10 ? 2 : 3, seconds);
     else
         std::snprintf(text, sizeof text, "t = %.*f ms", std::abs(seconds) < 1e-3 && seconds != 0 ? 3 : 1,
                       seconds * 1e3);
     return text;
 }
 
-/// What the view leaves out, so that nobody takes a part for the whole.
-std::string left_out(const View& view) {
+/// What the picture leaves out or enlarges, so that nobody takes a part for the whole.
+std::string remarks(const Told& told) {
+    const View& view = told.view;
     std::vector<std::string> notes;
-    if (view.above > -1e299) {
-        char text[48];
-        std::snprintf(text, sizeof text, "above %g m", view.above);
+    const auto note = [&](const char* format, double value) {
+        char text[64];
+        std::snprintf(text, sizeof text, format, value);
         notes.push_back(text);
-    }
+    };
+    if (told.scale != 1) note("displacements \xC3\x97 %g", told.scale);
+    if (view.ghost) notes.push_back("grey lines: at the start");
+    if (view.above > -1e299) note("above %g m", view.above);
     if (view.leave_out_broken) notes.push_back("without fractured elements");
     std::string line;
-    for (const std::string& note : notes) line += (line.empty() ? "" : ", ") + note;
+    for (const std::string& text : notes) line += (line.empty() ? "" : ", ") + text;
     return line;
 }
 
-void draw_heading(Pen& pen, const View& view, const std::string& when, double em) {
+void draw_heading(Pen& pen, const Told& told, double em) {
+    const View& view = told.view;
+    const std::string when = moment_text(told.snapshot);
     const double top = view.height - 1.25 * em;
     TextStyle left{.size = 1.3 * em, .bold = true};
     TextStyle right{.size = 1.3 * em, .across = 1};
@@ -48,53 +53,120 @@ void draw_heading(Pen& pen, const View& view, const std::string& when, double em
     if (wide > room) left.size = std::max(0.6 * em, left.size * room / wide);
     pen.text(1.5 * em, top, view.title, left);
     pen.text(view.width - 1.5 * em, top, when, right);
-    pen.text(1.5 * em, top - 1.6 * em, left_out(view), {.size = 0.9 * em, .colour = faint_ink});
+    pen.text(1.5 * em, top - 1.6 * em, remarks(told), {.size = 0.9 * em, .colour = faint_ink});
 }
 
-void draw_legend(Pen& pen, const View& view, double em) {
-    static const char* const labels[n_classes] = {
-        "0.0\xE2\x80\x93"
-        "0.2",
-        "0.2\xE2\x80\x93"
-        "0.4",
-        "0.4\xE2\x80\x93"
-        "0.6",
-        "0.6\xE2\x80\x93"
-        "0.8",
-        "0.8\xE2\x80\x93"
-        "1.0",
-        "1.0 hinge",
-        "fractured"};
-    const int shown = view.leave_out_broken ? broken_class : n_classes;
-    const double swatch = 5.2 * em, high = 0.85 * em, gap = 0.7 * em;
-    // The five bands touch, as one scale; a hinge and a fracture stand apart.
-    const double total = shown * swatch + (shown - hinge_class) * gap;
-    const double foot = 1.15 * em;
-    double x = (view.width - total) / 2;
-    const double symbol = x - 0.9 * em;
-    pen.text(symbol, foot + 1.15 * em, "y", {.size = 0.75 * em, .italic = true, .across = 1});
-    pen.text(symbol - 0.38 * em, foot + 1.45 * em, "f", {.size = 1.15 * em, .italic = true, .across = 1});
-    for (int i = 0; i < shown; ++i) {
-        if (i >= hinge_class) x += gap;
-        pen.box(x, foot + em, swatch, high, class_colours[static_cast<std::size_t>(i)]);
-        pen.text(x + swatch / 2, foot + 0.4 * em, labels[i], {.size = 0.85 * em, .across = 0.5});
-        x += swatch;
+/// One entry of the legend: a swatch, or a dot, with a text below it.
+struct Entry {
+    std::string text;
+    Colour colour;
+    double wide, gap;   ///< of the swatch and before it, em
+    double radius = 0;  ///< of a dot, pixels
+};
+
+std::vector<Entry> legend(const Told& told, double em) {
+    std::vector<Entry> entries;
+    const View& view = told.view;
+    if (told.diagram && !told.diagram->empty()) {
+        const Diagram& d = *told.diagram;
+        const Unit unit = unit_for(std::max(d.largest, -d.smallest), unit_of(d.which));
+        const auto say = [&](const char* what, double v) {
+            return what + short_number(v / unit.size) + " " + unit.name;
+        };
+        if (d.largest > 0) entries.push_back({say("largest ", d.largest), plus_fill, 9, 0});
+        if (d.smallest < 0) entries.push_back({say("smallest ", d.smallest), minus_fill, 9, 0.7});
+    } else if (view.show == Show::yield) {
+        static const char* const labels[plastic_class + 1] = {
+            "0.0\xE2\x80\x93"
+            "0.2",
+            "0.2\xE2\x80\x93"
+            "0.4",
+            "0.4\xE2\x80\x93"
+            "0.6",
+            "0.6\xE2\x80\x93"
+            "0.8",
+            "0.8\xE2\x80\x93"
+            "1.0",
+            "1.0"};
+        for (int i = 0; i <= plastic_class; ++i)
+            entries.push_back(
+                {labels[i], class_colours[static_cast<std::size_t>(i)], 4.4, i == plastic_class ? 0.4 : 0});
+    } else if (view.show == Show::group) {
+        const std::size_t most = 8;
+        for (std::size_t i = 0; i < told.snapshot.groups.size() && i < most; ++i) {
+            std::string name = told.snapshot.groups[i];
+            if (name.size() > 14) name = name.substr(0, 13) + "\xE2\x80\xA6";
+            entries.push_back({name, group_colours[i % std::size(group_colours)], 5.5, i > 0 ? 0.5 : 0});
+        }
     }
+    if (told.broken && !view.leave_out_broken && view.show != Show::nothing)
+        entries.push_back({"fractured", class_colours[broken_class], 4.4, 0.7});
+    if (told.dot_unit > 0)
+        for (const double rotation : {0.01, 0.05, 0.2}) {
+            char text[32];
+            std::snprintf(text, sizeof text, rotation < 0.2 ? "%g" : "%g rad", rotation);
+            entries.push_back({text, class_colours[plastic_class],
+                               2 * dot_radius(rotation, told.dot_unit) / em + (rotation < 0.2 ? 2.6 : 3.8),
+                               rotation == 0.01 ? 1.4 : 0, dot_radius(rotation, told.dot_unit)});
+        }
+    return entries;
 }
 
-void draw_axes(Pen& pen, const View& view, const Camera& camera, double em) {
-    const double x0 = 3.6 * em, y0 = caption_margins(view).bottom + 2.6 * em, reach = 2.4 * em;
+void draw_legend(Pen& pen, const Told& told, double em) {
+    const View& view = told.view;
+    const std::vector<Entry> entries = legend(told, em);
+    if (entries.empty()) return;
+    double total = 0;
+    for (const Entry& e : entries) total += e.wide + e.gap;
+    // Beside the axes, which stand on the left; where it is too narrow for that, all shrinks.
+    const double room = (view.width - 2 * 7.5 * em) / em, fit = std::min(1.0, room / total), unit = fit * em;
+    const double high = 0.85 * em, foot = 1.15 * em;
+    double x = (view.width - total * unit) / 2;
+    const double symbol = x - 0.9 * em;
+    const std::string name = told.diagram ? name_of(told.diagram->which) : view.show == Show::yield ? "f_y" : "";
+    if (name == "f_y") {
+        pen.text(symbol, foot + 1.15 * em, "y", {.size = 0.75 * em, .italic = true, .across = 1});
+        pen.text(symbol - 0.38 * em, foot + 1.45 * em, "f", {.size = 1.15 * em, .italic = true, .across = 1});
+    } else {
+        pen.text(symbol, foot + 1.4 * em, name, {.size = 1.1 * em, .italic = false, .across = 1});
+    }
+    double dots = -1;  // where those of the hinges begin
+    for (const Entry& e : entries) {
+        x += e.gap * unit;
+        const double wide = e.wide * unit, middle = x + wide / 2;
+        if (e.radius > 0) {
+            const double centre = x + e.radius, level = foot + em + high / 2 + 0.25 * em;
+            pen.dot(centre, level, e.radius + 1.3, ink);
+            pen.dot(centre, level, e.radius, e.colour);
+            pen.text(centre + e.radius + 0.3 * em, level, e.text, {.size = 0.85 * em});
+            if (dots < 0) dots = x;
+            x += wide;
+            continue;
+        }
+        pen.box(x, foot + em, wide, high, e.colour);
+        TextStyle text{.size = 0.85 * em * std::max(fit, 0.75), .across = 0.5};
+        if (const double long_ = pen.size_of(e.text, text)[0]; long_ > wide * 1.02)
+            text.size = std::max(0.5 * em, text.size * wide / long_);
+        pen.text(middle, foot + 0.4 * em, e.text, text);
+        x += wide;
+    }
+    if (dots >= 0) pen.text(dots, foot + 0.4 * em, "plastic rotation", {.size = 0.85 * em});
+}
+
+/// In the lower left corner, below the structure.
+void draw_axes(Pen& pen, const Camera& camera, double em) {
+    const double x0 = 3.0 * em, y0 = 2.0 * em, reach = 1.5 * em;
     const char* const names[3] = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
         const double dx = reach * camera.right[i], dy = reach * camera.up[i];
         const double seen = std::hypot(dx, dy);
         if (seen < 0.25 * reach) continue;  // it points at the reader
-        const double ex = dx / seen, ey = dy / seen, barb = 0.4 * em;
+        const double ex = dx / seen, ey = dy / seen, barb = 0.35 * em;
         pen.line(x0, y0, x0 + dx, y0 + dy, em / 13, faint_ink);
         for (const double turn : {0.5, -0.5})
             pen.line(x0 + dx, y0 + dy, x0 + dx - barb * (ex - turn * ey), y0 + dy - barb * (ey + turn * ex), em / 13,
                      faint_ink);
-        pen.text(x0 + dx + 0.6 * em * ex, y0 + dy + 0.6 * em * ey, names[i],
+        pen.text(x0 + dx + 0.55 * em * ex, y0 + dy + 0.55 * em * ey, names[i],
                  {.size = 0.85 * em, .colour = faint_ink, .italic = true, .across = 0.5});
     }
 }
@@ -108,20 +180,27 @@ std::string moment_text(const Snapshot& snapshot) {
     return text;
 }
 
-Margins caption_margins(const View& view) {
-    const double em = text_size(view);
-    const double heading = left_out(view).empty() ? 2.4 : 3.8;
-    return {static_cast<int>(heading * em), static_cast<int>(3.6 * em)};
+double text_size(const View& view) { return std::clamp(std::min(view.height / 44.0, view.width / 52.0), 7.0, 60.0); }
+
+Margins caption_margins(const Told& told) {
+    const double em = text_size(told.view);
+    const double heading = remarks(told).empty() ? 2.4 : 3.8;
+    return {static_cast<int>(heading * em), static_cast<int>(4.2 * em)};
 }
 
-void draw_caption(Pen& pen, const View& view, const std::string& when, const Camera& camera, bool nothing) {
-    const double em = text_size(view);
-    draw_heading(pen, view, when, em);
-    draw_legend(pen, view, em);
-    draw_axes(pen, view, camera, em);
-    if (nothing)
-        pen.text(view.width / 2.0, view.height / 2.0, "no bars to show",
+void draw_caption(Pen& pen, const Told& told, const Camera& camera) {
+    const double em = text_size(told.view);
+    draw_heading(pen, told, em);
+    draw_legend(pen, told, em);
+    draw_axes(pen, camera, em);
+    const auto say = [&](const char* text) {
+        pen.text(told.view.width / 2.0, told.view.height / 2.0, text,
                  {.size = 1.2 * em, .colour = faint_ink, .across = 0.5});
+    };
+    if (told.nothing) say("no bars to show");
+    else if (told.diagram && told.diagram->empty())
+        pen.text(told.view.width / 2.0, 2.2 * em, std::string(name_of(told.diagram->which)) + " is zero everywhere",
+                 {.size = em, .colour = faint_ink, .across = 0.5});
 }
 
 }  // namespace hinge::output

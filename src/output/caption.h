@@ -3,23 +3,37 @@
 
 #include <string>
 
+#include "output/diagram.h"
 #include "output/framing.h"
 #include "output/picture.h"
 #include "output/sketch.h"
 
 namespace hinge::output {
 
+/// What the caption tells about.
+struct Told {
+    const View& view;
+    const Snapshot& snapshot;
+    double scale;            ///< of displacements
+    const Diagram* diagram;  ///< null: none
+    double dot_unit;         ///< pixels of the largest dot of a hinge; 0: none is drawn
+    bool broken, nothing;    ///< a broken element is drawn; no bar is
+    int words_left_out = 0;
+};
+
+/// The size of plain text, pixels; everything else is measured by it.
+double text_size(const View& view);
+
 /// Pixels kept free above and below the structure.
 struct Margins {
     int top, bottom;
 };
 
-Margins caption_margins(const View& view);
+Margins caption_margins(const Told& told);
 
 /// The moment of a snapshot as pictures show it: "t = 12.5 ms", "load factor 0.62".
 std::string moment_text(const Snapshot& snapshot);
 
-/// `when`: that; `nothing`: no bar is drawn, which the picture then says.
-void draw_caption(Pen& pen, const View& view, const std::string& when, const Camera& camera, bool nothing);
+void draw_caption(Pen& pen, const Told& told, const Camera& camera);
 
 }  // namespace hinge::output

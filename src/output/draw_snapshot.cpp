@@ -12,9 +12,12 @@
 #include "core/errors.h"
 #include "output/bars.h"
 #include "output/caption.h"
+#include "output/diagram.h"
+#include "output/members.h"
 #include "output/snapshot_check.h"
-#include "output/tubes.h"
+#include "output/symbols.h"
 #include "output/window.h"
+#include "output/words.h"
 
 namespace hinge::output {
 namespace {
@@ -32,7 +35,7 @@ std::vector<Vec> corners(const std::array<double, 6>& box) {
 double typical_radius(const std::vector<DrawnBar>& bars) {
     if (bars.empty()) return 0;
     std::vector<double> radii;
-    for (const DrawnBar& bar : bars) radii.push_back(bar.radius);
+    for (const DrawnBar& bar : bars) radii.push_back(bar.half_size());
     const auto half = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::nth_element(radii.begin(), half, radii.end());
     return *half;
@@ -49,6 +52,8 @@ void set_camera(vtkRenderer* renderer, const Camera& camera) {
     to->SetFocalPoint(camera.target.data());
     to->SetViewUp(camera.up.data());
     to->SetViewAngle(camera.view_angle);
+    to->SetParallelProjection(camera.parallel);
+    to->SetParallelScale(camera.metres_per_pixel * camera.height / 2);
     to->SetClippingRange(camera.nearest, camera.farthest);
 }
 
@@ -63,25 +68,132 @@ void set_light(vtkRenderer* renderer) {
     renderer->AddLight(key);
 }
 
+/// Numbers of nodes and members.
+void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vector<DrawnBar>& bars, const View& view,
+                 double scale) {
+    if (view.node_labels) {
+        std::vector<char> seen(snapshot.points.size(), 0);
+        for (const DrawnBar& bar : bars)
+            for (const int p : bar.bar->point) {
+                if (p >= snapshot.declared || seen[static_cast<std::size_t>(p)]) continue;
+                seen[static_cast<std::size_t>(p)] = 1;
+                Word w{drawn_at(snapshot, static_cast<std::size_t>(p), scale), std::to_string(p + 1)};
+                w.size = 0.85, w.bold = true, w.weight = -1e3 - p;
+                w.away = Vec{-1, -1, 1};
+                to.push_back(w);
+            }
+    }
+    if (view.member_labels) {
+        std::vector<std::pair<int, std::size_t>> first;  // a member and its first bar here
+        for (std::size_t i = 0; i < bars.size(); ++i) first.push_back({bars[i].bar->member, i});
+        std::stable_sort(first.begin(), first.end(), [](auto a, auto b) { return a.first < b.first; });
+        for (std::size_t i = 0; i < first.size();) {
+            std::size_t end = i;
+            while (end < first.size() && first[end].first == first[i].first) ++end;
+            const DrawnBar& middle = bars[first[(i + end) / 2].second];
+            Word w{(end - i) % 2 == 0 ? middle.a : middle.at(0.5), std::to_string(first[i].first)};
+            w.size = 0.85, w.colour = plus_line, w.weight = -1e6 - first[i].first;
+            to.push_back(w);
+            i = end;
+        }
+    }
+}
+
+/// The scene of a picture: what is drawn where, and what is told about it.
+class Scene {
+public:
+    Scene(const Snapshot& snapshot, const View& view)
+        : snapshot_(snapshot), view_(view), chosen_(choose_bars(snapshot, view)), bars_(chosen_.list) {
+        em_ = text_size(view);
+        std::vector<Vec> shown = view.box ? corners(*view.box) : without_strays(ends_of(bars_));
+        fit(shown);
+        drop_out_of_sight(bars_, camera_);
+        const double size = size_of(shown);
+        if (view.show >= Show::N) diagram_ = plan_diagram(bars_, view.show, size, view.largest);
+        if (view.loads) arrows_ = load_arrows(snapshot, bars_, chosen_.scale, 0.11 * size);
+        if (view.ground && !shown.empty())
+            for (const Plane& plane : snapshot.ground) ground_.push_back(ground_under(plane, shown));
+        // What stands beside the members needs room, too.
+        if (!view.box) {
+            for (const GroundPatch& g : ground_)
+                for (const Vec& p : g.corners()) shown.push_back(p);
+            if (diagram_) add_points(shown, bars_, *diagram_);
+            for (const Arrow& a : arrows_) shown.push_back(a.tail);
+            if (view.ghost) add_start(shown, snapshot, bars_);
+            std::erase_if(shown, [](Vec p) { return !finite(p); });
+            fit(shown);
+        }
+        if (view.hinges && view.show != Show::nothing) dot_unit_ = sign_size(bars_, camera_, 0.3, 0.3 * em_, 0.8 * em_);
+        add_numbers(words_, snapshot, bars_, view, chosen_.scale);
+        if (diagram_ && !diagram_->empty()) add_words(words_, bars_, *diagram_);
+        add_words(words_, arrows_);
+    }
+
+    Pixels draw() {
+        const Told told = this->told();
+        const auto caption = sketch([&](Pen& pen) { draw_caption(pen, told, camera_); });
+        const auto words = sketch([&](Pen& pen) { draw_words(pen, words_, camera_, margins_.bottom, em_); });
+        const vtkNew<vtkRenderer> scene;
+        scene->SetViewport(0, 1.0 * margins_.bottom / view_.height, 1, 1 - 1.0 * margins_.top / view_.height);
+        add_actors(scene);
+        set_camera(scene, camera_);
+        set_light(scene);
+        std::vector<vtkRenderer*> layers{caption, scene};
+        if (!words_.empty()) layers.push_back(words);
+        return take_pixels(view_.width, view_.height, layers);
+    }
+
+private:
+    Told told() const {
+        // Pictures with a box are one of several, and those have the same legend.
+        const auto any = [&](auto test) {
+            return std::any_of(bars_.begin(), bars_.end(), [&](const DrawnBar& b) { return test(*b.bar); });
+        };
+        const bool series = view_.box.has_value() && any([](const Bar& b) { return b.N0 > 0; });
+        const bool hinges = series || any([](const Bar& b) { return b.hinges && b.state != BarState::broken; });
+        const bool broken = series || any([](const Bar& b) { return b.state == BarState::broken; });
+        return {view_,  snapshot_,    chosen_.scale, diagram_ ? &*diagram_ : nullptr, hinges ? dot_unit_ : 0,
+                broken, bars_.empty()};
+    }
+    void fit(const std::vector<Vec>& shown) {
+        margins_ = caption_margins(told());
+        const int height = std::max(1, view_.height - margins_.top - margins_.bottom);
+        camera_ = fit_camera(shown, typical_radius(bars_), view_.from, view_.up, view_.parallel, view_.width, height);
+    }
+    void add_actors(vtkRenderer* scene) const {
+        const auto add = [&](const auto& actors) {
+            for (const auto& actor : actors) scene->AddActor(actor);
+        };
+        const double em = em_ * camera_.metres_per_pixel;
+        for (const GroundPatch& g : ground_) add(ground_actors(g, camera_));
+        if (view_.ghost)
+            if (const auto ghost = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14)))
+                scene->AddActor(ghost);
+        add(member_actors(bars_, view_, camera_));
+        if (diagram_ && !diagram_->empty()) add(diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
+        if (dot_unit_ > 0) add(hinge_actors(bars_, camera_, dot_unit_));
+        const double support = sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel;
+        if (view_.supports) add(support_actors(snapshot_, bars_, view_, chosen_.scale, camera_, support));
+        add(load_actors(arrows_, camera_, em));
+    }
+
+    const Snapshot& snapshot_;
+    const View& view_;
+    DrawnBars chosen_;
+    std::vector<DrawnBar>& bars_;
+    double em_ = 0, dot_unit_ = 0;
+    Camera camera_;
+    Margins margins_;
+    std::vector<GroundPatch> ground_;
+    std::optional<Diagram> diagram_;
+    std::vector<Arrow> arrows_;
+    std::vector<Word> words_;
+};
+
 Pixels draw_pixels(const Snapshot& snapshot, const View& view) {
     check_size(view.width, view.height);
     check_snapshot(snapshot);
-    std::vector<DrawnBar> bars = choose_bars(snapshot, view);
-    const Margins margins = caption_margins(view);
-    const int height = std::max(1, view.height - margins.top - margins.bottom);
-    const std::vector<Vec> shown = view.box ? corners(*view.box) : without_strays(ends_of(bars));
-    const Camera camera = fit_camera(shown, typical_radius(bars), view.from, view.up, view.width, height);
-    drop_out_of_sight(bars, camera);
-
-    const auto caption =
-        sketch([&](Pen& pen) { draw_caption(pen, view, moment_text(snapshot), camera, bars.empty()); });
-    const vtkNew<vtkRenderer> scene;
-    scene->SetViewport(0, 1.0 * margins.bottom / view.height, 1, 1 - 1.0 * margins.top / view.height);
-    for (const auto& actor : make_actors(bars, camera)) scene->AddActor(actor);
-    set_camera(scene, camera);
-    set_light(scene);
-    vtkRenderer* const layers[] = {caption, scene};
-    return take_pixels(view.width, view.height, layers);
+    return Scene(snapshot, view).draw();
 }
 
 }  // namespace

@@ -96,13 +96,8 @@ HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int h
     return guarded(error, room, [&] { write_whole(given(path), draw_plot(path, plot, width, height)); });
 }
 
-HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, double* box, int* empty, char* error,
-                                 int room) {
-    return guarded(error, room, [&] {
-        const auto found = frame_box(snapshot, view);
-        *empty = !found;
-        if (found) std::copy(found->begin(), found->end(), box);
-    });
+HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, FrameBox* box, char* error, int room) {
+    return guarded(error, room, [&] { *box = frame_box(snapshot, view); });
 }
 
 HINGE_EXPORT int hinge_write_gif(const char* path, int n, const char* const* pictures, const int* hundredths,

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "output/colours.h"
+
 namespace hinge::output {
 
-using Colour = std::array<std::uint8_t, 3>;
 using Pixel = std::array<float, 2>;
-
-constexpr Colour ink = {34, 38, 44}, faint_ink = {110, 116, 124}, white = {255, 255, 255};
 
 struct TextStyle {
     double size = 16;  ///< pixels

@@ -15,6 +15,15 @@ namespace hinge::output {
 
 enum class BarState : std::uint8_t { elastic = 0, yielded = 1, broken = 2 };
 
+/// The shape of a cross-section, for drawing; x across and y along the member's `up`.
+struct Shape {
+    enum Kind : std::uint8_t { rectangle = 0, h = 1, round = 2 };
+    Kind kind = rectangle;
+    double width = 0, depth = 0;  ///< m, along x and y
+    double web = 0, flange = 0;   ///< m, of an H
+    bool operator==(const Shape&) const = default;
+};
+
 /// One element as drawn: a straight bar. A broken element runs from its node to a virtual node (paper, section 2.3).
 struct Bar {
     int point[2];  ///< indices into Snapshot::points
@@ -23,12 +32,31 @@ struct Bar {
     int group;     ///< index into Snapshot::groups: the member's first group; -1 if it has none
     int member;    ///< declared member, counted from 1
     int element;   ///< element, counted from 1
-    double width;  ///< drawn and contact width of the member, m
+    double width;  ///< contact width of the member, m
     double N = 0;  ///< N, tension positive; 0 in a broken one, as all forces
     double Mx[2] = {0, 0}, My[2] = {0, 0}, Mz = 0;  ///< N m, at its first and its second end
+    double Qx[2] = {0, 0}, Qy[2] = {0, 0};          ///< N; dMx/dz = Qy, dMy/dz = -Qx
     double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;       ///< fully plastic resultants, N and N m; 0 without limit
-    std::uint8_t hinges = 0;   ///< where it has ever been fully plastic: 1 first end, 2 second end, 4 middle
-    std::uint8_t touched = 0;  ///< 1: it has been in contact
+    std::uint8_t hinges = 0;        ///< where it has ever been fully plastic: 1 first end, 2 second end, 4 middle
+    std::uint8_t touched = 0;       ///< 1: it has been in contact
+    double rotation[2] = {0, 0};    ///< plastic rotation of its hinges about x and y together, rad, not negative
+    std::array<double, 3> up = {};  ///< direction of the section's y axis now, of unit length; zero: not known
+    int shape = -1;                 ///< index into Snapshot::shapes; -1: a square of its width
+};
+
+/// A load that acts at this instant.
+struct Load {
+    enum Kind : std::uint8_t { force = 0, moment = 1 };
+    Kind kind = force;
+    int point = -1;                             ///< acts on this point, or:
+    int bar = -1;                               ///< on this bar,
+    double at = -1;                             ///< at this share of its length; -1: spread over it
+    std::array<double, 3> value[2] = {{}, {}};  ///< N or N m, in space; spread: N/m or N m/m at its two ends
+};
+
+/// A plane that members fall on; the solid is on the side that `normal` points away from.
+struct Plane {
+    std::array<double, 3> point, normal;
 };
 
 /// A structure at one instant.
@@ -38,19 +66,36 @@ struct Snapshot {
     std::vector<std::array<double, 3>> points;  ///< m
     std::vector<std::uint8_t> is_virtual;  ///< per point: 1 for the virtual node of a broken element; empty: none is
     std::vector<std::array<double, 3>> displacement;  ///< m, per point, of an end of a broken element too; or empty
+    std::vector<std::array<double, 3>> rotation;      ///< per point: rotation vector since the start, rad; or empty
     std::vector<std::uint8_t> held;                   ///< per point: bits 0 to 5, ux to rz; or empty
+    int declared = 0;  ///< points that the script has declared as nodes; they come first, and number i is point i - 1
     std::vector<Bar> bars;
+    std::vector<Shape> shapes;
+    std::vector<Load> loads;
+    std::vector<Plane> ground;
     std::vector<std::string> groups;
     std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
 };
+
+/// What is shown of the members: their colour, or a diagram along them.
+enum class Show : std::uint8_t { yield, group, nothing, N, Qx, Qy, Mx, My, Mz };
 
 /// What render() draws; every field has a default that shows the whole structure in six colours of f_y.
 struct View {
     int width = 1600, height = 1200;                  ///< pixels
     std::array<double, 3> from = {-1.0, -1.4, 0.55};  ///< direction from the middle of the scene to the eye
     std::array<double, 3> up = {0, 0, 1};
-    bool leave_out_broken = false;  ///< as in fig 18 of the paper
-    double above = -1e300;          ///< draw only bars with both ends above this height, m
+    bool parallel = false;  ///< without perspective
+    double scale = 1;       ///< displacements are drawn so many times as large; 0: chosen so that they can be seen
+    Show show = Show::yield;
+    double largest = 0;  ///< what a diagram draws in full size, N or N m; 0: the largest value
+    bool ghost = false;  ///< the shape at the start, behind
+    bool supports = true, ground = true, hinges = true;
+    bool loads = false;
+    bool node_labels = false, member_labels = false;
+    bool leave_out_broken = false;           ///< as in fig 18 of the paper
+    double above = -1e300;                   ///< draw only bars with both ends above this height, m
+    std::optional<std::vector<int>> groups;  ///< draw only members of these, indices into Snapshot::groups; else all
     std::string title;
     /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this snapshot without its stray
     /// fragments. A film needs one box for all its frames, or the camera moves.
@@ -62,7 +107,7 @@ struct View {
 // The module's functions, found by name with dlsym. Each returns 0, or 1 with a message in `error` (at most `room`
 // bytes). They may be called from any thread; they take turns.
 extern "C" {
-/// Writes `still` as binary VTP: points, lines, and arrays named after the fields of Snapshot and Bar; aside, then
+/// Writes `snapshot` as binary VTP: points, lines, and arrays named after the fields of Snapshot and Bar; aside, then
 /// renamed.
 using hinge_write_snapshot = int (*)(const char* path, const hinge::output::Snapshot& snapshot, char* error, int room);
 /// Writes the ParaView collection of n frames (times in s, file names relative to the collection).
@@ -70,7 +115,7 @@ using hinge_write_collection = int (*)(const char* path, int n, const double* ti
                                        char* error, int room);
 /// Reads a VTP written by hinge_write_snapshot.
 using hinge_read_snapshot = int (*)(const char* path, hinge::output::Snapshot& snapshot, char* error, int room);
-/// Draws `still` into a PNG; works without a display when Xvfb is installed, else says in one line how to get it.
+/// Draws `snapshot` into a PNG; works without a display when Xvfb is installed, else says in one line how to get it.
 using hinge_render = int (*)(const char* path, const hinge::output::Snapshot& snapshot, const hinge::output::View& view,
                              char* error, int room);
 /// Draws n snapshots side by side into one PNG, `columns` in a row, each of the first view's size.

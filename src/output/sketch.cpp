@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,7 @@ public:
 private:
     void draw_dashes(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes);
     vtkContext2D& context_;
+    double drawn_size_ = 0;  ///< of what size_of was asked for last
 };
 
 class SketchItem : public vtkContextItem {
@@ -113,7 +115,9 @@ void CanvasPen::text(double x, double y, const std::string& words, const TextSty
     const auto [wide, high] = size_of(words, style);
     const double left = style.upwards ? x + style.upright * high : x - style.across * wide;
     const double foot = style.upwards ? y - style.across * wide : y - style.upright * high;
-    use_text(context_, style);
+    TextStyle drawn = style;
+    drawn.size = drawn_size_;
+    use_text(context_, drawn);
     context_.DrawString(static_cast<float>(std::round(left)), static_cast<float>(std::round(foot)), words.c_str());
     if (style.power.empty()) return;
     TextStyle plain = style;
@@ -125,17 +129,29 @@ void CanvasPen::text(double x, double y, const std::string& words, const TextSty
     else text(left + base, y + power_height * style.size, style.power, plain);
 }
 
+// VTK draws words as a texture that repeats. Where it needs no padding, as it is a power of two wide or high, its last
+// row shows again beside the first one; a size larger by a pixel has padding.
 std::array<double, 2> CanvasPen::size_of(const std::string& words, const TextStyle& style) {
     if (words.empty()) return {0, 0};
     TextStyle level = style;
     level.upwards = false;
-    use_text(context_, level);
     float bounds[4] = {};
-    context_.ComputeStringBounds(words.c_str(), bounds);
-    if (style.power.empty()) return {bounds[2], bounds[3]};
-    level.power.clear();
-    level.size = power_size * style.size;
-    return {bounds[2] + size_of(style.power, level)[0], bounds[3]};
+    double size = style.size;
+    for (int more = 0; more < 3; ++more) {
+        level.size = size = style.size + more;
+        use_text(context_, level);
+        context_.ComputeStringBounds(words.c_str(), bounds);
+        const auto repeats = [](float side) { return std::has_single_bit(static_cast<unsigned>(std::lround(side))); };
+        if (!repeats(bounds[2]) && !repeats(bounds[3])) break;
+    }
+    double beside = 0;
+    if (!style.power.empty()) {
+        level.power.clear();
+        level.size = power_size * style.size;
+        beside = size_of(style.power, level)[0];
+    }
+    drawn_size_ = size;
+    return {bounds[2] + beside, bounds[3]};
 }
 
 void CanvasPen::path(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) {

@@ -7,15 +7,15 @@ namespace hinge::output {
 
 void check_snapshot(const Snapshot& snapshot) {
     const auto points = snapshot.points.size();
-    if (!snapshot.is_virtual.empty() && snapshot.is_virtual.size() != points)
-        throw InputError("snapshot: is_virtual has " + std::to_string(snapshot.is_virtual.size()) + " values for " +
-                         std::to_string(points) + " points; give one for each, or none");
-    if (!snapshot.displacement.empty() && snapshot.displacement.size() != points)
-        throw InputError("snapshot: displacement has " + std::to_string(snapshot.displacement.size()) + " values for " +
-                         std::to_string(points) + " points; give one for each, or none");
-    if (!snapshot.held.empty() && snapshot.held.size() != points)
-        throw InputError("snapshot: held has " + std::to_string(snapshot.held.size()) + " values for " +
-                         std::to_string(points) + " points; give one for each, or none");
+    const auto each = [&](const char* name, std::size_t values) {
+        if (values != 0 && values != points)
+            throw InputError(std::string("snapshot: ") + name + " has " + std::to_string(values) + " values for " +
+                             std::to_string(points) + " points; give one for each, or none");
+    };
+    each("is_virtual", snapshot.is_virtual.size());
+    each("displacement", snapshot.displacement.size());
+    each("rotation", snapshot.rotation.size());
+    each("held", snapshot.held.size());
     const int groups = static_cast<int>(snapshot.groups.size());
     for (std::size_t i = 0; i < snapshot.bars.size(); ++i) {
         const Bar& bar = snapshot.bars[i];
@@ -29,6 +29,17 @@ void check_snapshot(const Snapshot& snapshot) {
         if (bar.state > BarState::broken)
             throw InputError("snapshot: bar " + std::to_string(i) + " has state " +
                              std::to_string(static_cast<int>(bar.state)) + "; allowed are 0, 1 and 2");
+        if (bar.shape < -1 || bar.shape >= static_cast<int>(snapshot.shapes.size()))
+            throw InputError("snapshot: bar " + std::to_string(i) + " has section " + std::to_string(bar.shape) +
+                             "; there are " + std::to_string(snapshot.shapes.size()) + " sections, and -1 for none");
+    }
+    for (std::size_t i = 0; i < snapshot.loads.size(); ++i) {
+        const Load& load = snapshot.loads[i];
+        const bool on_point = load.point >= 0 && static_cast<std::size_t>(load.point) < points && load.bar < 0,
+                   on_bar =
+                       load.bar >= 0 && static_cast<std::size_t>(load.bar) < snapshot.bars.size() && load.point < 0;
+        if (!on_point && !on_bar)
+            throw InputError("snapshot: load " + std::to_string(i) + " acts neither on a point nor on a bar");
     }
 }
 

@@ -1,11 +1,10 @@
 // What a script draws of a run: frames and pictures.
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "output/film.h"
 #include "script/picture_module.h"
-#include "script/snapshot.h"
+#include "script/view.h"
 
 namespace hinge::script {
 namespace {
@@ -36,76 +35,16 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-/// Leaves only the bars of these groups, by the names that a frame's file has.
-void keep_groups(output::Snapshot& snapshot, const std::set<std::string>& names) {
-    const auto wanted = [&](int group) {
-        return group >= 0 && names.count(snapshot.groups.at(std::size_t(group))) > 0;
-    };
-    std::set<int> members;
-    for (const auto& [member, group] : snapshot.memberships)
-        if (wanted(group)) members.insert(member);
-    std::erase_if(snapshot.bars,
-                  [&](const output::Bar& b) { return !wanted(b.group) && members.count(b.member) == 0; });
-}
-
-/// `box`: whose snapshot it is; none for one that was read from a file.
-output::View read_view(lua_State* L, int index, output::Snapshot& snapshot, const SnapshotBox* box) {
-    Options o(L, index, "picture", true);
-    output::View view;
-    view.width = o.integer("width", 1, view.width);
-    view.height = o.integer("height", 1, view.height);
-    if (const auto v = o.triple("from", "")) view.from = {v->x(), v->y(), v->z()};
-    if (const auto v = o.triple("up", "")) view.up = {v->x(), v->y(), v->z()};
-    view.leave_out_broken = o.flag("leave_out_broken", false);
-    view.above = o.number("above", "m", Range::any, view.above);
-    if (const auto t = o.text("title")) view.title = *t;
-    if (o.push_field("box") == LUA_TTABLE) {
-        view.box.emplace();
-        for (int i = 0; i < 6; ++i) {
-            lua_rawgeti(L, -1, i + 1);
-            (*view.box)[i] = lua_tonumber(L, -1);
-            lua_pop(L, 1);
-        }
-    }
-    lua_pop(L, 1);
-    if (o.push_field("groups") == LUA_TTABLE && !box) {
-        std::set<std::string> names;
-        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
-            lua_rawgeti(L, -1, i);
-            names.insert(lua_tostring(L, -1) ? lua_tostring(L, -1) : "");
-            lua_pop(L, 1);
-        }
-        keep_groups(snapshot, names);
-    } else if (lua_type(L, -1) == LUA_TTABLE) {
-        const Structure& structure = *box->structure;
-        std::vector<int> wanted;
-        for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
-            lua_rawgeti(L, -1, i);
-            wanted.push_back(group_argument(L, -1, "picture: field 'groups', item " + std::to_string(i), *box->model,
-                                            &structure.model()));
-            lua_pop(L, 1);
-        }
-        std::erase_if(snapshot.bars, [&](const output::Bar& b) {
-            return std::none_of(wanted.begin(), wanted.end(),
-                                [&](int g) { return structure.in_group(b.element - 1, g); });
-        });
-    }
-    lua_pop(L, 1);
-    o.finish();
-    return view;
-}
-
 /// core.write_picture(snapshot, view, path)
 int write_picture(lua_State* L) {
     const SnapshotBox& box = snapshot_argument(L, 1, "write_picture");
     if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
-    output::Snapshot snapshot = box.value;
-    const output::View view = read_view(L, 2, snapshot, &box);
+    const output::View view = read_view(L, 2, box.value, &box);
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(
-        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), snapshot, view, error, sizeof error),
+        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), box.value, view, error, sizeof error),
         error);
     return 0;
 }
@@ -115,18 +54,16 @@ int write_strip(lua_State* L) {
     const char* file = luaL_checkstring(L, 4);  // these raise: nothing may be pending yet
     const int columns = int(luaL_checkinteger(L, 3));
     const std::string path = file;
-    std::vector<output::Snapshot> snapshots;
+    std::vector<const output::Snapshot*> list;
     std::vector<output::View> views;
     for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
         lua_rawgeti(L, 1, i);
         lua_rawgeti(L, 2, i);
         const SnapshotBox& box = snapshot_argument(L, lua_absindex(L, -2), "write_strip");
-        snapshots.push_back(box.value);
-        views.push_back(read_view(L, lua_absindex(L, -1), snapshots.back(), &box));
+        list.push_back(&box.value);
+        views.push_back(read_view(L, lua_absindex(L, -1), box.value, &box));
         lua_pop(L, 2);
     }
-    std::vector<const output::Snapshot*> list;
-    for (const output::Snapshot& s : snapshots) list.push_back(&s);
     prepare_folder(*context(L), path);
     char error[512] = "";
     must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
@@ -136,7 +73,8 @@ int write_strip(lua_State* L) {
 }
 
 /// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass
-/// lies half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none.
+/// lies half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none. With
+/// the loads that act: N and N m, of a spread one per m at the two ends of its bar.
 int pieces(lua_State* L) {
     const Run& run = *run_argument(L, 1, "pieces: the run")->run;
     const Structure& structure = run.structure();
@@ -147,7 +85,7 @@ int pieces(lua_State* L) {
     const auto flag = [&](const char* name, bool v) { lua_pushboolean(L, v), lua_setfield(L, -2, name); };
     const auto number = [&](const char* name, double v) { lua_pushnumber(L, v), lua_setfield(L, -2, name); };
     const auto whole = [&](const char* name, lua_Integer v) { lua_pushinteger(L, v), lua_setfield(L, -2, name); };
-    lua_createtable(L, 0, 2);
+    lua_createtable(L, 0, 3);
     lua_createtable(L, int(snapshot.points.size()), 0);
     for (std::size_t i = 0; i < snapshot.points.size(); ++i) {
         lua_createtable(L, 0, 6);
@@ -167,6 +105,18 @@ int pieces(lua_State* L) {
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
     lua_setfield(L, -2, "bars");
+    lua_createtable(L, int(snapshot.loads.size()), 0);
+    for (std::size_t i = 0; i < snapshot.loads.size(); ++i) {
+        const output::Load& load = snapshot.loads[i];
+        lua_createtable(L, 0, 5);
+        whole("node", load.point + 1), whole("bar", load.bar + 1), number("at", load.at);
+        flag("moment", load.kind == output::Load::moment);
+        lua_createtable(L, 6, 0);
+        for (int k = 0; k < 6; ++k) lua_pushnumber(L, load.value[k / 3][std::size_t(k % 3)]), lua_rawseti(L, -2, k + 1);
+        lua_setfield(L, -2, "value");
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    lua_setfield(L, -2, "loads");
     return 1;
 }
 
@@ -192,28 +142,33 @@ int render_file(lua_State* L) {
     return 0;
 }
 
-/// core.frame_box(vtp, view): what a picture of this frame would show, without stray fragments: { xmin, xmax, ymin,
-/// ymax, zmin, zmax }, m, or nil where there is nothing to show; the names of the frame's groups; whether it is of
-/// statics, which have no time.
+/// core.frame_box(vtp, view): of a picture of this frame { box = what it would show without stray fragments, { xmin,
+/// xmax, ymin, ymax, zmin, zmax } in m, nil where that is nothing; scale = of displacements; largest = magnitude of the
+/// diagram's values, N or N m; groups = the names of the frame's groups; statics = whether it has no time }.
 int frame_box(lua_State* L) {
     const char* from = luaL_checkstring(L, 1);
     luaL_checktype(L, 2, LUA_TTABLE);
     char error[512] = "";
-    double box[6];
-    int empty = 0;
+    output::FrameBox found;
     const auto [snapshot, view] = read_frame(L, from, 2);
-    must_work(picture_function<hinge_frame_box>(*context(L), "hinge_frame_box")(snapshot, view, box, &empty, error,
-                                                                                sizeof error),
-              error);
-    if (empty) lua_pushnil(L);
-    else lua_createtable(L, 6, 0);
-    for (int i = 0; i < 6 && !empty; ++i) lua_pushnumber(L, box[i]), lua_rawseti(L, -2, i + 1);
+    must_work(
+        picture_function<hinge_frame_box>(*context(L), "hinge_frame_box")(snapshot, view, &found, error, sizeof error),
+        error);
+    lua_createtable(L, 0, 5);
+    if (found.box) {
+        lua_createtable(L, 6, 0);
+        for (int i = 0; i < 6; ++i) lua_pushnumber(L, (*found.box)[std::size_t(i)]), lua_rawseti(L, -2, i + 1);
+        lua_setfield(L, -2, "box");
+    }
+    lua_pushnumber(L, found.scale), lua_setfield(L, -2, "scale");
+    lua_pushnumber(L, found.largest), lua_setfield(L, -2, "largest");
     lua_createtable(L, int(snapshot.groups.size()), 0);
     lua_Integer i = 0;
     for (const std::string& group : snapshot.groups)
         lua_pushlstring(L, group.data(), group.size()), lua_rawseti(L, -2, ++i);
-    lua_pushboolean(L, snapshot.factor.has_value());
-    return 3;
+    lua_setfield(L, -2, "groups");
+    lua_pushboolean(L, snapshot.factor.has_value()), lua_setfield(L, -2, "statics");
+    return 1;
 }
 
 }  // namespace

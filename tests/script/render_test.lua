@@ -152,6 +152,52 @@ expect((read "one/frames/frame_00001.png" or ""):sub(1, 24) == "\x89PNG\r\n\x1a\
   "a picture of 160 x 120")
 equal(left_over(), "", "what is left over")
 
+-- What is shown: the same in all frames, of a cantilever under a load that grows.
+local loaded = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local model = hinge.model()
+local foot, tip = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
+model:fix(foot)
+model:member { foot, tip, section = hinge.section.solid { width = 0.1, depth = 0.2 }, material = steel }
+model:load { node = tip, force = { 0, 0, -4e3 } }
+local run = model:static { steps = 4 }
+for step in run:steps() do hinge.frame(run) end
+]=]
+equal(hinge_on("run -q", loaded, "--out loaded"), 0, "a cantilever")
+local core = require "hinge.core"
+local function frame_of(i) return ("%s/loaded/frames/frame_%05d.vtp"):format(folder, i) end
+local function picture_of(i) return read(("loaded/frames/frame_%05d.png"):format(i)) end
+local function view_of_all(view) -- the box and the largest values of all frames
+  for i = 1, 4 do
+    local one, box = core.frame_box(frame_of(i), view), view.box
+    for c = 1, 6 do one.box[c] = box and (c % 2 == 1 and math.min or math.max)(box[c], one.box[c]) or one.box[c] end
+    view.box, view.largest = one.box, one.largest > 0 and one.largest or nil
+  end
+  view.width, view.height = 160, 120
+  return view
+end
+local scale = {}
+for i = 1, 4 do scale[i] = core.frame_box(frame_of(i), { scale = "auto" }).scale end
+expect(scale[1] > 2 * scale[4] and scale[4] > 1, "the scale is %g of the first frame, %g of the last", scale[1],
+  scale[4])
+local plain = {}
+for option, view in pairs { [""] = {}, ["--view front"] = { view = "front" }, ["--scale auto"] = { scale = scale[4] },
+    ["--ghost --scale 30"] = { ghost = true, scale = 30 }, ["--show Mx"] = { show = "Mx" },
+    ["--show N"] = { show = "N" }, ["--show none"] = { show = "none" }, ["--from 0,-1,0"] = { from = { 0, -1, 0 } } } do
+  status, printed, complaint = render("loaded -j 1 --title x " .. option .. small)
+  equal(status, 0, option .. complaint)
+  equal(printed, "4 pictures in loaded\n", option)
+  view.title = "x"
+  view_of_all(view)
+  for i = 1, 4, 3 do
+    core.render_file(frame_of(i), folder .. "/expected.png", view)
+    expect(picture_of(i) == read "expected.png", "%s: picture %d is not what the view shows", option, i)
+    for other, bytes in pairs(plain) do expect(bytes ~= picture_of(i), "%s looks like %s", option, other) end
+  end
+  plain[option] = picture_of(4)
+end
+
 -- Other formats, where there is ffmpeg.
 local function there(program) return support.run("command -v " .. program) == 0 end
 local encoders = there "ffmpeg" and support.output "ffmpeg -hide_banner -encoders 2>/dev/null" or ""
@@ -199,13 +245,14 @@ equal(#gif_of "one/film.gif".frames, 6, "its pictures")
 local there_before = support.output(("cd %s && find . | sort"):format(quote(folder)))
 for arguments, text in pairs {
   ["--gif --mp4"] = "--mp4: one film at a time; --gif is asked for, too",
-  ["--view frnt"] = "--view frnt: must be one of back, front, iso, left, perspective, right, top "
+  ["--view frnt"] = "--view frnt: must be one of front, back, left, right, top, iso, perspective "
     .. "(did you mean 'front'?)",
   ["--view top --from 1,0,0"] = "--from: --view is given, too",
   ["--from 1,2"] = "--from 1,2: must be a direction", ["--from 0,0,0"] = "--from 0,0,0: must be a direction",
   ["--from 1,2,3,"] = "--from 1,2,3,: must be a direction", ["--from a,b,c"] = "--from a,b,c: must be a direction",
   ["--scale=-1"] = "--scale -1: must be a number above 0", ["--scale nan"] = "--scale nan: must be a number above 0",
-  ["--show M"] = "--show M: must be one of Mx, My, Mz, N,", ["--size 160"] = "--size 160: must be width and height",
+  ["--show M"] = "--show M: must be one of f_y, group, none, N, Qx,",
+  ["--size 160"] = "--size 160: must be width and height",
   ["--size 160x9000"] = "--size 160x9000: must be width and height",
   ["--size 161x120 --out a.webm"] = encoders:find " libvpx%-vp9 " and "--size 161x120: WebM takes even numbers"
     or "--webm: ",

@@ -3,11 +3,10 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local film = require "hinge.render.film"
 local values = require "hinge.values"
+local view = require "hinge.view"
 
 local options = {}
 
-local views = { "back", "front", "iso", "left", "perspective", "right", "top" }
-local shows = { "Mx", "My", "Mz", "N", "Qx", "Qy", "f_y", "group", "none" }
 local smallest, largest = 64, 8192 -- pixels, as the pictures' own limits
 local formats = { "gif", "mp4", "webm" }
 local fastest_gif = 50             -- viewers slow down a GIF that is faster
@@ -107,9 +106,10 @@ function options.read(given)
     seconds = number("--seconds", given.seconds, " s", 86400),
     jobs = values.whole("-j", given.jobs, 1) or core.cores() }
   local pixels = size(given.size)
-  what.view = { view = one_of("--view", given.view, views), from = direction(given.from),
-    scale = number("--scale", given.scale, "", 1e9), ghost = given.ghost and true or nil,
-    show = one_of("--show", given.show, shows), groups = group_list(given.groups),
+  what.view = { view = one_of("--view", given.view, view.names), from = direction(given.from),
+    scale = given.scale == "auto" and "auto" or number("--scale", given.scale, ", or auto", 1e9),
+    ghost = given.ghost and true or nil,
+    show = one_of("--show", given.show, view.shows), groups = group_list(given.groups),
     title = given.title or not given.show and "f_y (eq 14)" or nil }
   what.format, what.note = possible_format(given)
   if not what.format then

@@ -1,0 +1,29 @@
+-- What a picture shows: the fields of a view and what they may be.
+local view = {}
+
+view.names = { "front", "back", "left", "right", "top", "iso", "perspective" }
+view.shows = { "f_y", "group", "none", "N", "Qx", "Qy", "Mx", "My", "Mz" }
+
+view.rules = {
+  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  view = { "string", one_of = view.names, optional = true },
+  from = { "numbers", count = 3, optional = true },
+  up = { "numbers", count = 3, optional = true },
+  scale = { "number", above = 0, also = { "auto" }, optional = true },
+  show = { "string", one_of = view.shows, optional = true },
+  largest = { "number", unit = "N or N m", above = 0, optional = true },
+  ghost = { "boolean", optional = true },
+  supports = { "boolean", optional = true },
+  ground = { "boolean", optional = true },
+  hinges = { "boolean", optional = true },
+  loads = { "boolean", optional = true },
+  labels = { "boolean", also = { "nodes", "members" }, optional = true },
+  leave_out_broken = { "boolean", optional = true },
+  above = { "number", unit = "m", optional = true },
+  groups = { "table", optional = true },
+  title = { "string", optional = true },
+  box = { "numbers", count = 6, unit = "m", optional = true },
+}
+
+return view

@@ -1,0 +1,256 @@
+// Signs in a scene: plastic hinges, supports, loads and the ground.
+#include "output/symbols.h"
+
+#include <vtkActor.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "output/mesh.h"
+
+namespace hinge::output {
+namespace {
+
+constexpr double largest_rotation = 0.2;  // rad, of the largest dot
+constexpr int round = 16;                 // sides of circles
+
+void shade(vtkActor* actor) {
+    actor->GetProperty()->SetAmbient(0.45);
+    actor->GetProperty()->SetDiffuse(0.62);
+}
+
+Actors shaded(const Mesh& mesh) {
+    if (mesh.empty()) return {};
+    auto actor = mesh.surface();
+    shade(actor);
+    return {actor};
+}
+
+}  // namespace
+
+double dot_radius(double rotation, double unit) {
+    if (!(rotation > 0)) rotation = 0;  // nor a number
+    return unit * std::clamp(std::sqrt(rotation / largest_rotation), 0.22, 1.0);
+}
+
+double sign_size(std::span<const DrawnBar> bars, const Camera& camera, double share, double least, double most) {
+    std::vector<double> lengths;
+    for (const DrawnBar& bar : bars) lengths.push_back(bar.length() / camera.metres_per_pixel);
+    if (lengths.empty()) return most;
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return std::clamp(share * *middle, least, most);
+}
+
+Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double unit) {
+    Mesh dots(camera.target), rims(camera.target);
+    for (const DrawnBar& bar : bars) {
+        if (bar.bar->state == BarState::broken || !bar.bar->hinges) continue;
+        const auto dot_at = [&](double t, double rotation) {
+            const double pixel = camera.pixel_at(bar.at(t)), radius = dot_radius(rotation, unit) * pixel;
+            // Beside the node, so that each of the members that meet there shows its own; before the member itself.
+            const double inward = std::min(radius / bar.length(), 0.5);
+            const double section = std::hypot(bar.shape.width, bar.shape.depth) / 2;
+            const Vec p = camera.nearer(bar.at(t == 0 ? inward : t == 1 ? 1 - inward : t), section + radius);
+            const int sides = radius > 8 * pixel ? 20 : 10;
+            add_ball(dots, p, radius, sides, class_colours[plastic_class]);
+            add_ball(rims, p, radius + 1.3 * pixel, sides, ink);
+        };
+        if (bar.bar->hinges & 1) dot_at(0, bar.bar->rotation[0]);
+        if (bar.bar->hinges & 2) dot_at(1, bar.bar->rotation[1]);
+        if (bar.bar->hinges & 4) dot_at(0.5, std::max(bar.bar->rotation[0], bar.bar->rotation[1]));
+    }
+    if (dots.empty()) return {};
+    auto rim = rims.surface();
+    rim->GetProperty()->LightingOff();
+    rim->GetProperty()->FrontfaceCullingOn();
+    Actors actors = shaded(dots);
+    actors.push_back(rim);
+    return actors;
+}
+
+Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view, double scale,
+                      const Camera& camera, double em) {
+    Mesh mesh(camera.target);
+    if (snapshot.held.empty()) return {};
+    std::vector<const DrawnBar*> at(snapshot.points.size(), nullptr);
+    for (const DrawnBar& bar : bars)
+        for (const int p : bar.bar->point) at[static_cast<std::size_t>(p)] = &bar;
+    const std::size_t nodes =
+        snapshot.declared > 0 ? static_cast<std::size_t>(snapshot.declared) : snapshot.points.size();
+    int everywhere = 63;
+    for (std::size_t i = 0; i < nodes && i < snapshot.held.size(); ++i) everywhere &= snapshot.held[i];
+    if (everywhere == 63) everywhere = 0;
+    const int moves = 7 & ~everywhere, turns = 56 & ~everywhere;
+    const Vec down = unit(-1.0 * view.up);
+    for (std::size_t i = 0; i < nodes && i < snapshot.held.size(); ++i) {
+        const int held = snapshot.held[i] & ~everywhere;
+        if (held == 0 || !at[i]) continue;
+        const Vec p = drawn_at(snapshot, i, scale);
+        if ((held & moves) == moves && (held & turns) == turns) {
+            // A plate across the member, behind its end.
+            const DrawnBar& bar = *at[i];
+            const bool first = static_cast<std::size_t>(bar.bar->point[0]) == i;
+            const Vec out = first ? -1.0 * bar.direction(0) : bar.direction(1);
+            const Vec x = bar.across(out), y = unit(cross(out, x));
+            add_box(mesh, p + 0.16 * em * out, 0.8 * em * x, 0.8 * em * y, 0.16 * em * out, support_colour);
+        } else if ((held & moves) == moves) {
+            add_cone(mesh, p, p + 1.1 * em * down, 0.62 * em, round, support_colour);
+        } else if (held & moves) {
+            const int axes[3] = {held & 1, held & 2, held & 4};
+            Vec to = down;
+            const bool upright = std::abs(down[2]) > 0.9 ? axes[2] : std::abs(down[1]) > 0.9 ? axes[1] : axes[0];
+            if (!upright)
+                for (int c = 0; c < 3; ++c)
+                    if (axes[c]) to = {c == 0 ? -1.0 : 0, c == 1 ? -1.0 : 0, c == 2 ? -1.0 : 0};
+            add_cone(mesh, p, p + 0.8 * em * to, 0.5 * em, round, support_colour);
+            const Vec side = std::abs(to[0]) < 0.5 ? Vec{1, 0, 0} : Vec{0, 0, 1};
+            for (const double s : {-0.3, 0.3})
+                add_ball(mesh, p + 0.98 * em * to + s * em * side, 0.18 * em, round, support_colour);
+        } else {
+            add_box(mesh, p, {0.3 * em, 0, 0}, {0, 0.3 * em, 0}, {0, 0, 0.3 * em}, support_colour);
+        }
+    }
+    return shaded(mesh);
+}
+
+namespace {
+
+/// How far a bar's section stands out from its centreline in a direction of unit length, m.
+double stands_out(const DrawnBar& bar, Vec direction) {
+    const Vec along = bar.direction(0.5), x = bar.across(along);
+    return std::abs(dot(direction, x)) * bar.shape.width / 2 + std::abs(dot(direction, bar.up)) * bar.shape.depth / 2;
+}
+
+}  // namespace
+
+std::vector<Arrow> load_arrows(const Snapshot& snapshot, std::span<const DrawnBar> bars, double scale, double size) {
+    double most[2][2] = {{0, 0}, {0, 0}};  // of forces and moments, at points and spread
+    const auto spread = [](const Load& l) { return l.bar >= 0 && l.at < 0; };
+    for (const Load& l : snapshot.loads)
+        for (int end : {0, 1}) most[l.kind][spread(l)] = std::max(most[l.kind][spread(l)], length(l.value[end]));
+    std::vector<const DrawnBar*> drawn(snapshot.bars.size(), nullptr);
+    for (const DrawnBar& bar : bars) drawn[static_cast<std::size_t>(bar.bar - snapshot.bars.data())] = &bar;
+    std::vector<Arrow> arrows;
+    std::vector<std::vector<const DrawnBar*>> at(snapshot.points.size());
+    for (const DrawnBar& bar : bars)
+        for (const int p : bar.bar->point) at[static_cast<std::size_t>(p)].push_back(&bar);
+    const auto add = [&](const Load& l, Vec tip, Vec v, bool labelled, std::span<const DrawnBar* const> on) {
+        const double full = most[l.kind][spread(l)], value = length(v);
+        if (!finite(tip) || !(value > 1e-9 * full)) return;
+        // A force ends at the surface of the member that it acts on.
+        double outside = 0;
+        for (const DrawnBar* bar : on) outside = std::max(outside, stands_out(*bar, (1 / value) * v));
+        if (l.kind == Load::force) tip = tip - outside / value * v;
+        const double long_ = size * (spread(l) ? 0.5 : 1) * (0.3 + 0.7 * value / full);
+        arrows.push_back({tip - long_ / value * v, tip, l.kind == Load::moment, value, spread(l), labelled});
+    };
+    for (const Load& l : snapshot.loads) {
+        if (l.bar < 0) {
+            const auto point = static_cast<std::size_t>(l.point);
+            if (!at[point].empty()) add(l, drawn_at(snapshot, point, scale), l.value[0], true, at[point]);
+            continue;
+        }
+        const DrawnBar* const bar = drawn[static_cast<std::size_t>(l.bar)];
+        if (!bar) continue;
+        if (l.at >= 0) {
+            add(l, bar->at(l.at), l.value[0], true, {&bar, 1});
+            continue;
+        }
+        const int n = std::clamp(static_cast<int>(bar->length() / (0.45 * size)), 2, 8);
+        for (int i = 0; i <= n; ++i) {
+            const double t = static_cast<double>(i) / n;
+            add(l, bar->at(t), (1 - t) * l.value[0] + t * l.value[1], i == n / 2, {&bar, 1});
+        }
+    }
+    return arrows;
+}
+
+namespace {
+
+/// A moment: three quarters of a circle about its axis, with a head where it turns to (right-hand rule).
+void add_turn(Mesh& mesh, const Arrow& a, double em) {
+    constexpr int pieces = 24;
+    const Vec axis = unit(a.tip - a.tail);
+    const Vec u = unit(cross(axis, std::abs(axis[2]) < 0.9 ? Vec{0, 0, 1} : Vec{1, 0, 0})), v = cross(axis, u);
+    const double radius = std::min(0.45 * length(a.tip - a.tail), 1.6 * em), head = 0.7 * em;
+    const auto at = [&](double share) {
+        const double angle = 1.5 * std::numbers::pi * share - 0.75 * std::numbers::pi;
+        return a.tip + radius * std::cos(angle) * u + radius * std::sin(angle) * v;
+    };
+    for (int i = 0; i < pieces; ++i)
+        add_rod(mesh, at(1.0 * i / pieces), at((i + 1.0) / pieces), 0.07 * em, 8, load_colour);
+    const Vec onward = unit(at(1) - at(1 - 1.0 / pieces));
+    add_cone(mesh, at(1) + 0.7 * head * onward, at(1) - 0.3 * head * onward, 0.36 * head, round, load_colour);
+}
+
+}  // namespace
+
+Actors load_actors(std::span<const Arrow> arrows, const Camera& camera, double em) {
+    Mesh mesh(camera.target);
+    for (const Arrow& a : arrows) {
+        if (a.moment) {
+            add_turn(mesh, a, em);
+            continue;
+        }
+        const double whole = length(a.tip - a.tail);
+        const Vec along = (1 / whole) * (a.tip - a.tail);
+        const double head = std::min(a.spread ? 0.4 * em : 0.65 * em, 0.6 * whole), thick = a.spread ? 0.035 : 0.07;
+        add_rod(mesh, a.tail, a.tip - 0.8 * head * along, thick * em, 8, load_colour);
+        add_cone(mesh, a.tip, a.tip - head * along, 0.36 * head, round, load_colour);
+    }
+    return shaded(mesh);
+}
+
+void add_words(std::vector<Word>& to, std::span<const Arrow> arrows) {
+    for (const Arrow& a : arrows) {
+        if (!a.labelled) continue;
+        const std::string name = std::string(a.moment ? "N m" : "N") + (a.spread ? "/m" : "");
+        const Unit unit = unit_for(a.value, name);
+        Word w{a.moment ? a.tip : a.tail, short_number(a.value / unit.size) + " " + unit.name, load_colour};
+        w.size = 0.8, w.weight = a.value, w.away = a.moment ? Vec{0, 0, 3} : a.tail - a.tip;
+        to.push_back(w);
+    }
+}
+
+GroundPatch ground_under(const Plane& plane, std::span<const Vec> points) {
+    GroundPatch g;
+    g.origin = plane.point, g.normal = unit(plane.normal);
+    g.x = unit(cross(std::abs(g.normal[1]) < 0.9 ? Vec{0, 1, 0} : Vec{1, 0, 0}, g.normal));
+    g.y = cross(g.normal, g.x);
+    for (int c : {0, 1}) g.low[c] = 1e300, g.high[c] = -1e300;
+    for (const Vec& p : points) {
+        const double at[2] = {dot(p - plane.point, g.x), dot(p - plane.point, g.y)};
+        for (int c : {0, 1}) g.low[c] = std::min(g.low[c], at[c]), g.high[c] = std::max(g.high[c], at[c]);
+    }
+    const double part = std::max({g.high[0] - g.low[0], g.high[1] - g.low[1], 1e-3}) / 6;
+    const double power = std::pow(10, std::floor(std::log10(part)));
+    g.step = power * (part / power >= 5 ? 5 : part / power >= 2 ? 2 : 1);
+    for (int c : {0, 1}) {
+        g.low[c] = g.step * std::floor(g.low[c] / g.step - 0.25);
+        g.high[c] = g.step * std::ceil(g.high[c] / g.step + 0.25);
+    }
+    return g;
+}
+
+Actors ground_actors(const GroundPatch& g, const Camera& camera) {
+    Mesh fill(camera.target), grid(camera.target);
+    const auto corners = g.corners();
+    fill.quad(corners[0], corners[1], corners[2], corners[3], g.normal, ground_fill);
+    const auto lines = [&](int c) { return static_cast<int>(std::lround((g.high[c] - g.low[c]) / g.step)); };
+    for (int i = 0; i <= lines(0); ++i) {
+        const double u = g.low[0] + i * g.step;
+        grid.line(g.at(u, g.low[1]), g.at(u, g.high[1]), ground_line);
+    }
+    for (int i = 0; i <= lines(1); ++i) {
+        const double v = g.low[1] + i * g.step;
+        grid.line(g.at(g.low[0], v), g.at(g.high[0], v), ground_line);
+    }
+    auto area = fill.surface();
+    area->GetProperty()->LightingOff();
+    return {area, grid.lines(1)};
+}
+
+}  // namespace hinge::output
