@@ -12,6 +12,7 @@ function expect(ok, what) {
   ++checked;
   if (!ok) wrong.push(what);
 }
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const pause = (ms) => new Promise((r) => setTimeout(r, ms));
 
 // Where the middle of a member is on the screen.
@@ -94,6 +95,30 @@ async function on_a_wide_screen(b, report, picture) {
   await b.drag(middle, [middle[0] + 120, middle[1] + 30]);
   expect(await b.value("hinge_report.player.camera.position.toArray().join()") !== before, "dragging does not rotate");
   expect(await b.value("hinge_report.player.chosen.member") === 0, "dragging picks a member");
+
+  // the colours of pictures: f_y in fifths, f_y = 1, a broken element
+  const header = require("fs").readFileSync(require("path").join(__dirname, "../../src/output/colours.h"), "utf8");
+  const classes = [...header.match(/class_colours = \{\s*\{(.*?)\}\};/s)[1].matchAll(/\{([\d, ]+)\}/g)]
+    .map((m) => m[1].split(",").map(Number));
+  expect(classes.length === 7, "src/output/colours.h has no seven colours of f_y");
+  expect(same(await b.value("[...document.querySelectorAll('.controls .legend .swatch')].map((s) => getComputedStyle(s)"
+    + ".backgroundColor.match(/\\d+/g).map(Number))"), classes), "the legend's colours are not those of pictures");
+  const painted_as = await b.value(`(() => {
+    const v = hinge_report.player.views[0], f = v.run.frames, out = [];
+    hinge_report.player.seek(f.abscissa[f.count - 1]);
+    for (let b = 0; b < f.bars; ++b) {
+      const p = v.scene.paint[4 * b], i = (f.count - 1) * f.bars + b;
+      out.push([f.f_y[i] * f.f_y_unit, f.state[i] & 3, p & 255, p >> 8 & 255, p >> 16 & 255]);
+    }
+    return out;
+  })()`);
+  const kinds = new Set();
+  for (const [f_y, state, ...colour] of painted_as) {
+    const kind = state === 2 ? 6 : f_y >= 0.999 ? 5 : Math.min(4, Math.floor(5 * f_y));
+    kinds.add(kind);
+    expect(same(colour, classes[kind]), `an element with f_y = ${f_y} has the colour ${colour}`);
+  }
+  expect(kinds.has(6) && kinds.size > 2, "the scene shows too few colours");
 
   // colouring, groups, storeys, magnification
   const painted = await b.value(colours);

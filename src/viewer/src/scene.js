@@ -174,7 +174,7 @@ export class RunScene {
     const { dots, ends, frames } = this;
     let n = 0;
     const put = (x, y, z) => {
-      dots.at.set([x, y, z], 3 * n), dots.paint.set([138, 8, 30], 3 * n);
+      dots.at.set([x, y, z], 3 * n), dots.paint.set([172, 20, 44], 3 * n);
       ++n;
     };
     if (dots.drawn.visible)
