@@ -5,8 +5,8 @@ view.names = { "front", "back", "left", "right", "top", "iso", "perspective" }
 view.shows = { "f_y", "group", "none", "N", "Qx", "Qy", "Mx", "My", "Mz" }
 
 view.rules = {
-  width = { "number", unit = "pixels", whole = true, above = 0, optional = true },
-  height = { "number", unit = "pixels", whole = true, above = 0, optional = true },
+  width = { "number", unit = "pixels", whole = true, at_least = 64, at_most = 8192, optional = true },
+  height = { "number", unit = "pixels", whole = true, at_least = 64, at_most = 8192, optional = true },
   view = { "string", one_of = view.names, optional = true },
   from = { "numbers", count = 3, optional = true },
   up = { "numbers", count = 3, optional = true },

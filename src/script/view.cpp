@@ -41,14 +41,18 @@ output::Show show_of(const std::string& name) {
 }
 
 void read_direction(Options& o, output::View& view) {
-    if (const auto v = o.triple("up", "")) view.up = {v->x(), v->y(), v->z()};
+    const auto direction = [&](const char* name) {
+        const auto v = o.triple(name, "");
+        if (v && v->isZero(0)) o.complain(name, "{0, 0, 0}", "must be a direction");
+        return v;
+    };
+    if (const auto v = direction("up")) view.up = {v->x(), v->y(), v->z()};
     const std::string name = o.word("view", {"front", "back", "left", "right", "top", "iso", "perspective"}, "");
-    const auto from = o.triple("from", "");
+    const auto from = direction("from");
     if (!name.empty() && from)
-        o.complain("from", "given beside view = '" + name + "'", "must not be: give one of both");
+        o.complain("from", "given beside view = '" + name + "'", "says where the eye is, too: give one of the two");
     if (from) view.from = {from->x(), from->y(), from->z()};
     if (name.empty() || name == "perspective") return;
-    if (view.up == std::array<double, 3>{0, 0, 0}) o.complain("up", "{0, 0, 0}", "must be a direction");
     view.from = named_direction(name, view.up);
     view.parallel = true;
     if (name == "top") view.up = view.from == std::array<double, 3>{0, 1, 0} ? Direction{0, 0, -1} : Direction{0, 1, 0};

@@ -1,0 +1,97 @@
+-- hinge.picture: every field of a view changes the picture in plain Lua, and a wrong one is an error at the script's
+-- line.
+--
+-- Run: lua5.4 tests/script/picture_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "picture"
+local expect, equal = checks.expect, checks.equal
+
+-- A portal under its loads, with a plastic hinge, on a plane.
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local section = hinge.section.box { depth = 0.15, width = 0.15, thickness = 0.006 }
+local model = hinge.model()
+local node = {}
+for i, p in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } } do node[i] = model:node(p) end
+model:fix(node[1])
+model:fix(node[4])
+for i = 1, 3 do
+  model:member { node[i], node[i + 1], section = section, material = steel, group = i ~= 2 and "columns" or "beams",
+    up = { i == 2 and 0 or 1, 0, i == 2 and 1 or 0 } }
+end
+model:ground { point = { 0, 0, -0.2 }, normal = { 0, 0, 1 } }
+model:load { node = node[2], force = { 50e3, 0, 0 } }
+model:load { group = "beams", q = { 0, 0, -8e3 } }
+local run = model:static { steps = 10 }
+run:finish()
+equal(run.verdict, "completed", "verdict")
+expect(run:count { state = "yielded" } > 0, "no hinge is there to be drawn")
+
+local folder = support.temporary_folder()
+local job = require "hinge.job".new(folder)
+local function draw(view)
+  view.width, view.height = view.width or 320, view.height or 240
+  job:picture(run, view, "a.png")
+  equal(#job.notes, 0, tostring(job.notes[1]))
+  return support.read(folder .. "/a.png")
+end
+local plain = draw {}
+expect(plain and #plain > 2000, "a picture")
+local seen = { ["nothing"] = plain }
+local function differs(what, view)
+  local picture = draw(view)
+  for other, bytes in pairs(seen) do expect(picture ~= bytes, "%s looks like %s", what, other) end
+  seen[what] = picture
+end
+local function each(names, what, view)
+  for _, name in ipairs(names) do differs(what .. " " .. name, view(name)) end
+end
+each({ "front", "back", "left", "right", "top", "iso" }, "view", function(name) return { view = name } end)
+each({ "group", "none", "N", "Qx", "Qy", "Mx", "My", "Mz" }, "show", function(name) return { show = name } end)
+each({ "nodes", "members" }, "labels", function(name) return { labels = name } end)
+each({ "ghost", "loads", "labels" }, "with", function(name) return { [name] = true } end)
+each({ "supports", "ground", "hinges" }, "without", function(name) return { [name] = false } end)
+differs("scale", { scale = 30 })
+differs("scale auto", { scale = "auto" })
+differs("a group by name", { groups = { "beams" } })
+differs("a group", { groups = { model:group "columns" } })
+differs("above", { above = 1 })
+differs("title", { title = "t" })
+differs("box", { box = { -1, 5, 0, 0, 0, 3 } })
+differs("largest", { show = "Mx", largest = 1e6 })
+differs("from", { from = { 0, -1, 0 } })
+differs("up", { up = { 0, 0, -1 } })
+differs("width", { width = 330 })
+equal(draw { view = "perspective", show = "f_y", scale = 1, ghost = false, supports = true, labels = false } == plain,
+  true, "the defaults")
+equal(draw { view = "top" } == draw { view = "top", up = { 0, 0, 2 } }, true, "a longer up")
+
+-- Wrong fields.
+local where = debug.getinfo(1, "S").short_src
+for text, view in pairs {
+  ["field 'view' is 'frnt'; must be one of front, back, left, right, top, iso, perspective (did you mean 'front'?)"] =
+    { view = "frnt" },
+  ["field 'show' is 'M'; must be one of f_y, group, none, N, Qx, Qy, Mx, My, Mz (did you mean"] = { show = "M" },
+  ["field 'scale' is 'big'; must be a number above 0 or 'auto'"] = { scale = "big" },
+  ["field 'scale' is 0; must be a number above 0 or 'auto'"] = { scale = 0 },
+  ["field 'scale' is not a number (nan); must be a number above 0 or 'auto'"] = { scale = 0 / 0 },
+  ["field 'labels' is 'node'; must be true or false or 'nodes' or 'members'"] = { labels = "node" },
+  ["field 'ghost' is 1; must be true or false"] = { ghost = 1 },
+  ["field 'from' is given beside view = 'top'"] = { view = "top", from = { 1, 0, 0 } },
+  ["field 'from' is {0, 0, 0}; must be a direction"] = { from = { 0, 0, 0 } },
+  ["field 'up' is {0, 0, 0}; must be a direction"] = { up = { 0, 0, 0 } },
+  ["field 'width' is 9000 pixels; must be"] = { width = 9000 },
+  ["field 'height' is 63 pixels; must be"] = { height = 63 },
+  ["field 'largest' is -1 N or N m; must be"] = { largest = -1 },
+  ["no group 'beam' (did you mean 'beams'?)"] = { groups = { "beam" } },
+  ["unknown field 'labels_' (did you mean 'labels'?)"] = { labels_ = true },
+} do
+  local line = debug.getinfo(1, "l").currentline + 1
+  local ok, problem = pcall(function() hinge.picture(run, view, "b.png") end)
+  problem = tostring(problem)
+  expect(not ok and problem:find(text, 1, true), "%s: %s", text, problem)
+  expect(problem:find(("%s:%d: "):format(where, line), 1, true), "the line of %s: %s", text, problem)
+end
+
+checks.done()
