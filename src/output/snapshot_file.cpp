@@ -119,6 +119,8 @@ void add_directions(vtkFieldData* to, const std::vector<Bar>& bars) {
     to->AddArray(array);
 }
 
+constexpr const char *width_name = "width [m]", *old_width_name = "width";  // the latter in frames of earlier versions
+
 void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     const vtkNew<vtkCellArray> lines;
     lines->Use32BitStorage();
@@ -134,7 +136,7 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
                                      [](const Bar& b) { return static_cast<std::uint8_t>(b.state); });
     add_column<vtkIntArray>(cells, "member", bars, [](const Bar& b) { return b.member; });
     add_column<vtkIntArray>(cells, "element", bars, [](const Bar& b) { return b.element; });
-    add_column<vtkFloatArray>(cells, "width", bars, [](const Bar& b) { return static_cast<float>(b.width); });
+    add_column<vtkFloatArray>(cells, width_name, bars, [](const Bar& b) { return static_cast<float>(b.width); });
     for (const Column& column : force_columns)
         add_column<vtkFloatArray>(cells, column.name, bars, [&](Bar b) { return static_cast<float>(column.of(b)); });
     // Elsewhere they are the slopes of the moments.
@@ -257,7 +259,8 @@ void read_bars(vtkPolyData* data, Snapshot& snapshot, const std::string& name) {
     const auto* state = find_array<vtkUnsignedCharArray>(cells, "state", n, name);
     const auto* member = find_array<vtkIntArray>(cells, "member", n, name);
     const auto* element = find_array<vtkIntArray>(cells, "element", n, name);
-    auto* width = find_array<vtkDataArray>(cells, "width", n, name);
+    auto* width =
+        find_array<vtkDataArray>(cells, cells->HasArray(old_width_name) ? old_width_name : width_name, n, name);
     snapshot.bars.reserve(static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i) {
         vtkIdType count = 0;
