@@ -58,7 +58,7 @@ for _, w in ipairs { 10e3, 20e3, 35e3 } do
     without.limit and ("limit %.1f kN/m"):format(without.factor * w / 1e3) or ("%.1f mm"):format(1e3 * still),
     1e3 * deepest, without.limit and "falls" or ("%.2f"):format(deepest / still)))
   curves[#curves + 1] = { x = probe.time, y = probe.value, name = ("%.0f kN/m"):format(w / 1e3) }
-  views[#views + 1] = { run, { width = 640, height = 480, from = { 0, -1, 0 }, box = { -1, 13, -1, 1, 0, 9 } } }
+  views[#views + 1] = { run, { width = 640, height = 480, view = "front", box = { -1, 13, -1, 1, 0, 9 } } }
 end
 hinge.strip({ views[2], views[3] }, 2, "column_removal.png")
 hinge.plot({ series = curves, x_label = "time, s", y_label = "displacement of the joint, m", width = 1000,

@@ -40,5 +40,5 @@ print(("kinetic energy lost %.3f J"):format(run.energy.fracture_kinetic))
 print(("mass before and after %.2f kg, %.2f kg"):format(mass, run:momentum().mass))
 print(("energy error %.2f %% of the largest energy"):format(100 * math.abs(run.energy_error)))
 
-local view = { width = 800, height = 500, from = { 0, -1, 0 }, box = { -0.5, 4.5, -1, 1, -1, 2.1 } }
+local view = { width = 800, height = 500, view = "front", box = { -0.5, 4.5, -1, 1, -1, 2.1 } }
 hinge.strip({ { rest, view }, { run, view } }, 2, "fracture.png")

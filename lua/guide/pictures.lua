@@ -1,4 +1,4 @@
--- A frame is pushed over: pictures side by side, a curve and frames for ParaView. See pictures.md.
+-- A frame is pushed over: pictures side by side, plots and frames for films and ParaView. See pictures.md.
 local hinge = require "hinge"
 
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
@@ -22,6 +22,10 @@ model:gravity { 0, 0, -9.81 }
 model:load { node = node[0][2], force = { 400e3, 0, 0 }, history = { { 0, 1 }, { 0.3, 1 }, { 0.3, 0 } } }
 
 local rest = model:static { steps = 1 }:finish()
+hinge.strip({
+  { rest, { view = "front", scale = "auto", ghost = true, labels = true, width = 600, height = 400 } },
+  { rest, { view = "front", show = "Mx", width = 600, height = 400 } } }, 2, "pictures_gravity.png")
+
 local run = model:dynamic { from = rest, dt = 1e-3, duration = 1 }
 local sway = run:probe { node = node[2][2], "ux", name = "sway" }
 local fall = run:probe { node = node[2][2], "uz", name = "fall" }
@@ -31,7 +35,7 @@ local fall = run:probe { node = node[2][2], "uz", name = "fall" }
 local shots, drifts = {}, {}
 for step in run:steps() do
   if step.index % 250 == 0 then
-    shots[#shots + 1] = { run:snapshot(), { box = { -1, 15, 0, 0, -0.5, 8 }, from = { 0, -1, 0.05 }, width = 500,
+    shots[#shots + 1] = { run:snapshot(), { box = { -1, 15, 0, 0, -0.5, 8 }, view = "front", width = 500,
       height = 300 } }
     hinge.frame(run)
     local lower, upper = run:displacement(node[2][1]), run:displacement(node[2][2])

@@ -60,7 +60,7 @@ void draw_heading(Pen& pen, const Told& told, double em) {
 struct Entry {
     std::string text;
     Colour colour;
-    double wide, gap;   ///< of the swatch and before it, em
+    double wide, gap;   ///< of the swatch, or of a dot's text, and before it, em
     double radius = 0;  ///< of a dot, pixels
 };
 
@@ -105,8 +105,7 @@ std::vector<Entry> legend(const Told& told, double em) {
         for (const double rotation : {0.01, 0.05, 0.2}) {
             char text[32];
             std::snprintf(text, sizeof text, rotation < 0.2 ? "%g" : "%g rad", rotation);
-            entries.push_back({text, class_colours[plastic_class],
-                               2 * dot_radius(rotation, told.dot_unit) / em + (rotation < 0.2 ? 2.6 : 3.8),
+            entries.push_back({text, class_colours[plastic_class], rotation < 0.2 ? 2.6 : 3.8,
                                rotation == 0.01 ? 1.4 : 0, dot_radius(rotation, told.dot_unit)});
         }
     return entries;
@@ -116,12 +115,13 @@ void draw_legend(Pen& pen, const Told& told, double em) {
     const View& view = told.view;
     const std::vector<Entry> entries = legend(told, em);
     if (entries.empty()) return;
-    double total = 0;
-    for (const Entry& e : entries) total += e.wide + e.gap;
+    double total = 0, dots_wide = 0;
+    for (const Entry& e : entries) total += e.wide + e.gap, dots_wide += 2 * e.radius;
     // Beside the axes, which stand on the left; where it is too narrow for that, all shrinks.
-    const double room = (view.width - 2 * 7.5 * em) / em, fit = std::min(1.0, room / total), unit = fit * em;
+    const double room = (view.width - 2 * 7.5 * em - dots_wide) / em, fit = std::clamp(room / total, 0.3, 1.0),
+                 unit = fit * em;
     const double high = 0.85 * em, foot = 1.15 * em;
-    double x = (view.width - total * unit) / 2;
+    double x = (view.width - total * unit - dots_wide) / 2;
     const double symbol = x - 0.9 * em;
     const std::string name = told.diagram ? name_of(told.diagram->which) : view.show == Show::yield ? "f_y" : "";
     if (name == "f_y") {
@@ -138,9 +138,9 @@ void draw_legend(Pen& pen, const Told& told, double em) {
             const double centre = x + e.radius, level = foot + em + high / 2 + 0.25 * em;
             pen.dot(centre, level, e.radius + 1.3, ink);
             pen.dot(centre, level, e.radius, e.colour);
-            pen.text(centre + e.radius + 0.3 * em, level, e.text, {.size = 0.85 * em});
+            pen.text(centre + e.radius + 0.3 * unit, level, e.text, {.size = 0.85 * em * std::max(fit, 0.75)});
             if (dots < 0) dots = x;
-            x += wide;
+            x += 2 * e.radius + wide;
             continue;
         }
         pen.box(x, foot + em, wide, high, e.colour);
@@ -150,7 +150,7 @@ void draw_legend(Pen& pen, const Told& told, double em) {
         pen.text(middle, foot + 0.4 * em, e.text, text);
         x += wide;
     }
-    if (dots >= 0) pen.text(dots, foot + 0.4 * em, "plastic rotation", {.size = 0.85 * em});
+    if (dots >= 0) pen.text(dots, foot + 0.4 * em, "plastic rotation", {.size = 0.85 * em * std::max(fit, 0.75)});
 }
 
 /// In the lower left corner, below the structure.

@@ -72,7 +72,7 @@ Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double
 }
 
 Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view, double scale,
-                      const Camera& camera, double em) {
+                      const Camera& camera, double least) {
     Mesh mesh(camera.target);
     if (snapshot.held.empty()) return {};
     std::vector<const DrawnBar*> at(snapshot.points.size(), nullptr);
@@ -89,6 +89,8 @@ Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, 
         const int held = snapshot.held[i] & ~everywhere;
         if (held == 0 || !at[i]) continue;
         const Vec p = drawn_at(snapshot, i, scale);
+        // A little larger than the member's section.
+        const double em = std::max(least, std::max(at[i]->shape.width, at[i]->shape.depth));
         if ((held & moves) == moves && (held & turns) == turns) {
             // A plate across the member, behind its end.
             const DrawnBar& bar = *at[i];

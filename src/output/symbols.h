@@ -27,9 +27,9 @@ double sign_size(std::span<const DrawnBar> bars, const Camera& camera, double sh
 Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double unit);
 
 /// Blocks (nothing is free), cones (rotations are free) and cones on wheels (some displacements are). What is held at
-/// all nodes, as in plane models, does not count. `em`: m, their size.
+/// all nodes, as in plane models, does not count. `least`: m, how small they may be.
 Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view, double scale,
-                      const Camera& camera, double em);
+                      const Camera& camera, double least);
 
 /// Where a load acts, as arrows in the scene.
 struct Arrow {
