@@ -131,9 +131,13 @@ CLI::App* add_render(CLI::App& app, Request& request) {
     text("--size", "size", "Pixels (default 1600x1200; of a film 1920x1080, of a GIF 960x540)", "WxH");
     text("--view", "view", "Where the eye is: front, back, left, right, top, iso or perspective", "NAME");
     text("--from", "from", "Direction from the scene to the eye instead, such as -1,-1.4,0.55", "X,Y,Z");
-    text("--show", "show", "What colours mean: f_y (the default), N, Qx, Qy, Mx, My, Mz, group or none", "WHAT");
-    text("--scale", "scale", "Magnify displacements so many times", "K");
-    flag("--ghost", "ghost", "Draw the undeformed shape, too");
+    text("--show", "show",
+         "Colours by f_y (the default) or group, or none; or a diagram of N, Qx, Qy, Mx, My or Mz along the members",
+         "WHAT");
+    text("--scale", "scale", "Magnify displacements so many times; auto: so that the largest can be seen", "K");
+    flag("--ghost", "ghost", "Draw the shape at the start, too, in grey");
+    flag("--loads", "loads", "Draw the loads, with their values");
+    flag("--labels", "labels", "Write the numbers of nodes and members");
     text("--groups", "groups", "Only the members of these groups, such as columns,beams", "NAMES");
     text("--title", "title", "Text above", "TEXT");
     text("-j,--jobs", "jobs", "Pictures at a time (default: as many as there are cores)", "N");

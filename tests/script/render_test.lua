@@ -184,7 +184,8 @@ expect(scale[1] > 2 * scale[4] and scale[4] > 1, "the scale is %g of the first f
 local plain = {}
 for option, view in pairs { [""] = {}, ["--view front"] = { view = "front" }, ["--scale auto"] = { scale = scale[4] },
     ["--ghost --scale 30"] = { ghost = true, scale = 30 }, ["--show Mx"] = { show = "Mx" },
-    ["--show N"] = { show = "N" }, ["--show none"] = { show = "none" }, ["--from 0,-1,0"] = { from = { 0, -1, 0 } } } do
+    ["--show N"] = { show = "N" }, ["--show none"] = { show = "none" },
+    ["--loads --labels"] = { loads = true, labels = true }, ["--from 0,-1,0"] = { from = { 0, -1, 0 } } } do
   status, printed, complaint = render("loaded -j 1 --title x " .. option .. small)
   equal(status, 0, option .. complaint)
   equal(printed, "4 pictures in loaded\n", option)
