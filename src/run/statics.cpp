@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/modes.h"
 #include "core/errors.h"
 #include "core/rotation.h"
 #include "core/text.h"
@@ -22,25 +21,12 @@ double hinge_regularisation(double off_balance) { return std::clamp(1e-3 * off_b
 /// What a step leaves out of balance at first, before it is known.
 constexpr double first_off_balance = 1e-3;
 
-/// Of the whole: a step halved below this ends the run, at the limit load.
-constexpr double smallest_step = 1e-5;
-
-/// Displacement control that would change what it drives by no more than this part of it has nowhere to go.
-constexpr double same_place = 1e-9;
-
 /// Newton's method no longer gets anywhere where so many iterations in a row had to be halved so often: what is out of
 /// balance falls by less than a thousandth in each.
 constexpr int most_idle = 5, halvings_of_idle = 8;
 
 /// A step that takes no more iterations has not leapt over a snap.
 constexpr int quick = 4;
-
-/// Whether supports leave some body of the structure a motion as if it were rigid.
-bool moves_freely(const Structure& structure, const State& state) {
-    const auto bodies = nodes_of(find_bodies(structure, state));
-    return std::any_of(bodies.begin(), bodies.end(),
-                       [&](const auto& nodes) { return !free_motions(structure, nodes).empty(); });
-}
 
 double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {  // translations alone: rotations have another unit
     double sum = 0;
@@ -190,107 +176,6 @@ bool Statics::renew_and_factorise(double off_balance) {
     bool good = false;
     stages_.timed(solve_stage_, [&] { good = effective_->factorise(); });
     return good;
-}
-
-/// Of the body that the node is part of, where supports hold it, but not in all ways: where it is held, and how it can
-/// move. A member that spins about its own line gives way inside; what does not hold it is its foot.
-std::string Statics::loosely_held_body(int node) const {
-    for (const std::vector<int>& body : nodes_of(find_bodies(*structure_, state_))) {
-        if (!std::binary_search(body.begin(), body.end(), node)) continue;
-        std::vector<int> supports;
-        for (int n : body) {
-            if (held_[n] != structure_->fixed()[n]) return "";  // held for this run alone
-            if (structure_->fixed()[n]) supports.push_back(n);
-        }
-        const auto motions = free_motions(*structure_, body);
-        if (supports.empty() || motions.empty()) return "";
-        std::string text = "a mechanism: what is supported at " + structure_->node_name(supports[0]);
-        if (supports.size() > 1) text += " and " + count_text(long(supports.size()) - 1, "more node");
-        return text + " can " + ways_to_move(*structure_, supports, motions);
-    }
-    return "";
-}
-
-void Statics::refuse_mechanism() {
-    renew_and_factorise(1);
-    const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
-    if (loose < 0) return;
-    static const char* way[] = {"move along x",   "move along y",   "move along z",
-                                "rotate about x", "rotate about y", "rotate about z"};
-    bool supported = false;
-    for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
-    if (!moves_freely(*structure_, state_)) {  // rounding hides what resists
-        const Element* stiffest = nullptr;
-        double most = 0;
-        for (int i : structure_->elements_at(loose / 6)) {
-            const Element& e = structure_->elements()[i];
-            const beam::Rigidity& r = e.rigidity;
-            const double ratio = std::max(r.GAx / r.EIy, r.GAy / r.EIx) * e.length * e.length;
-            if (ratio > most) most = ratio, stiffest = &e;
-        }
-        throw InputError("what resists that " + structure_->node_name(loose / 6) + " can " + way[loose % 6] +
-                         " is lost in rounding: stiffnesses that meet there differ by more than 12 orders of "
-                         "magnitude. " +
-                         (most > 1e8 ? "The shear stiffness G A_s of member " + std::to_string(stiffest->member + 1) +
-                                           " is " + number_text(most, 2) +
-                                           " times EI / L^2 of its elements; a million times is as good as rigid: "
-                                           "give it a smaller shear area"
-                                     : std::string("Make the stiffest of them softer: a million times the others is as "
-                                                   "good as rigid")));
-    }
-    if (const std::string body = loosely_held_body(loose / 6); !body.empty())
-        throw InputError(body + " without resistance; fix what it may not do with model:fix, or hold = a group");
-    throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
-                     (supported ? "the structure, or a part of it, is a mechanism or not supported against it"
-                                : "the model has no supports, so it can move as a rigid body") +
-                     "; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)");
-}
-
-/// Displacement and arc length find the load factor that keeps the structure where they drive it.
-void Statics::refuse_idle_loads() const {
-    if (settings_.control == Control::load) return;
-    for (std::size_t i = 0; i < w_.external.size(); ++i)
-        for (int c = 0; c < 6; ++c)
-            if (w_.external[i][c] != 0 && !(held_[i] >> c & 1)) return;
-    throw InputError(std::string("control by ") + (settings_.control == Control::arc ? "arc length" : "displacement") +
-                     " scales the loads that are declared, and none acts on a node that can move; declare the load "
-                     "that is to do it with model:load or model:gravity, of any size");
-}
-
-void Statics::find_way() {
-    if (settings_.control != Control::displacement) return;
-    const double here = displacement(settings_.node)[settings_.component], to = settings_.target;
-    way_ = to - here;
-    if (std::abs(way_) <= same_place * std::max(std::abs(to), std::abs(here)))
-        throw InputError("control: to = " + number_text(to) + (settings_.component < 3 ? " m" : " rad") + " is where " +
-                         component_name(settings_.component) + " of " + structure_->node_name(settings_.node) +
-                         " is already; 'to' is the displacement that run:displacement gives, not one that this run "
-                         "adds to it");
-}
-
-/// Of the tangent where a step has been brought to equilibrium, not kept yet. In small displacement it has none ever.
-int Statics::negative_modes() {
-    if (!structure_->large()) return modes_at_start_;
-    if (!renew_and_factorise(1)) return most_modes_ + 1;
-    tangent_of_trial_ = w_.yielding.empty() && !had_blocks_;
-    return effective_->negative_modes() + modes_within_pairs();
-}
-
-/// The middle node of a pair of elements cannot bend out between ends that are clamped, which is what a beam does from
-/// four times Euler's load of the pair on. The tangent does not show it, so that it is counted here (as in Wittrick and
-/// Williams, Q. J. Mech. Appl. Math. 24, 1971). Two elements have it in one member, four or more between its nodes.
-int Statics::modes_within_pairs() {
-    int modes = 0;
-    double worst = 1;
-    pressed_ = -1;
-    for (std::size_t i = 0; i + 1 < structure_->elements().size(); i += 2) {
-        for (const double part : pressed(*structure_, state_, w_.force, int(i)).part) {
-            if (!(part > 1)) continue;
-            ++modes;
-            if (part > worst) worst = part, pressed_ = structure_->elements()[i].member;
-        }
-    }
-    return modes;
 }
 
 double Statics::out_of_balance(double& scale) const {
@@ -470,22 +355,6 @@ void Statics::commit(double before) {
     ++substeps_;
 }
 
-/// Of the negative eigenvalues of the tangent just factorised, those that are left where displacement control holds
-/// what it drives: it takes one away beyond a limit load, where what is driven moves on as the load falls.
-int Statics::modes_under_control() {
-    if (settings_.control != Control::displacement || modes_ <= modes_at_start_) return modes_;
-    std::vector<Vec6> load(w_.external.size());
-    for (std::size_t i = 0; i < load.size(); ++i) {
-        load[i] = unit_load(i);
-        for (int c = 0; c < 6; ++c)
-            if (held_[i] >> c & 1) load[i][c] = 0;
-    }
-    SolverSettings direct;
-    direct.direct = true;
-    if (!effective_->solve(load, response_, direct).converged) return modes_;
-    return modes_ - (response_[settings_.node][settings_.component] * first_response_ < 0);
-}
-
 /// An equilibrium that much further on, and whether it can be held as far as that could be where the run began. Under
 /// load control one that can, but that Newton's iteration came to by way of tangents that cannot, may lie beyond a
 /// snap: that is none.
@@ -546,39 +415,6 @@ bool Statics::past_exchange(double increment) {
         }
     last_move_ = arrived_by;
     return false;
-}
-
-/// The tangent at the end of a try has more negative eigenvalues than at the start of the run: halves the step until
-/// that is known closely where. Returns how far the last stable equilibrium is; what is tried is then the whole step
-/// again. `arrived_by`: the last move before it.
-double Statics::locate(double increment, const std::vector<Vec6>& arrived_by) {
-    const auto try_anew = [&](double part) {
-        last_move_ = arrived_by;
-        return try_step(part);
-    };
-    Instability found;
-    double stable = 0, unstable = increment;
-    found.factor = state_.factor;
-    const double close = settings_.control == Control::arc ? 1e-4 * increment : 0.1 * smallest_step;
-    bool at_unstable = true;
-    while (unstable - stable > close) {
-        const double middle = 0.5 * (stable + unstable);
-        const Found there = try_anew(middle);
-        at_unstable = there == Found::unstable;
-        if (there == Found::stable) stable = middle, found.factor = trial_factor_;
-        else unstable = middle;
-    }
-    // and the first equilibrium beyond: there may be none close to it
-    for (double gap = unstable - stable; !at_unstable; gap *= 2) {
-        const double part = std::min(stable + gap, increment);
-        at_unstable = try_anew(part) == Found::unstable || part == increment;
-    }
-    found.beyond = trial_factor_;
-    found.count = std::max(1, modes_ - modes_at_start_);
-    instability_ = found;
-    describe_mode();
-    try_anew(increment);
-    return stable;
 }
 
 /// Ends the run at a limit load: completed where the script asked for that and there was a way to it.

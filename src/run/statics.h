@@ -62,6 +62,8 @@ public:
     std::string instability_text() const;
 
 private:
+    /// Of the whole: a step halved below this ends the run, at the limit load.
+    static constexpr double smallest_step = 1e-5;
     enum class Outcome { converged, diverged };
     Outcome equilibrate(double increment, bool flowing_on);
     Outcome go_on_from_trial(double increment, bool flowing_on);
