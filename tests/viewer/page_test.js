@@ -96,29 +96,7 @@ async function on_a_wide_screen(b, report, picture) {
   expect(await b.value("hinge_report.player.camera.position.toArray().join()") !== before, "dragging does not rotate");
   expect(await b.value("hinge_report.player.chosen.member") === 0, "dragging picks a member");
 
-  // the colours of pictures: f_y in fifths, f_y = 1, a broken element
-  const header = require("fs").readFileSync(require("path").join(__dirname, "../../src/output/colours.h"), "utf8");
-  const classes = [...header.match(/class_colours = \{\s*\{(.*?)\}\};/s)[1].matchAll(/\{([\d, ]+)\}/g)]
-    .map((m) => m[1].split(",").map(Number));
-  expect(classes.length === 7, "src/output/colours.h has no seven colours of f_y");
-  expect(same(await b.value("[...document.querySelectorAll('.controls .legend .swatch')].map((s) => getComputedStyle(s)"
-    + ".backgroundColor.match(/\\d+/g).map(Number))"), classes), "the legend's colours are not those of pictures");
-  const painted_as = await b.value(`(() => {
-    const v = hinge_report.player.views[0], f = v.run.frames, out = [];
-    hinge_report.player.seek(f.abscissa[f.count - 1]);
-    for (let b = 0; b < f.bars; ++b) {
-      const p = v.scene.paint[4 * b], i = (f.count - 1) * f.bars + b;
-      out.push([f.f_y[i] * f.f_y_unit, f.state[i] & 3, p & 255, p >> 8 & 255, p >> 16 & 255]);
-    }
-    return out;
-  })()`);
-  const kinds = new Set();
-  for (const [f_y, state, ...colour] of painted_as) {
-    const kind = state === 2 ? 6 : f_y >= 0.999 ? 5 : Math.min(4, Math.floor(5 * f_y));
-    kinds.add(kind);
-    expect(same(colour, classes[kind]), `an element with f_y = ${f_y} has the colour ${colour}`);
-  }
-  expect(kinds.has(6) && kinds.size > 2, "the scene shows too few colours");
+  await the_colours(b);
 
   // colouring, groups, storeys, magnification
   const painted = await b.value(colours);
@@ -151,6 +129,114 @@ async function on_a_wide_screen(b, report, picture) {
   const story = await b.value("document.querySelector('.story').textContent");
   for (const what of ["first hinge", "first contact", "breaks at end", "has reached its limit", "storey 1", "end: completed"])
     expect(story.includes(what), `what happened does not tell of: ${what}`);
+}
+
+// In the page: of each element of a frame, drawn alone, { seen: [t, pixel] along it, slack: what 1.5 pixels are of its
+// length }, and what the data say of it.
+const along_elements = (frame, colouring) => `(async () => {
+  const p = hinge_report.player, v = p.views[0], { scene } = v, f = v.run.frames, out = [];
+  p.options.colouring = "${colouring}", p.chosen.member = 0;
+  scene.dots.drawn.visible = scene.ground.visible = false;
+  p.seek(f.abscissa[${frame}]), p.repaint();
+  const gl = p.renderer.getContext(), [w, h] = [p.canvas.width, p.canvas.height], at = p.camera.position.clone();
+  const all = scene.paint.slice(), pixels = new Uint8Array(4 * w * h);
+  for (let b = 0; b < f.bars; ++b) {
+    scene.paint.fill(0).set(all.subarray(4 * b, 4 * b + 4), 4 * b), scene.colour.needsUpdate = true;
+    p.renderer.clear(), p.renderer.render(scene.scene, p.camera);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const e = scene.ends.subarray(6 * b, 6 * b + 6), place = (t) => {
+      at.set(...[0, 1, 2].map((c) => e[c] + t * (e[c + 3] - e[c]))).project(p.camera);
+      return [(at.x + 1) / 2 * w, (at.y + 1) / 2 * h];
+    };
+    const [from, to] = [place(0), place(1)], long = Math.hypot(to[0] - from[0], to[1] - from[1]), seen = [];
+    for (let i = 0; i <= 40; ++i) {
+      const [x, y] = place(i / 40).map(Math.floor), o = 4 * (w * y + x);
+      if (x >= 0 && x < w && y >= 0 && y < h) seen.push([i / 40, [...pixels.subarray(o, o + 3)]]);
+    }
+    const k = ${frame} * f.bars + b;
+    out.push({ member: f.member[b], seen, slack: 1.5 / long, state: f.state[k] & 3, f_y: f.f_y[k] * f.f_y_unit,
+      limits: [...f.limits.subarray(4 * b, 4 * b + 4)], forces: [0, 1, 2, 3, 4, 5].map((c) =>
+        f.forces[(6 * ${frame} + c) * f.bars + b] * f.scale[6 * b + c]) });
+  }
+  scene.dots.drawn.visible = scene.ground.visible = true;
+  p.options.colouring = "f_y", p.repaint();
+  return out;
+})()`;
+
+// Which of the colours a pixel has; the light makes it darker, or a little brighter. -1: none of them.
+function class_seen(pixel, classes) {
+  const away = classes.map((c) => {
+    const light = Math.min(1.06, Math.max(0.5, pixel.reduce((s, v, i) => s + v * c[i], 0) / c.reduce((s, v) => s + v * v, 0)));
+    return Math.max(...c.map((v, i) => Math.abs(Math.min(255, light * v) - pixel[i])));
+  });
+  const least = Math.min(...away);
+  return least < 3 ? away.indexOf(least) : -1;
+}
+
+// The class of f_y (eq 14), or of M / M0, at a place of an element: moments in a straight line between its ends.
+function class_wanted(e, colouring, t) {
+  if (e.state === 2) return 6;
+  const [n, x1, x2, y1, y2, z] = e.forces, [n0, x0, y0, z0] = e.limits;
+  const m = Math.hypot(((1 - t) * x1 + t * x2) / x0, ((1 - t) * y1 + t * y2) / y0);
+  const value = colouring === "bending" ? m : n0 ? Math.min((n / n0) ** 2 + m ** 2 + (z / z0) ** 2, e.f_y) : e.f_y;
+  return value >= 0.999 ? 5 : Math.floor(5 * value);
+}
+
+// The colours of pictures: along each element the class of f_y in fifths, f_y = 1, or all black where it is broken.
+async function the_colours(b) {
+  const header = require("fs").readFileSync(require("path").join(__dirname, "../../src/output/colours.h"), "utf8");
+  const classes = [...header.match(/class_colours = \{\s*\{(.*?)\}\};/s)[1].matchAll(/\{([\d, ]+)\}/g)]
+    .map((m) => m[1].split(",").map(Number));
+  expect(classes.length === 7, "src/output/colours.h has no seven colours of f_y");
+  const legend = (kind) => b.value(`[...document.querySelectorAll('.controls .legend .swatch${kind}')].map((s) =>
+    getComputedStyle(s).backgroundColor.match(/\\d+/g).map(Number))`);
+  expect(same(await legend(":not(.dot)"), classes), "the legend's colours are not those of pictures");
+  expect(same(await legend(".dot"), [classes[5]]), "the legend does not have the dots' colour");
+  const tick = "[...document.querySelectorAll('.tick')].find((e) => e.textContent === 'hinges').click()";
+  const said = "document.querySelector('.controls .legend').textContent.includes('plastic hinge')";
+  expect(await b.value(said) && !await b.value(`${tick}, ${said}`) && await b.value(`${tick}, ${said}`),
+    "the legend does not say what the dots are, or says it where there are none");
+
+  await b.value("hinge_report.player.look('corner')");
+  const count = await b.value("hinge_report.player.runs[0].frames.count"), kinds = new Set(), bands = new Set();
+  const look_at = async (frame, colouring) => {
+    let places = 0;
+    const bad = [], elements = await b.value(along_elements(frame, colouring));
+    elements.forEach((e, i) => {
+      const of_element = new Set();
+      for (const [t, pixel] of e.seen) {
+        const seen = class_seen(pixel, classes), within = [-e.slack, 0, e.slack].map((s) => class_wanted(e, colouring,
+          Math.min(1, Math.max(0, t + s))));
+        if (!within.includes(seen)) bad.push(`element ${i + 1} at t = ${t} has the class ${seen} instead of ${within}`);
+        kinds.add(seen), of_element.add(seen), ++places;
+      }
+      if (of_element.size > 2) bands.add(i);
+    });
+    expect(bad.length === 0, `frame ${frame + 1}, ${colouring}: ${bad.length} of ${places} places, first: ${bad[0]}`);
+    expect(places > 41 * 8, `frame ${frame + 1}: no more than ${places} places are seen`);
+    return elements;
+  };
+  for (const frame of [0, 1, 2, 4, 7, Math.floor(count / 2), count - 2, count - 1]) await look_at(frame, "f_y");
+  expect(kinds.size === 7, `no more than the classes ${[...kinds].sort()} are seen`);
+  expect(bands.size > 3, `no more than ${bands.size} elements have three bands and more`);
+  for (const frame of [1, count - 1]) await look_at(frame, "bending");
+
+  // Elements without limits have the one colour of their f_y.
+  await b.value("window.limits = hinge_report.runs[0].frames.limits.slice(), hinge_report.runs[0].frames.limits.fill(0)");
+  const plain = await look_at(1, "f_y");
+  expect(plain.every((e) => !e.limits.some((v) => v)), "there still are limits");
+  await b.value("hinge_report.runs[0].frames.limits.set(window.limits), hinge_report.player.repaint()");
+
+  // The member picked is magenta all along, the others keep their bands; hidden ones are not drawn.
+  await b.value("hinge_report.player.choose(0, 4)");
+  const chosen = await b.value(`(() => {
+    const { scene, run: { frames: f } } = hinge_report.player.views[0], of = (i) => [scene.paint[4 * i] & 0xffffff,
+      scene.course.array[16 * i + 3] < 0];
+    return [...f.member].map((m, i) => [m, ...of(i)]);
+  })()`);
+  for (const [member, paint, plain_one] of chosen)
+    expect((member === 4) === (paint === (214 | 39 << 8 | 196 << 16) && plain_one), `member ${member} is painted ${paint}`);
+  await b.value("hinge_report.player.choose(0, 0)");
 }
 
 async function by_keyboard(b) {

@@ -1,18 +1,14 @@
-// What members are coloured by: a colour for each element of a frame, and a legend.
-import { f_y, force, state, state_of, touched_of, broken } from "./run_data.js";
+// What members are coloured by: a colour for each element of a frame, or bands along it, and a legend.
+import { bands_of, band_colours, class_of } from "./bands.js";
+import { force, state, state_of, touched_of, broken } from "./run_data.js";
 
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
-// f_y in fifths, f_y = 1, and a broken element: the colours of pictures, src/output/colours.h
-const steps = ["#28428c", "#4688c8", "#96d4e2", "#fad650", "#ec7e2c", "#ac142c"].map(rgb);
+const steps = band_colours.map(rgb);
+// black: a broken element, as in pictures
 const black = rgb("#0a0a0c"), grey = rgb("#a9bccf"), orange = rgb("#e07b30"), purple = rgb("#7b3294");
 export const group_colours = ["#1f77b4", "#e0862d", "#3f9b4f", "#b23a48", "#7b5ea7", "#8c6d4f", "#d076ab", "#7f8790",
   "#a6a832", "#2aa6b5"];
 const hex = (c) => `rgb(${c.join(",")})`;
-
-// The step of a share from 0 to 1; the last is for what has reached 1, up to the tolerance of the return to the surface.
-export function step_of(share) {
-  return share >= 0.999 ? 5 : share > 0 ? Math.min(4, Math.floor(5 * share)) : 0;
-}
 
 function mixed(from, to, share) {
   const s = Math.min(1, Math.max(0, share));
@@ -20,14 +16,16 @@ function mixed(from, to, share) {
 }
 const tension = rgb("#1f5fa8"), compression = rgb("#b2182b"), none = rgb("#c9d1d8");
 
-/// Each: name, and of(frames, frame, scene) gives a function of an element's number; legend: [colour, text] pairs.
+// Broken elements are black, the others have bands.
+const banded = (frames, frame) => (b) => (state_of(state(frames, frame, b)) === broken ? black : null);
+
+/// Each: name, and of(frames, frame, scene) gives a function of an element's number, to its colour or to null where it
+/// has the bands of bands(frames, frame); legend: [colour, text] pairs.
 export const colourings = {
   f_y: {
     name: "f_y, yield function (eq 14)",
-    of: (frames, frame) => (b) => {
-      if (state_of(state(frames, frame, b)) === broken) return black;
-      return steps[step_of(f_y(frames, frame, b))];
-    },
+    of: banded,
+    bands: bands_of.f_y,
     legend: () => [...steps.map((c, i) => [hex(c), i < 5 ? `${(i / 5).toFixed(1)}–${((i + 1) / 5).toFixed(1)}` : "1.0"]),
       [hex(black), "broken"]],
   },
@@ -51,12 +49,8 @@ export const colourings = {
   },
   bending: {
     name: "bending M / M0",
-    of: (frames, frame) => (b) => {
-      if (state_of(state(frames, frame, b)) === broken) return black;
-      const of = (c, limit) => force(frames, frame, b, c) / (frames.limits[4 * b + limit] || frames.largest_moment || 1);
-      const m = Math.max(Math.hypot(of(1, 1), of(3, 2)), Math.hypot(of(2, 1), of(4, 2)));
-      return steps[step_of(m)];
-    },
+    of: banded,
+    bands: bands_of.bending,
     legend: () => [[hex(steps[0]), "0"], [hex(steps[2]), "0.5"], [hex(steps[5]), "1 or more"], [hex(black), "broken"]],
   },
   displacement: {
@@ -67,7 +61,7 @@ export const colourings = {
         const node = ends[2 * b];
         if (node === 0xffffffff) return grey;
         const u = Math.hypot(...[0, 1, 2].map((c) => positions[3 * (nodes * frame + node) + c] - declared[3 * node + c]));
-        return steps[step_of(u / most)];
+        return steps[class_of(u / most)];
       };
     },
     legend: (frames, scene) => {

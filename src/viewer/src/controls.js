@@ -1,6 +1,7 @@
 // The player's buttons, sliders and lists.
 import { make, number } from "./page.js";
 import { colourings } from "./colouring.js";
+import { hinge_colour } from "./scene.js";
 
 const choice = (label, options, value, choose) => make("label", {}, label, make("select", { onchange: (e) =>
   choose(e.target.value) }, options.map(([v, text]) => make("option", { value: v, selected: v === value }, text))));
@@ -32,9 +33,13 @@ export function controls_of(player) {
   } });
   const magnified = make("output", {}, "× 1");
   const legend = make("div", { class: "legend" });
-  const show_legend = () => legend.replaceChildren(...colourings[options.colouring].legend(player.views[0].run.frames,
-    player.views[0].scene).map(([colour, text]) => make("span", {}, make("span", { class: "swatch",
-    style: `background:${colour}` }), text)));
+  const entry = (kind) => ([colour, text]) => make("span", {}, make("span", { class: kind, style: `background:${colour}` }),
+    text);
+  const show_legend = () => {
+    const { run: { frames }, scene } = player.views[0];
+    legend.replaceChildren(...colourings[options.colouring].legend(frames, scene).map(entry("swatch")),
+      ...(scene.dots.drawn.visible ? [entry("swatch dot")([hinge_colour, "plastic hinge"])] : []));
+  };
   show_legend();
   player.show_legend = show_legend;
   const follow = tick("follow the member picked", false, set("follow"));
@@ -59,7 +64,7 @@ export function controls_of(player) {
       legend),
     make("div", { class: "row" }, follow,
       tick("undeformed shape", false, scenes((s, on) => { s.ghost.visible = on; })),
-      tick("hinges", true, scenes((s, on) => { s.dots.drawn.visible = on; })),
+      tick("hinges", true, (on) => { scenes((s) => { s.dots.drawn.visible = on; })(), show_legend(); }),
       tick("ground and supports", true, scenes((s, on) => { s.ground.visible = on; })),
       tick("thin members", false, (on) => set("thicker")(on ? 0.25 : 1)),
       tick("smooth", true, (on) => { options.smooth = on; }), tick("again and again", false, (on) => { options.loop = on; })),

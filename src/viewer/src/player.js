@@ -181,8 +181,8 @@ export class Player {
       if (!another && part === v.part && !force) continue;
       v.frame = frame, v.part = part;
       v.scene.place(frame, this.options.magnify, part);
-      if (another || force) v.scene.paint_bars(colourings[this.options.colouring].of(frames, frame, v.scene),
-        this.chosen.member);
+      const { of, bands } = colourings[this.options.colouring];
+      if (another || force) v.scene.paint_bars(of(frames, frame, v.scene), this.chosen.member, bands?.(frames, frame));
     }
     this.#follow();
     this.redraw();

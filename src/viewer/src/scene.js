@@ -4,13 +4,17 @@ import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group,  LineBasicMaterial, LineSegments, Mesh, Points, Scene, ShaderMaterial, Vector2, Vector3,
 } from "three";
 import { place_bars, declared_at, hinges_of, state, state_of, broken } from "./run_data.js";
+import { band_colours } from "./bands.js";
 
 // A bar is a strip of two triangles that faces the eye, shaded as a tube, and half a width longer at either end: four
 // corners each, so that a renderer without a graphics card keeps up with thousands. (One draws instances one by one.)
+// It has one colour, that of paint, or bands: at t, from 0 at its first end to 1, the class of the value
+// course.x + course.y t + course.z t^2, or of course.w where that is less. With course.w < 0 it has one colour.
 const bar_vertex = `
 attribute vec2 corner; attribute vec3 a; attribute vec3 b; attribute float breadth; attribute vec4 paint;
+attribute vec4 course;
 uniform vec2 pixels; uniform float slope; uniform float thicker;
-varying vec3 vColour; varying vec3 vLight;
+flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight;
 void main() {
   if (paint.a < 0.1) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   vec3 p = (modelViewMatrix * vec4(a, 1.0)).xyz, q = (modelViewMatrix * vec4(b, 1.0)).xyz;
@@ -21,19 +25,33 @@ void main() {
   vec3 along = axis / max(length(axis), 1e-9), across = cross(along, eye);
   float sine = length(across);
   across = sine > 1e-4 ? across / sine : vec3(1.0, 0.0, 0.0);
-  middle += across * 0.5 * corner.x * w + along * (corner.y - 0.5) * min(w, 0.5 * length(axis));
+  float longer = (corner.y - 0.5) * min(w, 0.5 * length(axis));
+  middle += across * 0.5 * corner.x * w + along * longer;
   gl_Position = projectionMatrix * vec4(middle, 1.0);
   vec3 towards = cross(across, along), sun = normalize((viewMatrix * vec4(-0.35, -0.45, 0.8, 0.0)).xyz);
-  vLight = vec3(corner.x, dot(across, sun), dot(towards, sun));
+  vLight = vec4(corner.x, dot(across, sun), dot(towards, sun), corner.y + longer / max(length(axis), 1e-9));
   vColour = paint.rgb;
+  vCourse = course;
 }`;
+// The comparisons are written so that a value that is not a number gives the lowest band. A class is counted, and one
+// colour looked up: where the processor draws, a choice of colours in a loop took three times as long.
 const bar_fragment = `
-varying vec3 vColour; varying vec3 vLight;
+uniform float band_from[5]; uniform vec3 band_colours[6];
+flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight;
 void main() {
+  vec3 colour = vColour;
+  if (vCourse.w >= 0.0) {
+    float t = clamp(vLight.w, 0.0, 1.0), value = min(vCourse.x + t * (vCourse.y + t * vCourse.z), vCourse.w);
+    colour = band_colours[int(value >= band_from[0]) + int(value >= band_from[1]) + int(value >= band_from[2])
+      + int(value >= band_from[3]) + int(value >= band_from[4])];
+  }
   float x = clamp(vLight.x, -1.0, 1.0);
   float light = x * vLight.y + sqrt(1.0 - x * x) * vLight.z;
-  gl_FragColor = vec4(vColour * (0.78 + 0.27 * light), 1.0);
+  gl_FragColor = vec4(colour * (0.78 + 0.27 * light), 1.0);
 }`;
+// Of the dots where an element is or has been fully plastic. They have one size: the data hold no plastic rotation.
+export const hinge_colour = band_colours[5];
+const dot_paint = [1, 3, 5].map((i) => parseInt(hinge_colour.slice(i, i + 2), 16));
 const dot_vertex = `
 attribute vec3 paint; uniform float size; varying vec3 vColour;
 void main() { vColour = paint; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
@@ -94,14 +112,17 @@ export class RunScene {
     this.a = moving(new Float32Array(12 * bars), 3), this.b = moving(new Float32Array(12 * bars), 3);
     this.paint = new Uint32Array(4 * bars); // four bytes a corner
     this.colour = moving(new Uint8Array(this.paint.buffer), 4, true);
+    this.course = moving(new Float32Array(16 * bars), 4);
     geometry.setAttribute("corner", new BufferAttribute(corner, 2));
     geometry.setAttribute("a", this.a);
     geometry.setAttribute("b", this.b);
     geometry.setAttribute("breadth", new BufferAttribute(breadth, 1));
     geometry.setAttribute("paint", this.colour);
+    geometry.setAttribute("course", this.course);
     geometry.setIndex(new BufferAttribute(index, 1));
     this.material = new ShaderMaterial({ vertexShader: bar_vertex, fragmentShader: bar_fragment,
-      side: DoubleSide, uniforms: { pixels: { value: new Vector2(1, 1) }, slope: { value: 1 }, thicker: { value: 1 } } });
+      side: DoubleSide, uniforms: { pixels: { value: new Vector2(1, 1) }, slope: { value: 1 }, thicker: { value: 1 },
+        band_from: { value: new Array(5).fill(0) }, band_colours: { value: band_colours.map((c) => new Color(c)) } } });
     const mesh = new Mesh(geometry, this.material);
     mesh.frustumCulled = false;
     this.root.add(mesh);
@@ -174,7 +195,7 @@ export class RunScene {
     const { dots, ends, frames } = this;
     let n = 0;
     const put = (x, y, z) => {
-      dots.at.set([x, y, z], 3 * n), dots.paint.set([172, 20, 44], 3 * n);
+      dots.at.set([x, y, z], 3 * n), dots.paint.set(dot_paint, 3 * n);
       ++n;
     };
     if (dots.drawn.visible)
@@ -191,15 +212,19 @@ export class RunScene {
     for (const name of ["position", "paint"]) dots.geometry.attributes[name].needsUpdate = true;
   }
 
-  /// colour_of(bar) gives [r, g, b] of 0 to 255; `chosen`: the number of the member picked, or 0.
-  paint_bars(colour_of, chosen) {
-    const { paint, frames, shown } = this;
+  /// colour_of(bar) gives [r, g, b] of 0 to 255, or null where bands are drawn; `chosen`: the number of the member
+  /// picked, or 0. bands: { from: the least values of classes 1 to 5, course(bar, out): puts four numbers into out }.
+  paint_bars(colour_of, chosen, bands = null) {
+    const { paint, frames, shown } = this, course = this.course.array, of_bar = [0, 0, 0, 0];
+    if (bands) this.material.uniforms.band_from.value = bands.from;
     for (let b = 0; b < frames.bars; ++b) {
-      const is_chosen = frames.member[b] === chosen, [r, g, bl] = is_chosen ? [214, 39, 196] : colour_of(b);
-      const alpha = shown[b] ? (is_chosen ? 200 : 255) : 0;
+      const is_chosen = frames.member[b] === chosen, colour = is_chosen ? [214, 39, 196] : colour_of(b);
+      const [r, g, bl] = colour ?? [0, 0, 0], alpha = shown[b] ? (is_chosen ? 200 : 255) : 0;
       paint.fill(((alpha << 24) | (bl << 16) | (g << 8) | r) >>> 0, 4 * b, 4 * b + 4);
+      if (colour) of_bar[3] = -1; else bands.course(b, of_bar);
+      for (let i = 0; i < 16; ++i) course[16 * b + i] = of_bar[i & 3];
     }
-    this.colour.needsUpdate = true;
+    this.colour.needsUpdate = this.course.needsUpdate = true;
   }
 
   /// The element nearest to a pixel of a view of `width` by `height`, -1: none within reach.
