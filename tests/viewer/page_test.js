@@ -221,11 +221,23 @@ async function the_colours(b) {
   expect(bands.size > 3, `no more than ${bands.size} elements have three bands and more`);
   for (const frame of [1, count - 1]) await look_at(frame, "bending");
 
-  // Elements without limits have the one colour of their f_y.
-  await b.value("window.limits = hinge_report.runs[0].frames.limits.slice(), hinge_report.runs[0].frames.limits.fill(0)");
-  const plain = await look_at(1, "f_y");
-  expect(plain.every((e) => !e.limits.some((v) => v)), "there still are limits");
-  await b.value("hinge_report.runs[0].frames.limits.set(window.limits), hinge_report.player.repaint()");
+  // What this plane frame does not have, in data that are changed: f_y beneath what the forces give, which is the most;
+  // Mz in all elements; elements without limits, which have the one colour of their f_y.
+  const changed = async (change, what) => {
+    await b.value(`(() => {
+      const f = hinge_report.runs[0].frames, set = (array, value_of) => array.forEach((v, i) => { array[i] = value_of(v, i); });
+      window.data = ["f_y", "forces", "scale", "limits"].map((name) => [f[name], f[name].slice()]);
+      ${change}
+    })()`);
+    const elements = await look_at(1, "f_y");
+    expect(elements.every(what), `the data are not changed by ${change}`);
+    await b.value("for (const [array, was] of window.data) array.set(was); hinge_report.player.repaint()");
+  };
+  await changed("set(f.f_y, (v) => v / 2);", (e) => e.f_y < 0.51);
+  await changed(`set(f.f_y, () => 65535); for (let b = 0; b < f.bars; ++b) {
+    f.scale[6 * b + 5] = 0.7 * f.limits[4 * b + 3] / 1000, f.forces[(6 + 5) * f.bars + b] = 1000;
+  }`, (e) => e.f_y > 3 && Math.abs(e.forces[5] / e.limits[3] - 0.7) < 1e-3);
+  await changed("f.limits.fill(0);", (e) => !e.limits.some((v) => v));
 
   // The member picked is magenta all along, the others keep their bands; hidden ones are not drawn.
   await b.value("hinge_report.player.choose(0, 4)");

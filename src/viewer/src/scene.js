@@ -33,8 +33,7 @@ void main() {
   vColour = paint.rgb;
   vCourse = course;
 }`;
-// The comparisons are written so that a value that is not a number gives the lowest band. A class is counted, and one
-// colour looked up: where the processor draws, a choice of colours in a loop took three times as long.
+// A class is counted, and one colour looked up: where the processor draws, a choice of colours in a loop took longer.
 const bar_fragment = `
 uniform float band_from[5]; uniform vec3 band_colours[6];
 flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight;
