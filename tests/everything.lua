@@ -1,5 +1,6 @@
 -- All that the README and its pages name and that ctest leaves out because it takes long: the main job, the hard
--- suite, the bench, the paper's figures and tables, and what accuracy costs in the five scenes of scripts/cost.
+-- suite, the bench, the limits of the page of hinge report, the paper's figures and tables, and what accuracy costs in
+-- the five scenes of scripts/cost.
 --
 -- Run     cmake --build build --target everything
 --         or: lua5.4 tests/everything.lua BUILD [only=NAME] [list] [jobs=FILE]
@@ -74,6 +75,16 @@ local function named_scripts(folder) -- { { name, path } }
   return list
 end
 
+-- Case I with 100 frames, its page, and what a headless Chromium says of that: size, time to open, frames a second.
+local function page_job(hinge)
+  local function found(programs)
+    return ("$(command -v %s || echo %s)"):format(table.concat(programs, " || command -v "), programs[1])
+  end
+  return { name = "page", look = "completed", command = ("%s run -q scripts/ten_storey_impact.lua frame_every=250 --out @ "
+    .. "&& %s report @ && %s tests/viewer/limits_test.js %s @/report.html"):format(hinge, hinge, found { "node", "nodejs" },
+    found { "chromium-headless-shell", "chromium", "chromium-browser" }) }
+end
+
 local function all_jobs()
   local hinge = quote(build .. "/hinge")
   local jobs = {
@@ -81,6 +92,7 @@ local function all_jobs()
     { name = "hard", command = ("LUA_CPATH=%s lua5.4 tests/hard/suite.lua"):format(quote(build .. "/?.so")) },
     { name = "bench", look = "completed",
       command = ("%s run tests/bench/bench.lua build=%s --out @"):format(hinge, quote(build .. "/tests")) },
+    page_job(hinge),
   }
   for _, script in ipairs(named_scripts "scripts/paper") do
     if script[1] ~= "all" then

@@ -43,6 +43,7 @@ async function measured(program, report) {
 
 (async () => {
   const [program, report, frames] = process.argv.slice(2), wrong = [], times = [];
+  if (!fs.existsSync(program)) throw new Error(`nothing can be measured without Chromium: ${program} is not there`);
   const megabytes = fs.statSync(report).size / 1e6;
   for (let i = 0; i < 3; ++i) {
     times.push(await measured(program, report));
@@ -59,6 +60,6 @@ async function measured(program, report) {
   for (const what of wrong) console.log(what);
   process.exitCode = wrong.length > 0 ? 1 : 0;
 })().catch((error) => {
-  console.log(error.stack);
+  console.log(error.message);
   process.exit(1);
 });
