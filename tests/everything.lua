@@ -80,9 +80,10 @@ local function page_job(hinge)
   local function found(programs)
     return ("$(command -v %s || echo %s)"):format(table.concat(programs, " || command -v "), programs[1])
   end
-  return { name = "page", look = "completed", command = ("%s run -q scripts/ten_storey_impact.lua frame_every=250 --out @ "
-    .. "&& %s report @ && %s tests/viewer/limits_test.js %s @/report.html"):format(hinge, hinge, found { "node", "nodejs" },
-    found { "chromium-headless-shell", "chromium", "chromium-browser" }) }
+  return { name = "page", look = "completed",
+    command = ("%s run -q scripts/ten_storey_impact.lua frame_every=250 --out @ && %s report @ && "
+      .. "%s tests/viewer/limits_test.js %s @/report.html"):format(hinge, hinge, found { "node", "nodejs" },
+      found { "chromium-headless-shell", "chromium", "chromium-browser" }) }
 end
 
 local function all_jobs()

@@ -2,7 +2,7 @@
 // draws while it plays, in a headless Chromium that draws on the processor. A part of tests/everything.lua, with Case I
 // of the ten-storey frame and 100 frames.
 //
-// Run: node tests/viewer/limits_test.js CHROMIUM REPORT [FRAMES]      prints what it measured, and what is beyond a limit
+// Run: node tests/viewer/limits_test.js CHROMIUM REPORT [FRAMES]      prints what it measured, what is beyond limits
 // FRAMES: how many the run must have, 100 unless told. Of three openings the best counts: other programs may run, too.
 "use strict";
 const fs = require("fs");
@@ -53,7 +53,7 @@ async function measured(program, report) {
   const open = Math.min(...times.map((t) => t.open)), rate = Math.max(...times.map((t) => t.rate));
   // Written so that what is not a number is beyond its limit.
   if (times[0].frames !== Number(frames ?? 100)) wrong.push(`the run has ${times[0].frames} frames`);
-  if (!(megabytes <= most_megabytes)) wrong.push(`the page has ${megabytes.toFixed(1)} MB, more than ${most_megabytes}`);
+  if (!(megabytes <= most_megabytes)) wrong.push(`it has ${megabytes.toFixed(1)} MB, more than ${most_megabytes}`);
   if (!(open <= most_seconds)) wrong.push(`it opens after ${open.toFixed(2)} s, later than ${most_seconds}`);
   if (!(rate >= least_rate)) wrong.push(`it draws ${rate.toFixed(1)} frames a second, fewer than ${least_rate}`);
   console.log(`note: ${megabytes.toFixed(1)} MB, open after ${open.toFixed(2)} s, ${rate.toFixed(1)} frames a second`);

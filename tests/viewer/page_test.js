@@ -166,7 +166,8 @@ const along_elements = (frame, colouring) => `(async () => {
 // Which of the colours a pixel has; the light makes it darker, or a little brighter. -1: none of them.
 function class_seen(pixel, classes) {
   const away = classes.map((c) => {
-    const light = Math.min(1.06, Math.max(0.5, pixel.reduce((s, v, i) => s + v * c[i], 0) / c.reduce((s, v) => s + v * v, 0)));
+    const dot = (a) => a.reduce((s, v, i) => s + v * c[i], 0);
+    const light = Math.min(1.06, Math.max(0.5, dot(pixel) / dot(c)));
     return Math.max(...c.map((v, i) => Math.abs(Math.min(255, light * v) - pixel[i])));
   });
   const least = Math.min(...away);
@@ -225,7 +226,7 @@ async function the_colours(b) {
   // Mz in all elements; elements without limits, which have the one colour of their f_y.
   const changed = async (change, what) => {
     await b.value(`(() => {
-      const f = hinge_report.runs[0].frames, set = (array, value_of) => array.forEach((v, i) => { array[i] = value_of(v, i); });
+      const f = hinge_report.runs[0].frames;
       window.data = ["f_y", "forces", "scale", "limits"].map((name) => [f[name], f[name].slice()]);
       ${change}
     })()`);
@@ -233,8 +234,8 @@ async function the_colours(b) {
     expect(elements.every(what), `the data are not changed by ${change}`);
     await b.value("for (const [array, was] of window.data) array.set(was); hinge_report.player.repaint()");
   };
-  await changed("set(f.f_y, (v) => v / 2);", (e) => e.f_y < 0.51);
-  await changed(`set(f.f_y, () => 65535); for (let b = 0; b < f.bars; ++b) {
+  await changed("f.f_y.forEach((v, i) => { f.f_y[i] = v / 2; });", (e) => e.f_y < 0.51);
+  await changed(`f.f_y.fill(65535); for (let b = 0; b < f.bars; ++b) {
     f.scale[6 * b + 5] = 0.7 * f.limits[4 * b + 3] / 1000, f.forces[(6 + 5) * f.bars + b] = 1000;
   }`, (e) => e.f_y > 3 && Math.abs(e.forces[5] / e.limits[3] - 0.7) < 1e-3);
   await changed("f.limits.fill(0);", (e) => !e.limits.some((v) => v));
@@ -247,7 +248,7 @@ async function the_colours(b) {
     return [...f.member].map((m, i) => [m, ...of(i)]);
   })()`);
   for (const [member, paint, plain_one] of chosen)
-    expect((member === 4) === (paint === (214 | 39 << 8 | 196 << 16) && plain_one), `member ${member} is painted ${paint}`);
+    expect((member === 4) === (plain_one && paint === (214 | 39 << 8 | 196 << 16)), `member ${member} has ${paint}`);
   await b.value("hinge_report.player.choose(0, 0)");
 }
 

@@ -1,5 +1,5 @@
-// Bands of colour along elements: the classes of pictures (src/output/bars.cpp), and the course of a value between the two
-// ends of an element. The shader (scene.js) computes the value and its class at each pixel.
+// Bands of colour along elements: the classes of pictures (src/output/bars.cpp), and the course of a value between the
+// two ends of an element. The shader (scene.js) computes the value and its class at each pixel.
 import { f_y, force } from "./run_data.js";
 
 /// f_y in fifths, and f_y = 1: the colours of pictures, src/output/colours.h
@@ -36,7 +36,8 @@ export const bands_of = {
   } }),
   // The square of M / M0, which is a polynomial; so the classes begin at squares, too.
   bending: (frames, frame) => ({ from: from.map((v) => v * v), course(b, out) {
-    const part = (c, limit) => force(frames, frame, b, c) / (frames.limits[4 * b + limit] || frames.largest_moment || 1);
+    const { limits, largest_moment } = frames;
+    const part = (c, limit) => force(frames, frame, b, c) / (limits[4 * b + limit] || largest_moment || 1);
     out[0] = out[1] = out[2] = 0, out[3] = 1e30;
     add_square(out, part(1, 1), part(2, 1));
     add_square(out, part(3, 2), part(4, 2));

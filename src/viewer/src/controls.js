@@ -33,8 +33,8 @@ export function controls_of(player) {
   } });
   const magnified = make("output", {}, "× 1");
   const legend = make("div", { class: "legend" });
-  const entry = (kind) => ([colour, text]) => make("span", {}, make("span", { class: kind, style: `background:${colour}` }),
-    text);
+  const entry = (kind) => ([colour, text]) => make("span", {}, make("span", { class: kind,
+    style: `background:${colour}` }), text);
   const show_legend = () => {
     const { run: { frames }, scene } = player.views[0];
     legend.replaceChildren(...colourings[options.colouring].legend(frames, scene).map(entry("swatch")),
