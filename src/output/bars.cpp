@@ -9,13 +9,10 @@
 namespace hinge::output {
 namespace {
 
-constexpr double plastic_from = 0.999;  // f_y reaches 1 only up to the tolerance of the return
-constexpr double seen_share = 0.05;     // of the structure's size: the largest displacement with scale = "auto"
-constexpr double sharpest = 0.5;        // cosine: where a member bends by more, its elements end square
+constexpr double seen_share = 0.05;  // of the structure's size: the largest displacement with scale = "auto"
+constexpr double sharpest = 0.5;     // cosine: where a member bends by more, its elements end square
 
 double square(double x) { return x * x; }
-
-bool has_forces(const Bar& bar) { return bar.N0 > 0 || bar.Mx0 > 0 || bar.My0 > 0 || bar.Mz0 > 0; }
 
 /// A cubic with values and slopes at both ends.
 double hermite(double a, double slope_a, double b, double slope_b, double t) {
@@ -143,16 +140,29 @@ DrawnBars choose_bars(const Snapshot& snapshot, const View& view) {
     DrawnBars chosen{{}, view.scale != 0 ? view.scale : moved ? visible_scale(snapshot) : 1};
     const double scale = chosen.scale;
     const std::vector<char> asked = asked_for(snapshot, view);
+    std::vector<std::vector<const Load*>> loads(snapshot.bars.size());
+    for (const Load& load : snapshot.loads)
+        if (load.bar >= 0) loads[static_cast<std::size_t>(load.bar)].push_back(&load);
     for (const Bar& bar : snapshot.bars) {
         if (bar.member >= 0 && !asked[static_cast<std::size_t>(bar.member)]) continue;
         if (view.leave_out_broken && bar.state == BarState::broken) continue;
         const auto p = static_cast<std::size_t>(bar.point[0]), q = static_cast<std::size_t>(bar.point[1]);
         const Vec a = drawn_at(snapshot, p, scale), b = drawn_at(snapshot, q, scale);
         if (!finite(a) || !finite(b) || std::min(snapshot.points[p][2], snapshot.points[q][2]) < view.above) continue;
-        DrawnBar d{&bar, shape_of(snapshot, bar), a, b, {}, {}, {}, {0, 0}, false};
-        const Vec along = d.length() > 0 ? unit(b - a) : Vec{0, 0, 1};
-        if (d.length() == 0) continue;
-        d.up = up_across(bar, along);
+        const double length = output::length(b - a);
+        if (length == 0) continue;
+        const Vec along = unit(b - a), up = up_across(bar, along);
+        DrawnBar d{
+            &bar,
+            shape_of(snapshot, bar),
+            a,
+            b,
+            up,
+            {},
+            {},
+            {0, 0},
+            false,
+            {bar, length, unit(cross(up, along)), up, loads[static_cast<std::size_t>(&bar - &snapshot.bars[0])]}};
         if (scale != 1 && !snapshot.rotation.empty() && bar.state != BarState::broken) {
             const Vec start =
                 (snapshot.points[q] - snapshot.displacement[q]) - (snapshot.points[p] - snapshot.displacement[p]);
@@ -184,62 +194,6 @@ std::vector<Vec> ends_of(std::span<const DrawnBar> bars) {
 void add_start(std::vector<Vec>& to, const Snapshot& snapshot, std::span<const DrawnBar> bars) {
     for (const DrawnBar& bar : bars)
         for (const int p : bar.bar->point) to.push_back(drawn_at(snapshot, static_cast<std::size_t>(p), 0));
-}
-
-double resultant_at(const Bar& bar, Show which, double length, double t) {
-    // Frames that hold no shear forces give the moments a straight course.
-    const bool sheared = bar.Qx[0] != 0 || bar.Qx[1] != 0 || bar.Qy[0] != 0 || bar.Qy[1] != 0;
-    const auto between = [&](const double(&m)[2], double slope_a, double slope_b) {
-        return sheared ? hermite(m[0], length * slope_a, m[1], length * slope_b, t) : m[0] + t * (m[1] - m[0]);
-    };
-    switch (which) {
-        case Show::N: return bar.N;
-        case Show::Mz: return bar.Mz;
-        case Show::Mx: return between(bar.Mx, bar.Qy[0], bar.Qy[1]);
-        case Show::My: return between(bar.My, -bar.Qx[0], -bar.Qx[1]);
-        case Show::Qx: return sheared ? bar.Qx[0] + t * (bar.Qx[1] - bar.Qx[0]) : (bar.My[0] - bar.My[1]) / length;
-        case Show::Qy: return sheared ? bar.Qy[0] + t * (bar.Qy[1] - bar.Qy[0]) : (bar.Mx[1] - bar.Mx[0]) / length;
-        default: return 0;
-    }
-}
-
-double yield_at(const Bar& bar, double length, double t) {
-    if (!has_forces(bar)) return bar.yield;
-    const auto part = [](double force, double limit) { return limit > 0 ? square(force / limit) : 0; };
-    const double f_y = part(bar.N, bar.N0) + part(resultant_at(bar, Show::Mx, length, t), bar.Mx0) +
-                       part(resultant_at(bar, Show::My, length, t), bar.My0) + part(bar.Mz, bar.Mz0);
-    return std::min(f_y, bar.yield);  // N is that of the end where it is larger
-}
-
-int class_at(const Bar& bar, double length, double t) {
-    if (bar.state == BarState::broken) return broken_class;
-    const double f_y = yield_at(bar, length, t);
-    if (f_y >= plastic_from) return plastic_class;
-    // Written so that a value that is not a number gives the lowest band.
-    return f_y > 0 ? std::min(static_cast<int>(f_y * 5), plastic_class - 1) : 0;
-}
-
-std::vector<double> class_changes(const Bar& bar, double length) {
-    constexpr int samples = 16;
-    std::vector<double> at{0};
-    if (bar.state != BarState::broken && has_forces(bar)) {
-        int before = class_at(bar, length, 0);
-        for (int i = 1; i <= samples; ++i) {
-            const double t = static_cast<double>(i) / samples;
-            const int now = class_at(bar, length, t);
-            if (now != before) {
-                double low = t - 1.0 / samples, high = t;
-                for (int k = 0; k < 6; ++k) {
-                    const double middle = (low + high) / 2;
-                    (class_at(bar, length, middle) == before ? low : high) = middle;
-                }
-                at.push_back((low + high) / 2);
-            }
-            before = now;
-        }
-    }
-    at.push_back(1);
-    return at;
 }
 
 }  // namespace hinge::output

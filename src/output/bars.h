@@ -8,6 +8,7 @@
 #include "output/framing.h"
 #include "output/colours.h"
 #include "output/picture.h"
+#include "output/resultants.h"
 
 namespace hinge::output {
 
@@ -20,6 +21,7 @@ struct DrawnBar {
     Vec cut[2];       ///< normal of the plane that its end lies in, along the bar
     double reach[2];  ///< so far beyond its ends it is drawn, to fill the corners where members meet, m
     bool curved;
+    Resultants carries;
 
     double length() const { return output::length(b - a); }
     Vec at(double t) const;                                         ///< t from 0 to 1
@@ -44,17 +46,5 @@ Vec drawn_at(const Snapshot& snapshot, std::size_t point, double scale);
 void add_start(std::vector<Vec>& to, const Snapshot& snapshot, std::span<const DrawnBar> bars);
 
 std::vector<Vec> ends_of(std::span<const DrawnBar> bars);
-
-/// A resultant of a bar at a share t of its length, 0 to 1; of moments with the shear forces as slopes.
-double resultant_at(const Bar& bar, Show which, double length, double t);
-
-/// f_y of eq 14 there, or the larger of the ends' where the snapshot has no forces.
-double yield_at(const Bar& bar, double length, double t);
-
-/// Its class of colour there.
-int class_at(const Bar& bar, double length, double t);
-
-/// Where along the bar the class of its colour changes: rising, from 0 to 1.
-std::vector<double> class_changes(const Bar& bar, double length);
 
 }  // namespace hinge::output

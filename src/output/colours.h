@@ -23,6 +23,7 @@ constexpr Colour group_colours[] = {{31, 119, 180}, {224, 134, 45},  {63, 155, 7
                                     {140, 109, 77}, {208, 118, 171}, {127, 135, 144}, {166, 168, 50}, {42, 166, 181}};
 
 constexpr Colour plain_bar = {168, 175, 184};  ///< members that show nothing by their colour
+constexpr Colour member_number = {96, 102, 110};
 constexpr Colour ghost_colour = {176, 182, 190};
 constexpr Colour support_colour = {84, 92, 102};
 constexpr Colour ground_fill = {243, 242, 238}, ground_line = {214, 212, 204};

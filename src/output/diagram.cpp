@@ -27,8 +27,17 @@ Vec side_of(const DrawnBar& bar, Show which, double t) {
     }
 }
 
-double value(const DrawnBar& bar, Show which, double t) { return resultant_at(*bar.bar, which, bar.length(), t); }
-double share(int i) { return static_cast<double>(i) / pieces; }
+double value(const DrawnBar& bar, Show which, double t) { return bar.carries.at(which, t); }
+
+/// Where along a bar the diagram is computed: from 0 to 1, on both sides of point loads.
+std::vector<double> stations(const DrawnBar& bar) {
+    constexpr double beside = 1e-7;
+    std::vector<double> at;
+    for (int i = 0; i <= pieces; ++i) at.push_back(static_cast<double>(i) / pieces);
+    for (const double t : bar.carries.jumps()) at.insert(at.end(), {t - beside, t + beside});
+    std::sort(at.begin(), at.end());
+    return at;
+}
 
 }  // namespace
 
@@ -44,8 +53,8 @@ Diagram plan_diagram(std::span<const DrawnBar> bars, Show which, double size, do
     double longest = 0;
     for (const DrawnBar& bar : bars) {
         longest = std::max(longest, bar.length());
-        for (int i = 0; i <= pieces; ++i) {
-            const double v = value(bar, which, share(i));
+        for (const double t : stations(bar)) {
+            const double v = value(bar, which, t);
             d.largest = std::max(d.largest, v);
             d.smallest = std::min(d.smallest, v);
         }
@@ -59,6 +68,8 @@ Diagram plan_diagram(std::span<const DrawnBar> bars, Show which, double size, do
                 forces = std::max(forces, std::abs(value(bar, s, t)) / (moment ? bar.length() : 1));
             }
     const double most = std::max(d.largest, -d.smallest), noise = 1e-9 * forces * (which >= Show::Mx ? longest : 1);
+    if (d.largest < 1e-9 * most) d.largest = 0;
+    if (-d.smallest < 1e-9 * most) d.smallest = 0;
     if (most > noise) d.metres = std::min(of_scene * size, of_member * 2 * longest) / (full > 0 ? full : most);
     else d.largest = d.smallest = 0;
     return d;
@@ -66,10 +77,8 @@ Diagram plan_diagram(std::span<const DrawnBar> bars, Show which, double size, do
 
 void add_points(std::vector<Vec>& to, std::span<const DrawnBar> bars, const Diagram& d) {
     for (const DrawnBar& bar : bars)
-        for (int i = 0; i <= pieces; i += pieces / 2) {
-            const double t = share(i);
+        for (const double t : stations(bar))
             to.push_back(bar.at(t) + d.metres * value(bar, d.which, t) * side_of(bar, d.which, t));
-        }
 }
 
 std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> bars, const Diagram& d,
@@ -85,8 +94,9 @@ std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> 
     };
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken) continue;
-        for (int i = 0; i < pieces; ++i) {
-            const double t0 = share(i), t1 = share(i + 1), v0 = value(bar, d.which, t0), v1 = value(bar, d.which, t1);
+        const std::vector<double> at = stations(bar);
+        for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+            const double t0 = at[i], t1 = at[i + 1], v0 = value(bar, d.which, t0), v1 = value(bar, d.which, t1);
             if (v0 * v1 < 0) {
                 const double zero = t0 + (t1 - t0) * v0 / (v0 - v1);
                 piece(bar, t0, v0, zero, 0);
@@ -110,29 +120,38 @@ std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> 
     return actors;
 }
 
-void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diagram& d) {
+void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diagram& d, const Camera& camera,
+               double em) {
     struct Most {
         double v = 0;
         const DrawnBar* bar = nullptr;
         double t = 0;
     };
-    std::map<int, Most> of;
+    std::map<int, std::array<Most, 2>> of;  // of each member the largest above zero, and below
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken) continue;
-        for (int i = 0; i <= pieces; ++i) {
-            Most& most = of[bar.bar->member];
-            const double v = value(bar, d.which, share(i));
-            if (std::abs(v) > std::abs(most.v) * (1 + 1e-9)) most = {v, &bar, share(i)};
+        for (const double t : stations(bar)) {
+            const double v = value(bar, d.which, t);
+            Most& most = of[bar.bar->member][v < 0];
+            if (std::abs(v) > std::abs(most.v) * (1 + 1e-9)) most = {v, &bar, t};
         }
     }
     const double most = std::max(d.largest, -d.smallest);
     const Unit unit = unit_for(most, unit_of(d.which));
-    for (const auto& [member, m] : of) {
-        if (!m.bar || std::abs(m.v) < 1e-3 * most) continue;
+    const auto add = [&](const Most& m, double least) {
+        if (!m.bar || std::abs(m.v) < least) return;
+        const Vec p = camera.project(m.bar->a), q = camera.project(m.bar->b);
+        if (std::hypot(q[0] - p[0], q[1] - p[1]) < 1.2 * em) return;
         const Vec side = side_of(*m.bar, d.which, m.t);
         Word w{m.bar->at(m.t) + d.metres * m.v * side, short_number(m.v / unit.size), m.v > 0 ? plus_line : minus_line};
-        w.size = 0.8, w.weight = std::abs(m.v), w.away = m.v > 0 ? side : -1.0 * side;
+        w.size = 0.8, w.rank = m.v == d.largest || m.v == d.smallest ? 4 : 2, w.weight = std::abs(m.v);
+        w.away = m.v > 0 ? side : -1.0 * side;
         to.push_back(w);
+    };
+    for (const auto& [member, m] : of) {
+        const bool above = std::abs(m[0].v) >= std::abs(m[1].v);
+        add(m[!above], 1e-3 * most);
+        add(m[above], 0.1 * std::abs(m[!above].v));
     }
 }
 

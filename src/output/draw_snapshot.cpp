@@ -69,8 +69,10 @@ void set_light(vtkRenderer* renderer) {
 }
 
 /// Numbers of nodes and members.
+/// Where there is no room for all, the nearest to the eye stay.
 void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vector<DrawnBar>& bars, const View& view,
-                 double scale) {
+                 double scale, const Camera& camera) {
+    const auto nearness = [&](Vec p) { return -camera.project(p)[2]; };
     if (view.node_labels) {
         std::vector<char> seen(snapshot.points.size(), 0);
         for (const DrawnBar& bar : bars)
@@ -78,7 +80,7 @@ void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vec
                 if (p >= snapshot.declared || seen[static_cast<std::size_t>(p)]) continue;
                 seen[static_cast<std::size_t>(p)] = 1;
                 Word w{drawn_at(snapshot, static_cast<std::size_t>(p), scale), std::to_string(p + 1)};
-                w.size = 0.85, w.bold = true, w.weight = -1e3 - p;
+                w.size = 0.85, w.bold = true, w.rank = 1, w.weight = nearness(w.at);
                 w.away = Vec{-1, -1, 1};
                 to.push_back(w);
             }
@@ -92,7 +94,7 @@ void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vec
             while (end < first.size() && first[end].first == first[i].first) ++end;
             const DrawnBar& middle = bars[first[(i + end) / 2].second];
             Word w{(end - i) % 2 == 0 ? middle.a : middle.at(0.5), std::to_string(first[i].first)};
-            w.size = 0.85, w.colour = plus_line, w.weight = -1e6 - first[i].first;
+            w.size = 0.85, w.colour = member_number, w.weight = nearness(w.at);
             to.push_back(w);
             i = end;
         }
@@ -113,8 +115,13 @@ public:
         if (view.loads) arrows_ = load_arrows(snapshot, bars_, chosen_.scale, 0.11 * size);
         if (view.ground && !shown.empty())
             for (const Plane& plane : snapshot.ground) ground_.push_back(ground_under(plane, shown));
+        if (view.supports) supports_ = find_supports(snapshot, bars_, view, chosen_.scale);
         // What stands beside the members needs room, too.
         if (!view.box) {
+            for (const Support& s : supports_) {
+                const double reach = 1.2 * support_size(s, least_support());
+                for (const double side : {-0.7, 0.7}) shown.push_back(s.at + reach * s.towards + side * reach * s.x);
+            }
             for (const GroundPatch& g : ground_)
                 for (const Vec& p : g.corners()) shown.push_back(p);
             if (diagram_) add_points(shown, bars_, *diagram_);
@@ -124,8 +131,8 @@ public:
             fit(shown);
         }
         if (view.hinges && view.show != Show::nothing) dot_unit_ = sign_size(bars_, camera_, 0.3, 0.3 * em_, 0.8 * em_);
-        add_numbers(words_, snapshot, bars_, view, chosen_.scale);
-        if (diagram_ && !diagram_->empty()) add_words(words_, bars_, *diagram_);
+        add_numbers(words_, snapshot, bars_, view, chosen_.scale, camera_);
+        if (diagram_ && !diagram_->empty()) add_words(words_, bars_, *diagram_, camera_, em_);
         add_words(words_, arrows_);
     }
 
@@ -138,7 +145,17 @@ public:
         add_actors(scene);
         set_camera(scene, camera_);
         set_light(scene);
-        std::vector<vtkRenderer*> layers{caption, scene};
+        std::vector<vtkRenderer*> layers{caption};
+        // The ground lies behind all else: it must not hide supports that reach into it.
+        const vtkNew<vtkRenderer> ground;
+        if (!ground_.empty()) {
+            ground->SetViewport(scene->GetViewport());
+            for (const GroundPatch& g : ground_)
+                for (const auto& actor : ground_actors(g, camera_)) ground->AddActor(actor);
+            set_camera(ground, camera_);
+            layers.push_back(ground);
+        }
+        layers.push_back(scene);
         if (!words_.empty()) layers.push_back(words);
         return take_pixels(view_.width, view_.height, layers);
     }
@@ -160,20 +177,19 @@ private:
         const int height = std::max(1, view_.height - margins_.top - margins_.bottom);
         camera_ = fit_camera(shown, typical_radius(bars_), view_.from, view_.up, view_.parallel, view_.width, height);
     }
+    double least_support() const { return sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel; }
     void add_actors(vtkRenderer* scene) const {
         const auto add = [&](const auto& actors) {
             for (const auto& actor : actors) scene->AddActor(actor);
         };
         const double em = em_ * camera_.metres_per_pixel;
-        for (const GroundPatch& g : ground_) add(ground_actors(g, camera_));
         if (view_.ghost)
             if (const auto ghost = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14)))
                 scene->AddActor(ghost);
         add(member_actors(bars_, view_, camera_));
         if (diagram_ && !diagram_->empty()) add(diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
         if (dot_unit_ > 0) add(hinge_actors(bars_, camera_, dot_unit_));
-        const double support = sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel;
-        if (view_.supports) add(support_actors(snapshot_, bars_, view_, chosen_.scale, camera_, support));
+        add(support_actors(supports_, camera_, least_support()));
         add(load_actors(arrows_, camera_, em));
     }
 
@@ -187,6 +203,7 @@ private:
     std::vector<GroundPatch> ground_;
     std::optional<Diagram> diagram_;
     std::vector<Arrow> arrows_;
+    std::vector<Support> supports_;
     std::vector<Word> words_;
 };
 

@@ -78,13 +78,13 @@ Colour colour_of(const DrawnBar& bar, const View& view, double t) {
     if (view.show == Show::group && bar.bar->state != BarState::broken)
         return bar.bar->group < 0 ? plain_bar
                                   : group_colours[static_cast<std::size_t>(bar.bar->group) % std::size(group_colours)];
-    const int is = class_at(*bar.bar, bar.length(), t);
+    const int is = bar.carries.class_at(t);
     return view.show == Show::yield || is == broken_class ? class_colours[static_cast<std::size_t>(is)] : plain_bar;
 }
 
 /// Where it bends or changes its colour.
 std::vector<double> stations(const DrawnBar& bar, const View& view) {
-    std::vector<double> at = view.show == Show::yield ? class_changes(*bar.bar, bar.length()) : std::vector{0.0, 1.0};
+    std::vector<double> at = view.show == Show::yield ? bar.carries.class_changes() : std::vector{0.0, 1.0};
     if (bar.curved) {
         for (int i = 1; i < bends; ++i) at.push_back(static_cast<double>(i) / bends);
         std::sort(at.begin(), at.end());

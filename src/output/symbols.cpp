@@ -71,48 +71,104 @@ Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double
     return actors;
 }
 
-Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view, double scale,
-                      const Camera& camera, double least) {
-    Mesh mesh(camera.target);
-    if (snapshot.held.empty()) return {};
+namespace {
+
+/// Which of the six a plane model holds at all its nodes: one displacement and the two rotations that go with it, and
+/// rotations that no node has.
+int held_everywhere(const Snapshot& snapshot, std::size_t nodes) {
+    int all = 63;
+    for (std::size_t i = 0; i < nodes; ++i) all &= snapshot.held[i];
+    if (all == 63) return 0;
+    int out_of_plane = 0;
+    for (const int plane : {1 | 16 | 32, 2 | 8 | 32, 4 | 8 | 16})
+        if ((all & plane) == plane) out_of_plane |= plane & 7;
+    const bool one = out_of_plane == 1 || out_of_plane == 2 || out_of_plane == 4;
+    return (all & 56) | (one ? out_of_plane : 0);
+}
+
+/// Where a node was at the start.
+Vec start_of(const Snapshot& snapshot, std::size_t node) {
+    return snapshot.displacement.empty() ? snapshot.points[node] : snapshot.points[node] - snapshot.displacement[node];
+}
+
+}  // namespace
+
+std::vector<Support> find_supports(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view,
+                                   double scale) {
+    std::vector<Support> supports;
+    if (snapshot.held.empty()) return supports;
     std::vector<const DrawnBar*> at(snapshot.points.size(), nullptr);
     for (const DrawnBar& bar : bars)
         for (const int p : bar.bar->point) at[static_cast<std::size_t>(p)] = &bar;
+    // A node whose members have all broken off keeps its support, and one whose members are left out has none.
+    std::vector<char> bare(snapshot.points.size(), !view.groups);
+    for (const Bar& bar : snapshot.bars)
+        for (const int p : bar.point) bare[static_cast<std::size_t>(p)] = 0;
     const std::size_t nodes =
-        snapshot.declared > 0 ? static_cast<std::size_t>(snapshot.declared) : snapshot.points.size();
-    int everywhere = 63;
-    for (std::size_t i = 0; i < nodes && i < snapshot.held.size(); ++i) everywhere &= snapshot.held[i];
-    if (everywhere == 63) everywhere = 0;
-    const int moves = 7 & ~everywhere, turns = 56 & ~everywhere;
+        std::min(snapshot.declared > 0 ? static_cast<std::size_t>(snapshot.declared) : snapshot.points.size(),
+                 snapshot.held.size());
+    const int everywhere = held_everywhere(snapshot, nodes), moves = 7 & ~everywhere, turns = 56 & ~everywhere;
     const Vec down = unit(-1.0 * view.up);
-    for (std::size_t i = 0; i < nodes && i < snapshot.held.size(); ++i) {
+    for (std::size_t i = 0; i < nodes; ++i) {
         const int held = snapshot.held[i] & ~everywhere;
-        if (held == 0 || !at[i]) continue;
-        const Vec p = drawn_at(snapshot, i, scale);
-        // A little larger than the member's section.
-        const double em = std::max(least, std::max(at[i]->shape.width, at[i]->shape.depth));
+        if (held == 0 || (!at[i] && !(bare[i] && snapshot.points[i][2] >= view.above))) continue;
+        Support s{Support::rotations, drawn_at(snapshot, i, scale), down, {}, 0};
+        if (!finite(s.at)) continue;
+        s.x = unit(cross(std::abs(down[1]) < 0.9 ? Vec{0, 1, 0} : Vec{1, 0, 0}, down));
+        if (at[i]) s.section = std::max(at[i]->shape.width, at[i]->shape.depth);
         if ((held & moves) == moves && (held & turns) == turns) {
-            // A plate across the member, behind its end.
-            const DrawnBar& bar = *at[i];
-            const bool first = static_cast<std::size_t>(bar.bar->point[0]) == i;
-            const Vec out = first ? -1.0 * bar.direction(0) : bar.direction(1);
-            const Vec x = bar.across(out), y = unit(cross(out, x));
-            add_box(mesh, p + 0.16 * em * out, 0.8 * em * x, 0.8 * em * y, 0.16 * em * out, support_colour);
+            s.kind = Support::clamped;
+            if (at[i]) {
+                // Across the member as it stood at the start: it does not turn.
+                const auto other =
+                    static_cast<std::size_t>(at[i]->bar->point[0]) == i ? at[i]->bar->point[1] : at[i]->bar->point[0];
+                const Vec out = start_of(snapshot, i) - start_of(snapshot, static_cast<std::size_t>(other));
+                if (finite(out) && length(out) > 0) {
+                    s.towards = unit(out);
+                    const Vec across = cross(at[i]->up, s.towards);
+                    s.x = length(across) > 0.1
+                              ? unit(across)
+                              : unit(cross(std::abs(s.towards[2]) < 0.9 ? Vec{0, 0, 1} : Vec{1, 0, 0}, s.towards));
+                }
+            }
         } else if ((held & moves) == moves) {
-            add_cone(mesh, p, p + 1.1 * em * down, 0.62 * em, round, support_colour);
+            s.kind = Support::pinned;
         } else if (held & moves) {
+            s.kind = Support::roller;
             const int axes[3] = {held & 1, held & 2, held & 4};
-            Vec to = down;
-            const bool upright = std::abs(down[2]) > 0.9 ? axes[2] : std::abs(down[1]) > 0.9 ? axes[1] : axes[0];
-            if (!upright)
+            const int upright = std::abs(down[2]) > 0.9 ? 2 : std::abs(down[1]) > 0.9 ? 1 : 0;
+            if (!axes[upright])
                 for (int c = 0; c < 3; ++c)
-                    if (axes[c]) to = {c == 0 ? -1.0 : 0, c == 1 ? -1.0 : 0, c == 2 ? -1.0 : 0};
-            add_cone(mesh, p, p + 0.8 * em * to, 0.5 * em, round, support_colour);
-            const Vec side = std::abs(to[0]) < 0.5 ? Vec{1, 0, 0} : Vec{0, 0, 1};
-            for (const double s : {-0.3, 0.3})
-                add_ball(mesh, p + 0.98 * em * to + s * em * side, 0.18 * em, round, support_colour);
-        } else {
-            add_box(mesh, p, {0.3 * em, 0, 0}, {0, 0.3 * em, 0}, {0, 0, 0.3 * em}, support_colour);
+                    if (axes[c]) s.towards = {c == 0 ? -1.0 : 0, c == 1 ? -1.0 : 0, c == 2 ? -1.0 : 0};
+        }
+        supports.push_back(s);
+    }
+    return supports;
+}
+
+double support_size(const Support& s, double least) { return std::max(least, s.section); }
+
+Actors support_actors(std::span<const Support> supports, const Camera& camera, double least) {
+    Mesh mesh(camera.target);
+    for (const Support& s : supports) {
+        // A little larger than the member's section.
+        const double em = support_size(s, least);
+        const Vec p = s.at, to = s.towards;
+        switch (s.kind) {
+            case Support::clamped:  // a plate across the member, behind its end
+                add_box(mesh, p + 0.16 * em * to, 0.8 * em * s.x, 0.8 * em * unit(cross(to, s.x)), 0.16 * em * to,
+                        support_colour);
+                break;
+            case Support::pinned: add_cone(mesh, p, p + 1.1 * em * to, 0.62 * em, round, support_colour); break;
+            case Support::roller: {
+                add_cone(mesh, p, p + 0.8 * em * to, 0.5 * em, round, support_colour);
+                const Vec side = std::abs(to[0]) < 0.5 ? Vec{1, 0, 0} : Vec{0, 0, 1};
+                for (const double d : {-0.3, 0.3})
+                    add_ball(mesh, p + 0.98 * em * to + d * em * side, 0.18 * em, round, support_colour);
+                break;
+            }
+            case Support::rotations:
+                add_box(mesh, p, {0.3 * em, 0, 0}, {0, 0.3 * em, 0}, {0, 0, 0.3 * em}, support_colour);
         }
     }
     return shaded(mesh);
@@ -124,6 +180,33 @@ namespace {
 double stands_out(const DrawnBar& bar, Vec direction) {
     const Vec along = bar.direction(0.5), x = bar.across(along);
     return std::abs(dot(direction, x)) * bar.shape.width / 2 + std::abs(dot(direction, bar.up)) * bar.shape.depth / 2;
+}
+
+}  // namespace
+
+namespace {
+
+/// Which arrows of a spread load on an element have their value beside them.
+struct Labelled {
+    bool first, middle, last;
+};
+
+/// A member has its load's value once where it is uniform, else those at its two ends: load k is of one of its
+/// elements, and the loads of the others stand beside it.
+Labelled labels_of(const Snapshot& snapshot, std::size_t k) {
+    const auto goes_on = [&](const Load& a, const Load& b) {
+        return a.kind == b.kind && b.at < 0 && b.bar == a.bar + 1 &&
+               snapshot.bars[static_cast<std::size_t>(a.bar)].member ==
+                   snapshot.bars[static_cast<std::size_t>(b.bar)].member;
+    };
+    std::size_t begin = k, end = k;
+    while (begin > 0 && snapshot.loads[begin - 1].bar >= 0 && goes_on(snapshot.loads[begin - 1], snapshot.loads[begin]))
+        --begin;
+    while (end + 1 < snapshot.loads.size() && goes_on(snapshot.loads[end], snapshot.loads[end + 1])) ++end;
+    const Vec from = snapshot.loads[begin].value[0], to = snapshot.loads[end].value[1];
+    if (length(to - from) > 1e-6 * std::max(length(from), length(to))) return {k == begin, false, k == end};
+    const std::size_t count = end - begin + 1, middle = begin + count / 2;
+    return {k == middle && count % 2 == 0, k == middle && count % 2 == 1, false};
 }
 
 }  // namespace
@@ -149,7 +232,8 @@ std::vector<Arrow> load_arrows(const Snapshot& snapshot, std::span<const DrawnBa
         const double long_ = size * (spread(l) ? 0.5 : 1) * (0.3 + 0.7 * value / full);
         arrows.push_back({tip - long_ / value * v, tip, l.kind == Load::moment, value, spread(l), labelled});
     };
-    for (const Load& l : snapshot.loads) {
+    for (std::size_t k = 0; k < snapshot.loads.size(); ++k) {
+        const Load& l = snapshot.loads[k];
         if (l.bar < 0) {
             const auto point = static_cast<std::size_t>(l.point);
             if (!at[point].empty()) add(l, drawn_at(snapshot, point, scale), l.value[0], true, at[point]);
@@ -161,10 +245,12 @@ std::vector<Arrow> load_arrows(const Snapshot& snapshot, std::span<const DrawnBa
             add(l, bar->at(l.at), l.value[0], true, {&bar, 1});
             continue;
         }
+        const Labelled at_arrow = labels_of(snapshot, k);
         const int n = std::clamp(static_cast<int>(bar->length() / (0.45 * size)), 2, 8);
         for (int i = 0; i <= n; ++i) {
             const double t = static_cast<double>(i) / n;
-            add(l, bar->at(t), (1 - t) * l.value[0] + t * l.value[1], i == n / 2, {&bar, 1});
+            add(l, bar->at(t), (1 - t) * l.value[0] + t * l.value[1],
+                (i == 0 && at_arrow.first) || (i == n / 2 && at_arrow.middle) || (i == n && at_arrow.last), {&bar, 1});
         }
     }
     return arrows;
@@ -212,7 +298,7 @@ void add_words(std::vector<Word>& to, std::span<const Arrow> arrows) {
         const std::string name = std::string(a.moment ? "N m" : "N") + (a.spread ? "/m" : "");
         const Unit unit = unit_for(a.value, name);
         Word w{a.moment ? a.tip : a.tail, short_number(a.value / unit.size) + " " + unit.name, load_colour};
-        w.size = 0.8, w.weight = a.value, w.away = a.moment ? Vec{0, 0, 3} : a.tail - a.tip;
+        w.size = 0.8, w.rank = 3, w.weight = a.value, w.away = a.moment ? Vec{0, 0, 3} : a.tail - a.tip;
         to.push_back(w);
     }
 }

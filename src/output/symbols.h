@@ -26,10 +26,23 @@ double sign_size(std::span<const DrawnBar> bars, const Camera& camera, double sh
 /// Dots where sections have ever been fully plastic, of whole elements.
 Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double unit);
 
-/// Blocks (nothing is free), cones (rotations are free) and cones on wheels (some displacements are). What is held at
-/// all nodes, as in plane models, does not count. `least`: m, how small they may be.
-Actors support_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view, double scale,
-                      const Camera& camera, double least);
+/// What holds a node.
+struct Support {
+    /// All is held; the rotations are free; some displacements are free; only rotations are held.
+    enum Kind { clamped, pinned, roller, rotations } kind;
+    Vec at, towards, x;  ///< m; of unit length: to the side where it stands, and across that
+    double section;      ///< m, the larger side of the member's section
+};
+
+/// What is held at all nodes out of the plane of a plane model does not count.
+std::vector<Support> find_supports(const Snapshot& snapshot, std::span<const DrawnBar> bars, const View& view,
+                                   double scale);
+
+/// How large it is drawn, m; at least `least`.
+double support_size(const Support& support, double least);
+
+/// Plates, cones, cones on wheels, and cubes.
+Actors support_actors(std::span<const Support> supports, const Camera& camera, double least);
 
 /// Where a load acts, as arrows in the scene.
 struct Arrow {

@@ -18,7 +18,9 @@ struct Place {
 int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, double low, double em) {
     std::vector<const Word*> order;
     for (const Word& w : words) order.push_back(&w);
-    std::stable_sort(order.begin(), order.end(), [](const Word* a, const Word* b) { return a->weight > b->weight; });
+    std::stable_sort(order.begin(), order.end(), [](const Word* a, const Word* b) {
+        return a->rank != b->rank ? a->rank > b->rank : a->weight > b->weight;
+    });
     std::vector<Place> taken;
     int left_out = 0;
     for (const Word* w : order) {
@@ -30,10 +32,18 @@ int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, d
         if (const double size = std::hypot(dx, dy); size > 0) dx /= size, dy /= size;
         const double gap = 0.35 * em;
         const double pad = 0.12 * em, edge = wide / 2 + 2 * pad;
-        const double x = std::clamp(p[0] + dx * (wide / 2 + gap), edge, std::max(edge, camera.width - edge)),
-                     y = low + p[1] + dy * (high / 2 + gap);
-        const Place place{x - wide / 2 - pad, y - high / 2 - pad, x + wide / 2 + pad, y + high / 2 + pad};
-        if (std::any_of(taken.begin(), taken.end(), [&](const Place& o) { return place.meets(o); })) {
+        double x = 0, y = 0;
+        Place place{};
+        const auto free_at = [&](double to_x, double to_y) {
+            x = std::clamp(p[0] + to_x * (wide / 2 + gap), edge, std::max(edge, camera.width - edge));
+            y = low + p[1] + to_y * (high / 2 + gap);
+            place = {x - wide / 2 - pad, y - high / 2 - pad, x + wide / 2 + pad, y + high / 2 + pad};
+            return std::none_of(taken.begin(), taken.end(), [&](const Place& o) { return place.meets(o); });
+        };
+        // Where it should stand, else beside that, else opposite.
+        const bool on_it = dx == 0 && dy == 0;
+        if (!free_at(dx, dy) && !free_at(on_it ? 0 : -dy, on_it ? 1 : dx) &&
+            !free_at(on_it ? 0 : dy, on_it ? -1 : -dx) && !free_at(on_it ? 1 : -dx, on_it ? 0 : -dy)) {
             ++left_out;
             continue;
         }

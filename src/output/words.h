@@ -14,7 +14,8 @@ struct Word {
     std::string text;
     Colour colour = ink;
     double size = 1;       ///< times the size of plain text
-    double weight = 0;     ///< where there is no room for all, those of large weight stay
+    int rank = 0;          ///< where there is no room for all, those of high rank stay,
+    double weight = 0;     ///< and among them those of large weight
     Vec away = {0, 0, 0};  ///< in the scene: to which side of the point it stands; zero: on it
     bool bold = false;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
+
 namespace hinge::script {
 namespace {
 
@@ -27,7 +29,8 @@ Direction named_direction(const std::string& name, const Direction& up) {
     if (name == "right") return right;
     if (name == "left") return sum(0, -1, 0);
     if (name == "top") return up;
-    return sum(1, -1, 1 / size);  // iso: the three axes are equally long
+    if (name == "iso") return sum(1, -1, 1 / size);  // the three axes are equally long
+    return sum(1.4, -1, 0.55 / size);
 }
 
 output::Show show_of(const std::string& name) {
@@ -52,9 +55,9 @@ void read_direction(Options& o, output::View& view) {
     if (!name.empty() && from)
         o.complain("from", "given beside view = '" + name + "'", "says where the eye is, too: give one of the two");
     if (from) view.from = {from->x(), from->y(), from->z()};
-    if (name.empty() || name == "perspective") return;
+    if (from) return;
     view.from = named_direction(name, view.up);
-    view.parallel = true;
+    view.parallel = !name.empty() && name != "perspective";
     if (name == "top") view.up = view.from == std::array<double, 3>{0, 1, 0} ? Direction{0, 0, -1} : Direction{0, 1, 0};
 }
 
@@ -86,6 +89,12 @@ void read_box(lua_State* L, Options& o, output::View& view) {
             (*view.box)[i] = lua_tonumber(L, -1);
             lua_pop(L, 1);
         }
+        for (int c : {0, 2, 4})
+            if (!((*view.box)[c] <= (*view.box)[c + 1]))
+                o.complain("box",
+                           std::string("a smallest ") + "xyz"[c / 2] + " of " + number_text((*view.box)[c]) +
+                               " m, above the largest, " + number_text((*view.box)[c + 1]) + " m",
+                           "must be { xmin, xmax, ymin, ymax, zmin, zmax }");
     }
     lua_pop(L, 1);
 }

@@ -65,6 +65,8 @@ differs("up", { up = { 0, 0, -1 } })
 differs("width", { width = 330 })
 equal(draw { view = "perspective", show = "f_y", scale = 1, ghost = false, supports = true, labels = false } == plain,
   true, "the defaults")
+equal(draw { up = { 0, 1, 0 } } == draw { up = { 0, 1, 0 }, from = { -1, 0.55, 1.4 } }, true,
+  "perspective with y upwards")
 equal(draw { view = "top" } == draw { view = "top", up = { 0, 0, 2 } }, true, "a longer up")
 
 -- Wrong fields.
@@ -84,6 +86,8 @@ for text, view in pairs {
   ["field 'width' is 9000 pixels; must be"] = { width = 9000 },
   ["field 'height' is 63 pixels; must be"] = { height = 63 },
   ["field 'largest' is -1 N or N m; must be"] = { largest = -1 },
+  ["field 'box' is a smallest y of 1 m, above the largest, 0 m; must be { xmin, xmax,"] =
+    { box = { 0, 1, 1, 0, 0, 1 } },
   ["no group 'beam' (did you mean 'beams'?)"] = { groups = { "beam" } },
   ["unknown field 'labels_' (did you mean 'labels'?)"] = { labels_ = true },
 } do

@@ -161,7 +161,7 @@ TEST_CASE("one stray fragment does not widen the frame", "[output]") {
     View view;
     view.width = 320;
     view.height = 240;
-    view.hinges = view.ground = false;  // the frame is that of the bars alone
+    view.hinges = view.ground = view.supports = false;  // the frame is that of the bars alone
     REQUIRE(render(folder / "fitted.png", snapshot, view) == "");
     view.box = {0, 160, 0, 0, 0, 3};  // the portal without the fragment
     REQUIRE(render(folder / "boxed.png", snapshot, view) == "");
@@ -434,6 +434,49 @@ TEST_CASE("supports and the ground are drawn", "[output]") {
         beam.snapshot.held.assign(3, plane);
         CHECK(spot(beam.draw(), support_colour).n < 5);
         CHECK(drawn(plane | 7).n == pinned.n);
+    }
+    SECTION("what the ends of a beam have in common is no plane") {
+        beam.snapshot.held = {7, 6, 6};
+        CHECK(spot(beam.draw(), support_colour).n > 2.5 * static_cast<double>(drawn(6).n) / 3);
+        beam.snapshot.held = {7 | 8, 0, 6};
+        const Spot both = spot(beam.draw(), support_colour);
+        CHECK(both.right - both.left > 0.9 * (spot(beam.draw(), class_colours[0], 60).right - both.left));
+    }
+    SECTION("a plate stays as the member stood at the start") {
+        const Spot before = drawn(63);
+        for (auto& p : beam.snapshot.points) p = {p[0] * 0.6, 0, p[0] * 0.8};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double x = 5.0 * static_cast<double>(i);
+            beam.snapshot.displacement[i] = {beam.snapshot.points[i][0] - x, 0, beam.snapshot.points[i][2]};
+        }
+        beam.view.box = {-1, 11, 0, 0, -1, 9};
+        const Spot after = drawn(63);
+        CHECK(after.bottom - after.top > 0.6 * (before.bottom - before.top));
+        CHECK(after.right - after.left < 0.5 * (after.bottom - after.top));
+    }
+    SECTION("a node whose member has broken off keeps it") {
+        beam.snapshot.held[0] = 63;
+        beam.snapshot.points.push_back({0.5, 0, -2});
+        beam.snapshot.displacement.push_back({0.5, 0, -2});
+        beam.snapshot.rotation.push_back({0, 0, 0});
+        beam.snapshot.is_virtual.push_back(1), beam.snapshot.held.push_back(0);
+        beam.snapshot.bars[0].point[0] = 3, beam.snapshot.bars[0].state = BarState::broken;
+        const auto support = [&] {
+            beam.view.supports = false;
+            const Image without = beam.draw();
+            beam.view.supports = true;
+            return beam.draw().pixels != without.pixels;
+        };
+        CHECK(support());
+        beam.snapshot.groups = {"another"}, beam.snapshot.bars[1].member = 2, beam.snapshot.memberships = {{2, 0}};
+        beam.view.groups = {0};  // without the broken member
+        CHECK(!support());
+    }
+    SECTION("the ground does not hide them") {
+        beam.view.from = {0, -1, 0.5};
+        const Spot without = drawn(7);
+        beam.snapshot.ground = {{{0, 0, 0.5}, {0, 0, 1}}};
+        CHECK(drawn(7).n > 0.8 * static_cast<double>(without.n));
     }
     SECTION("they can be left out") {
         beam.snapshot.held[0] = 63;

@@ -110,7 +110,7 @@ function options.read(given)
     scale = given.scale == "auto" and "auto" or number("--scale", given.scale, ", or auto", 1e9),
     ghost = given.ghost and true or nil, loads = given.loads and true or nil, labels = given.labels and true or nil,
     show = one_of("--show", given.show, view.shows), groups = group_list(given.groups),
-    title = given.title or not given.show and "f_y (eq 14)" or nil }
+    title = given.title or not given.show and "yield function f_y" or nil }
   what.format, what.note = possible_format(given)
   if not what.format then
     for _, name in ipairs { "fps", "seconds" } do

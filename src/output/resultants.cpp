@@ -1,0 +1,151 @@
+// What a bar carries along its length: from the forces at its ends and the loads on it.
+#include "output/resultants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/colours.h"
+
+namespace hinge::output {
+namespace {
+
+constexpr double plastic_from = 0.999;  // f_y reaches 1 only up to the tolerance of the return
+constexpr double at_end = 1e-6;         // share of the length: a point load so near to an end stands at it
+
+double square(double x) { return x * x; }
+
+bool has_forces(const Bar& bar) { return bar.N0 > 0 || bar.Mx0 > 0 || bar.My0 > 0 || bar.Mz0 > 0; }
+
+}  // namespace
+
+Resultants::Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<const Load* const> loads)
+    : bar_(&bar),
+      x_{{bar.Mx[0], bar.Mx[1]}, {bar.Qy[0], bar.Qy[1]}, 1, length},
+      y_{{bar.My[0], bar.My[1]}, {bar.Qx[0], bar.Qx[1]}, -1, length},
+      // Frames that hold no shear forces give the moments a straight course.
+      sheared_(bar.Qx[0] != 0 || bar.Qx[1] != 0 || bar.Qy[0] != 0 || bar.Qy[1] != 0) {
+    for (const Load* load : loads) {
+        const bool is_force = load->kind == Load::force;
+        const auto along = [&](const Vec& axis, int end) { return dot(load->value[end], axis); };
+        // A force along y bends about x, a moment about x does, too.
+        const auto add = [&](Bending& to, const Vec& force_axis, const Vec& moment_axis) {
+            const Vec& axis = is_force ? force_axis : moment_axis;
+            if (load->at < 0) {
+                for (int end : {0, 1}) (is_force ? to.q : to.m)[end] += along(axis, end);
+            } else {
+                to.points.push_back(
+                    {std::clamp(load->at, 0.0, 1.0), is_force ? along(axis, 0) : 0, is_force ? 0 : along(axis, 0)});
+            }
+        };
+        add(x_, y, x);
+        add(y_, x, y);
+    }
+    x_.close();
+    y_.close();
+}
+
+void Resultants::Bending::close() {
+    // A load at an end is inside the element where that is what the forces at its ends say; else the node has it.
+    std::vector<Point> ends;
+    for (Point& p : points) {
+        if (p.t > at_end && p.t < 1 - at_end) continue;
+        ends.push_back({std::clamp(p.t, at_end / 2, 1 - at_end / 2), p.force, p.moment});
+        p.force = p.moment = 0;
+    }
+    std::erase_if(points, [](const Point& p) { return p.force == 0 && p.moment == 0; });
+    shear_left = moment_left = 0;
+    for (const Point& p : ends) {
+        const double Q_off = Q[1] - shear(1), M_off = M[1] - moment(1);
+        if (p.force != 0 ? std::abs(Q_off + p.force) < std::abs(Q_off) : std::abs(M_off + p.moment) < std::abs(M_off))
+            points.push_back(p);
+    }
+    shear_left = Q[1] - shear(1);
+    moment_left = M[1] - moment(1);
+}
+
+double Resultants::Bending::shear(double t) const {
+    double Q_t = Q[0] - length * (q[0] * t + (q[1] - q[0]) * t * t / 2) + shear_left * t;
+    for (const Point& p : points)
+        if (p.t < t) Q_t -= p.force;
+    return Q_t;
+}
+
+double Resultants::Bending::shear_area(double t) const {
+    double sum = Q[0] * t - length * (q[0] * t * t / 2 + (q[1] - q[0]) * t * t * t / 6) + shear_left * t * t / 2;
+    for (const Point& p : points) sum -= p.force * std::max(0.0, t - p.t);
+    return sum;
+}
+
+double Resultants::Bending::moment(double t) const {
+    double M_t =
+        M[0] + sign * length * shear_area(t) - length * (m[0] * t + (m[1] - m[0]) * t * t / 2) + moment_left * t;
+    for (const Point& p : points)
+        if (p.t < t) M_t -= p.moment;
+    return M_t;
+}
+
+double Resultants::at(Show which, double t) const {
+    const auto straight = [&](const double(&m)[2]) { return m[0] + t * (m[1] - m[0]); };
+    const auto slope = [&](const double(&m)[2]) { return (m[1] - m[0]) / x_.length; };
+    switch (which) {
+        case Show::N: return bar_->N;
+        case Show::Mz: return bar_->Mz;
+        case Show::Mx: return sheared_ ? x_.moment(t) : straight(x_.M);
+        case Show::My: return sheared_ ? y_.moment(t) : straight(y_.M);
+        case Show::Qx: return sheared_ ? y_.shear(t) : -slope(y_.M);
+        case Show::Qy: return sheared_ ? x_.shear(t) : slope(x_.M);
+        default: return 0;
+    }
+}
+
+double Resultants::yield_at(double t) const {
+    if (!has_forces(*bar_)) return bar_->yield;
+    const auto part = [](double force, double limit) { return limit > 0 ? square(force / limit) : 0; };
+    const double f_y = part(bar_->N, bar_->N0) + part(at(Show::Mx, t), bar_->Mx0) + part(at(Show::My, t), bar_->My0) +
+                       part(bar_->Mz, bar_->Mz0);
+    // N is that of the end where it is larger. Between its ends a load can bend it more than there.
+    return jumps().empty() && x_.q[0] == 0 && x_.q[1] == 0 && y_.q[0] == 0 && y_.q[1] == 0 ? std::min(f_y, bar_->yield)
+                                                                                           : std::min(f_y, 1.0);
+}
+
+int Resultants::class_at(double t) const {
+    if (bar_->state == BarState::broken) return broken_class;
+    const double f_y = yield_at(t);
+    if (f_y >= plastic_from) return plastic_class;
+    // Written so that a value that is not a number gives the lowest band.
+    return f_y > 0 ? std::min(static_cast<int>(f_y * 5), plastic_class - 1) : 0;
+}
+
+std::vector<double> Resultants::class_changes() const {
+    constexpr int samples = 16;
+    std::vector<double> at{0};
+    if (bar_->state != BarState::broken && has_forces(*bar_)) {
+        int before = class_at(0);
+        for (int i = 1; i <= samples; ++i) {
+            const double t = static_cast<double>(i) / samples;
+            const int now = class_at(t);
+            if (now != before) {
+                double low = t - 1.0 / samples, high = t;
+                for (int k = 0; k < 6; ++k) {
+                    const double middle = (low + high) / 2;
+                    (class_at(middle) == before ? low : high) = middle;
+                }
+                at.push_back((low + high) / 2);
+            }
+            before = now;
+        }
+    }
+    at.push_back(1);
+    return at;
+}
+
+std::vector<double> Resultants::jumps() const {
+    std::vector<double> at;
+    for (const Bending* b : {&x_, &y_})
+        for (const Bending::Point& p : b->points) at.push_back(p.t);
+    std::sort(at.begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
+    return at;
+}
+
+}  // namespace hinge::output

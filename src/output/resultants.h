@@ -1,0 +1,49 @@
+// What a bar carries along its length: from the forces at its ends and the loads on it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "output/framing.h"
+#include "output/picture.h"
+
+namespace hinge::output {
+
+class Resultants {
+public:
+    /// `x`, `y`: the section's axes in space, of unit length. `loads`: those of the snapshot that act on the bar.
+    Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<const Load* const> loads);
+
+    /// One of N to Mz, N or N m, at a share t of the length, 0 to 1. Moments have the shear forces as slopes.
+    double at(Show which, double t) const;
+    /// f_y of eq 14 there, or the larger of the ends' where the snapshot has no forces.
+    double yield_at(double t) const;
+    /// Its class of colour there.
+    int class_at(double t) const;
+    /// Where along the bar the class of its colour changes: rising, from 0 to 1.
+    std::vector<double> class_changes() const;
+    /// Where point loads act between its ends: the shear force jumps there.
+    std::vector<double> jumps() const;
+
+private:
+    /// Bending about one axis: dQ/dz = -q and dM/dz = sign Q - m, with z along the bar.
+    struct Bending {
+        struct Point {
+            double t, force, moment;
+        };
+        double M[2], Q[2], sign, length;
+        double q[2] = {0, 0}, m[2] = {0, 0};  ///< per length, linear between the ends
+        std::vector<Point> points;
+        double shear_left = 0, moment_left = 0;  ///< what inertia adds to Q and M from end to end, linearly
+
+        void close();
+        double shear(double t) const;
+        double shear_area(double t) const;  ///< integral of the shear force up to t, over the length
+        double moment(double t) const;
+    };
+    const Bar* bar_;
+    Bending x_, y_;  ///< about the section's x axis: Mx, Qy; and about y: My, Qx
+    bool sheared_;
+};
+
+}  // namespace hinge::output

@@ -1,0 +1,126 @@
+// Forces and moments along a bar, from those at its ends and the loads on it, against closed forms.
+#include "output/resultants.h"
+
+#include <limits>
+
+#include "helpers.h"
+
+using namespace hinge::output;
+
+namespace {
+
+constexpr double L = 8;
+
+/// A bar along z with the section's axes x and y, simply supported about both; its loads are in space.
+struct Supported {
+    Bar bar{{0, 1}, 0, BarState::elastic, -1, 1, 1, 0.3};
+    std::vector<Load> loads;
+    Resultants carries() const {
+        std::vector<const Load*> on;
+        for (const Load& l : loads) on.push_back(&l);
+        return {bar, L, {1, 0, 0}, {0, 1, 0}, on};
+    }
+};
+
+/// Moments Mx, My and shear forces Qy, Qx at t.
+void check(const Resultants& r, double t, double Mx, double Qy, double My, double Qx) {
+    INFO("t = " << t);
+    CHECK(r.at(Show::Mx, t) == Approx(Mx).margin(1e-9));
+    CHECK(r.at(Show::Qy, t) == Approx(Qy).margin(1e-9));
+    CHECK(r.at(Show::My, t) == Approx(My).margin(1e-9));
+    CHECK(r.at(Show::Qx, t) == Approx(Qx).margin(1e-9));
+}
+
+}  // namespace
+
+TEST_CASE("a point load on a simply supported bar: a kink in M, a step in Q") {
+    Supported s;
+    const double P = 100, a = 0.25, Q0 = -P * (1 - a), Q1 = P * a;
+    s.bar.Qy[0] = Q0, s.bar.Qy[1] = Q1;  // against y: the fibres away from y are in tension, Mx < 0
+    s.loads = {{Load::force, -1, 0, a, {{0, -P, 0}, {0, 0, 0}}}};
+    Resultants r = s.carries();
+    check(r, 0.125, Q0 * 1, Q0, 0, 0);
+    check(r, a - 1e-9, Q0 * 2, Q0, 0, 0);
+    check(r, a + 1e-9, Q0 * 2, Q1, 0, 0);  // -150
+    check(r, 0.625, -Q1 * 3, Q1, 0, 0);
+    check(r, 1, 0, Q1, 0, 0);
+    CHECK(r.jumps() == std::vector<double>{a});
+    SECTION("along x it bends about y the other way round") {
+        s = {};
+        s.bar.Qx[0] = Q0, s.bar.Qx[1] = Q1;
+        s.loads = {{Load::force, -1, 0, a, {{-P, 0, 0}, {0, 0, 0}}}};
+        r = s.carries();
+        check(r, a + 1e-9, 0, 0, -Q0 * 2, Q1);
+        check(r, 0.625, 0, 0, Q1 * 3, Q1);
+    }
+    SECTION("at an end it acts on the node") {
+        s.loads[0].at = 0;
+        s.bar.Qy[0] = s.bar.Qy[1] = 0;
+        s.bar.Mx[0] = 3, s.bar.Mx[1] = 3;
+        check(s.carries(), 0.5, 3, 0, 0, 0);
+        CHECK(s.carries().jumps().empty());
+        // or is inside, where the shear force at that end is the one before it
+        s.bar.Mx[0] = -150, s.bar.Mx[1] = 50;
+        s.bar.Qy[0] = -75, s.bar.Qy[1] = 25;
+        check(s.carries(), 0, -150, -75, 0, 0);
+        check(s.carries(), 0.25, -100, 25, 0, 0);
+        s.loads[0].at = 1;
+        s.bar.Mx[0] = 0, s.bar.Mx[1] = -600;
+        check(s.carries(), 0.5, -300, -75, 0, 0);
+    }
+}
+
+TEST_CASE("spread loads: M is a parabola or a cubic") {
+    Supported s;
+    const double w = 10;
+    SECTION("uniform") {
+        s.bar.Qy[0] = -w * L / 2, s.bar.Qy[1] = w * L / 2;
+        s.loads = {{Load::force, -1, 0, -1, {{0, -w, 0}, {0, -w, 0}}}};
+        const Resultants r = s.carries();
+        check(r, 0.5, -w * L * L / 8, 0, 0, 0);
+        check(r, 0.25, -w * L * L * 3 / 32, -w * L / 4, 0, 0);
+        CHECK(r.jumps().empty());
+    }
+    SECTION("a triangle") {
+        s.bar.Qy[0] = -w * L / 6, s.bar.Qy[1] = w * L / 3;
+        s.loads = {{Load::force, -1, 0, -1, {{0, 0, 0}, {0, -w, 0}}}};
+        const double z = 0.5 * L;
+        check(s.carries(), 0.5, -w * L * z / 6 + w * z * z * z / (6 * L), -w * L / 6 + w * z * z / (2 * L), 0, 0);
+    }
+    SECTION("a moment per length") {
+        s.bar.Qy[0] = s.bar.Qy[1] = 5;  // dM/dz = Q - m = 0
+        s.loads = {{Load::moment, -1, 0, -1, {{5, 0, 0}, {5, 0, 0}}}};
+        check(s.carries(), 0.3, 0, 5, 0, 0);
+    }
+    SECTION("without a load, what the ends have in common: inertia, weight") {
+        s.bar.Qy[0] = -w * L / 2, s.bar.Qy[1] = w * L / 2;
+        check(s.carries(), 0.5, -w * L * L / 8, 0, 0, 0);
+    }
+}
+
+TEST_CASE("a moment at a point: a step in M") {
+    Supported s;
+    const double m = 24;
+    s.bar.Qy[0] = s.bar.Qy[1] = m / L;
+    s.loads = {{Load::moment, -1, 0, 0.5, {{m, 0, 0}, {0, 0, 0}}}};
+    check(s.carries(), 0.5 - 1e-12, m / 2, m / L, 0, 0);
+    check(s.carries(), 0.5 + 1e-12, -m / 2, m / L, 0, 0);
+    check(s.carries(), 1, 0, m / L, 0, 0);
+}
+
+TEST_CASE("f_y between the ends is that of the moment there") {
+    Supported s;
+    s.bar.Mx0 = 200, s.bar.N0 = 1e3, s.bar.yield = 0;
+    s.bar.Qy[0] = -75, s.bar.Qy[1] = 25;
+    s.loads = {{Load::force, -1, 0, 0.25, {{0, -100, 0}, {0, 0, 0}}}};
+    const Resultants r = s.carries();
+    CHECK(r.yield_at(0.25) == Approx(0.5625));  // (150 / 200)^2
+    CHECK(r.class_at(0.25) == 2);
+    CHECK(r.class_at(0) == 0);
+    const auto at = r.class_changes();
+    REQUIRE(at.size() == 6);  // 0.2 and 0.4 on both sides
+    CHECK(at[1] == Approx(std::sqrt(0.2) * 200 / 75 / L).epsilon(0.02));
+    CHECK(at[4] == Approx(1 - std::sqrt(0.2) * 200 / 25 / L).epsilon(0.02));
+    s.bar.Mx[0] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(s.carries().class_at(0.5) == 0);
+}
