@@ -47,7 +47,7 @@ function job:picture(run, view, filename) end
 ---largest one is about a twentieth of the structure. The picture says the factor
 ---@field scale? number|"auto"
 ---what is shown of the members. f_y (default), group or none: by their colour. The others draw a diagram along them
----with the largest value of each member: N, the shear forces Qx and Qy in N, and Mx, My and the torsion Mz in N m, in
+---with the largest values of each member: N, the shear forces Qx and Qy in N, and Mx, My and the torsion Mz in N m, in
 ---the section's axes. Moments lie on the side in tension
 ---@field show? "f_y"|"group"|"none"|"N"|"Qx"|"Qy"|"Mx"|"My"|"Mz"
 ---N or N m; the value that a diagram draws in full size, so that several pictures have one scale; default: its largest

@@ -64,7 +64,8 @@ struct Entry {
     double radius = 0;  ///< of a dot, pixels
 };
 
-std::vector<Entry> legend(const Told& told, double em) {
+/// `dots`: how many tell the sizes of hinges.
+std::vector<Entry> legend(const Told& told, int dots) {
     std::vector<Entry> entries;
     const View& view = told.view;
     if (told.diagram && !told.diagram->empty()) {
@@ -103,23 +104,29 @@ std::vector<Entry> legend(const Told& told, double em) {
         entries.push_back({"fractured", class_colours[broken_class], 4.4, 0.7});
     if (told.dot_unit > 0)
         for (const double rotation : {0.01, 0.05, 0.2}) {
+            if (dots == 0 || (dots == 1 && rotation != 0.2)) continue;
             char text[32];
             std::snprintf(text, sizeof text, rotation < 0.2 ? "%g" : "%g rad", rotation);
-            entries.push_back({text, class_colours[plastic_class], rotation < 0.2 ? 2.6 : 3.8,
-                               rotation == 0.01 ? 1.4 : 0, dot_radius(rotation, told.dot_unit)});
+            entries.push_back({text, class_colours[plastic_class], rotation < 0.2 ? 3.0 : 4.2,
+                               rotation == (dots == 1 ? 0.2 : 0.01) ? 1.4 : 0, dot_radius(rotation, told.dot_unit)});
         }
     return entries;
 }
 
 void draw_legend(Pen& pen, const Told& told, double em) {
     const View& view = told.view;
-    const std::vector<Entry> entries = legend(told, em);
+    // Beside the axes, which stand on the left. Where it is too narrow for that it has fewer dots, and all shrinks.
+    std::vector<Entry> entries;
+    double total = 0, dots_wide = 0, fit = 0;
+    for (const int sizes : {3, 1, 0}) {
+        entries = legend(told, sizes);
+        total = dots_wide = 0;
+        for (const Entry& e : entries) total += e.wide + e.gap, dots_wide += 2 * e.radius;
+        fit = std::clamp((view.width - 2 * 7.5 * em - dots_wide) / em / std::max(total, 1e-9), 0.3, 1.0);
+        if (fit > 0.7) break;
+    }
     if (entries.empty()) return;
-    double total = 0, dots_wide = 0;
-    for (const Entry& e : entries) total += e.wide + e.gap, dots_wide += 2 * e.radius;
-    // Beside the axes, which stand on the left; where it is too narrow for that, all shrinks.
-    const double room = (view.width - 2 * 7.5 * em - dots_wide) / em, fit = std::clamp(room / total, 0.3, 1.0),
-                 unit = fit * em;
+    const double unit = fit * em;
     const double high = 0.85 * em, foot = 1.15 * em;
     double x = (view.width - total * unit - dots_wide) / 2;
     const double symbol = x - 0.9 * em;
