@@ -31,7 +31,8 @@ void add_points(std::vector<Vec>& to, std::span<const DrawnBar> bars, const Diag
 std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> bars, const Diagram& diagram,
                                                       const Camera& camera, double line);
 
-/// Each member's largest values above and below zero; none of a member that is seen from its end. `em`: pixels, the size of text.
+/// Each member's largest values above and below zero; none of a member that is seen from its end. `em`: pixels, the
+/// size of text.
 void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diagram& diagram, const Camera& camera,
                double em);
 
