@@ -119,7 +119,9 @@ function job:plot(what, choice, filename) end
 ---@class hinge.panels several plots in one picture
 ---@field panels hinge.plot[] without width and height
 ---@field columns? integer panels in a row, default 1; those of a column have their axes in line
----@field share_x? boolean true: the panels of a column have one x axis, which stands below the lowest; default false
+---true: the panels of a column have one x axis, which stands below the lowest; an x_range that one of them has holds for
+---all, and two that differ are an error; default false
+---@field share_x? boolean
 ---@field title? string above all
 ---@field width? integer pixels, default 1200; 800 for each of several columns
 ---@field height? integer pixels, default 160 and 420 for each row; 600 for one row
@@ -141,6 +143,8 @@ function job:plot(what, choice, filename) end
 ---@field colour? string|number[]
 ---texts beside the points, placed so that they hide little; those of bars stand at their ends. "" for none
 ---@field labels? string[]
+---true: drawn lighter; its labels are grey, and left out where there is no room; default false
+---@field faint? boolean
 
 ---@class hinge.plot_line a level or upright line, thin and grey
 ---@field x? number the line is upright, there

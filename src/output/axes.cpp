@@ -159,7 +159,7 @@ void Axes::set_margins() {
     margins_.bottom = !words_below_ ? 0.9 * em_
                                     : (turned_ ? 1.4 * em_ + std::min(widest(x_), category_room_) : 2.4 * em_) +
                                           (panel_.x_label.empty() ? 0 : 1.7 * em_);
-    margins_.top = (panel_.title.empty() ? 1.2 : 2.5) * em_ + (y_.scale.empty() ? 0 : 1.2 * em_);
+    margins_.top = (panel_.title.empty() ? 1.2 : 2.5) * em_ + room_for_scale();
 }
 
 void Axes::set_frame(const Box& frame, double left) {
@@ -218,14 +218,14 @@ void Axes::draw_frame() const {
         tick_text(frame_.right, frame_.bottom - 2.1 * em_, {0, times, x_.scale}, {.across = 1, .upright = 1});
 }
 
-void Axes::draw_words() const {
+void Axes::draw_words(double above) const {
     const double middle = (frame_.left + frame_.right) / 2, width = frame_.right - frame_.left + margins_.right;
     const auto put = [&](double x, double y, const std::string& words, TextStyle style, double room) {
         const Fitted fitted = fit(pen_, words, style, room);
         pen_.text(x, y, fitted.words, fitted.style);
     };
-    put(middle, frame_.top + margins_.top - 1.2 * em_, panel_.title, {.size = 1.1 * em_, .bold = true, .across = 0.5},
-        width);
+    put(middle, frame_.top + margins_.top + above - 1.2 * em_, panel_.title,
+        {.size = 1.1 * em_, .bold = true, .across = 0.5}, width);
     if (words_below_)
         put(middle, frame_.bottom - margins_.bottom + 1.5 * em_, panel_.x_label, {.size = em_, .across = 0.5},
             width - (x_.scale.empty() ? 0 : 8 * em_));

@@ -57,13 +57,16 @@ public:
     double em() const { return em_; }
     Pen& pen() const { return pen_; }
     const TextStyle& label() const { return label_; }
+    /// Room right above the frame that the power of its numbers takes.
+    double room_for_scale() const { return y_.scale.empty() ? 0 : 1.2 * em_; }
 
     /// What is not positive on a logarithmic axis lies at its end.
     Pixel pixel(double x, double y) const;
 
     void draw_grid() const;
     void draw_frame() const;
-    void draw_words() const;
+    /// `above`: what stands between the frame and the title.
+    void draw_words(double above) const;
 
 private:
     void set_ranges(double width, double height, Range extent);

@@ -54,6 +54,32 @@ std::vector<std::vector<Pixel>> clip(const std::vector<Pixel>& curve, const Box&
     return pieces;
 }
 
+bool crosses(const std::vector<Pixel>& curve, const Box& box) {
+    if (curve.size() == 1) return box.holds(curve[0][0], curve[0][1]);
+    double from, to;
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+        if (inside(curve[i], curve[i + 1], box, from, to)) return true;
+    return false;
+}
+
+bool crosses(const Strip& strip, const Box& box) {
+    for (std::size_t i = 0; i + 1 < strip.low.size(); ++i) {
+        const std::size_t a = strip.low[i][0] <= strip.low[i + 1][0] ? i : i + 1, b = 2 * i + 1 - a;
+        const double x[2] = {strip.low[a][0], strip.low[b][0]};
+        const double from = std::max(x[0], box.left), to = std::min(x[1], box.right);
+        if (from > to) continue;
+        double low = box.top, high = box.bottom;
+        for (const double at : {from, to}) {
+            const double share = x[1] > x[0] ? (at - x[0]) / (x[1] - x[0]) : 0;
+            const double p = strip.low[a][1] + share * (double(strip.low[b][1]) - strip.low[a][1]);
+            const double q = strip.high[a][1] + share * (double(strip.high[b][1]) - strip.high[a][1]);
+            low = std::min({low, p, q}), high = std::max({high, p, q});
+        }
+        if (low < box.top && high > box.bottom) return true;
+    }
+    return false;
+}
+
 Strip clip(const Strip& strip, const Box& box) {
     Strip cut;
     const auto add = [&](const Pixel& low, const Pixel& high) {

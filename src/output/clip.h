@@ -27,6 +27,10 @@ struct Strip {
 };
 Strip clip(const Strip& strip, const Box& box);
 
+/// Whether some of a curve, or of a strip, is inside the box. A curve of one point is a point.
+bool crosses(const std::vector<Pixel>& curve, const Box& box);
+bool crosses(const Strip& strip, const Box& box);
+
 /// The curve with at most four points to each column of pixels; what is drawn stays the same.
 std::vector<Pixel> thin(const std::vector<Pixel>& curve);
 

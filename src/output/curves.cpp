@@ -30,6 +30,14 @@ bool is_dashed(const Series& series, std::size_t place) {
     return series.dashed != (!series.colour && place / std::size(curve_colours) % 2 == 1);
 }
 
+/// The colour as drawn.
+Colour Curves::paint_of(std::size_t series) const {
+    Colour colour = colour_of(panel_.series[series], series);
+    if (panel_.series[series].faint)
+        for (auto& part : colour) part = static_cast<std::uint8_t>(std::lround(0.42 * part + 0.58 * 255));
+    return colour;
+}
+
 double Curves::curve_width() const { return std::max(1.5, em_ / 9); }
 
 double Curves::dot_radius(const Series& series) const {
@@ -47,6 +55,26 @@ std::vector<std::vector<Pixel>> Curves::runs(const Series& s) const {
         }
         for (auto& piece : clip(thin(run), axes_.frame())) all.push_back(std::move(piece));
         run.clear();
+    }
+    return all;
+}
+
+/// Points of a curve that no line shows, for there is none beside them, or it has no length: they get dots.
+std::vector<Pixel> Curves::lone_points(const Series& s) const {
+    std::vector<Pixel> all;
+    if (s.style != SeriesStyle::line) return all;
+    Pixel first{};
+    bool alone = false;
+    for (std::size_t i = 0; i <= s.x.size(); ++i) {
+        if (i < s.x.size() && drawable(panel_, s, i)) {
+            const Pixel p = axes_.pixel(s.x[i], s.y[i]);
+            const bool begins = i == 0 || !drawable(panel_, s, i - 1);
+            if (begins) first = p;
+            alone = begins || (alone && std::hypot(p[0] - first[0], p[1] - first[1]) < 0.5);
+            continue;
+        }
+        if (alone && axes_.frame().holds(first[0], first[1], 1)) all.push_back(first);
+        alone = false;
     }
     return all;
 }
@@ -100,7 +128,7 @@ void Curves::draw_run(const std::vector<Pixel>& run, bool dashed, Colour colour)
 
 void Curves::draw_series(std::size_t i) const {
     const Series& s = panel_.series[i];
-    const Colour colour = colour_of(s, i);
+    const Colour colour = paint_of(i);
     const bool dashed = is_dashed(s, i);
     if (s.style == SeriesStyle::bars) {
         const double gap = em_ / 14;
@@ -121,6 +149,7 @@ void Curves::draw_series(std::size_t i) const {
     }
     if (s.style != SeriesStyle::points)
         for (const auto& run : runs(s)) draw_run(run, dashed, colour);
+    for (const Pixel& p : lone_points(s)) axes_.pen().dot(p[0], p[1], lone_radius(), colour);
     if (s.style == SeriesStyle::line) return;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
         if (!drawable(panel_, s, k)) continue;
@@ -143,7 +172,7 @@ void Curves::draw() const {
 
 void Curves::draw_sample(std::size_t i, double left, double right, double middle) const {
     const Series& s = panel_.series[i];
-    const Colour colour = colour_of(s, i);
+    const Colour colour = paint_of(i);
     if (s.style == SeriesStyle::band || s.style == SeriesStyle::bars)
         return axes_.pen().box(left, middle - 0.35 * em_, right - left, 0.7 * em_, colour,
                                s.style == SeriesStyle::band ? band_opacity : 1);
@@ -151,6 +180,50 @@ void Curves::draw_sample(std::size_t i, double left, double right, double middle
     if (s.style != SeriesStyle::points)
         draw_run({{static_cast<float>(left), at}, {static_cast<float>(right), at}}, is_dashed(s, i), colour);
     if (s.style != SeriesStyle::line) axes_.pen().dot((left + right) / 2, middle, dot_radius(s), colour);
+}
+
+/// A bar with its label behind its end.
+Box Curves::with_label(const Box& bar, const Series& s, std::size_t i) const {
+    if (i >= s.labels.size() || s.labels[i].empty()) return bar;
+    Box box = bar;
+    const bool flat = lies(panel_), back = (flat ? s.x[i] : s.y[i]) < 0;
+    const auto [wide, high] = axes_.pen().size_of(s.labels[i], {.size = bar_label_size * em_});
+    const double long_ = (flat ? wide : std::max(high, bar_label_size * em_)) + 0.35 * em_;
+    (flat ? back ? box.left : box.right : back ? box.bottom : box.top) += back ? -long_ : long_;
+    const double across = flat ? 0 : std::max(0.0, (wide - (box.right - box.left)) / 2);
+    return {box.left - across, box.bottom, box.right + across, box.top};
+}
+
+Drawn Curves::drawn() const {
+    Drawn all;
+    for (std::size_t i = 0; i < panel_.series.size(); ++i) {
+        const Series& s = panel_.series[i];
+        if (s.style == SeriesStyle::bars) {
+            const auto boxes = bars(i);
+            for (std::size_t k = 0; k < boxes.size(); ++k)
+                if (boxes[k].right > boxes[k].left) all.boxes.push_back(with_label(boxes[k], s, k));
+            continue;
+        }
+        if (s.style == SeriesStyle::band) {
+            for (Strip& strip : strips(s)) all.strips.push_back(std::move(strip));
+            continue;
+        }
+        if (s.style != SeriesStyle::points)
+            for (auto& run : runs(s)) all.curves.push_back(std::move(run));
+        for (const Pixel& p : lone_points(s)) all.dots.push_back({p, lone_radius()});
+        if (s.style == SeriesStyle::line) continue;
+        for (std::size_t k = 0; k < s.x.size(); ++k)
+            if (drawable(panel_, s, k)) all.dots.push_back({axes_.pixel(s.x[k], s.y[k]), dot_radius(s)});
+    }
+    for (const Box& name : name_boxes()) all.boxes.push_back(name);
+    const Box& f = axes_.frame();
+    for (const ReferenceLine& line : panel_.lines)
+        if (const auto at = place_of(line)) {
+            const auto a = static_cast<float>(*at);
+            all.lines.push_back(line.upright ? std::vector<Pixel>{{a, float(f.bottom)}, {a, float(f.top)}}
+                                             : std::vector<Pixel>{{float(f.left), a}, {float(f.right), a}});
+        }
+    return all;
 }
 
 std::vector<Pixel> Curves::places_of_series(double apart) const {
@@ -177,6 +250,7 @@ std::vector<Pixel> Curves::places_of_series(double apart) const {
         if (s.style != SeriesStyle::points)
             for (const auto& run : runs(s))
                 for (std::size_t k = 0; k + 1 < run.size(); ++k) add_places(all, run[k], run[k + 1], apart);
+        for (const Pixel& p : lone_points(s)) all.insert(all.end(), 4, p);
         if (s.style != SeriesStyle::line)
             for (std::size_t k = 0; k < s.x.size(); ++k)
                 if (drawable(panel_, s, k)) all.insert(all.end(), s.x.size() > 60 ? 1 : 4, axes_.pixel(s.x[k], s.y[k]));

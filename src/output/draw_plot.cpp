@@ -43,7 +43,7 @@ public:
         header_ = plot.title.empty() ? 0 : (alone() ? 1.8 : 2.6) * em_;
         cell_height_ = (height_ - header_) / static_cast<double>(rows_);
         make_parts();
-        set_frames();
+        set_frames_and_legends();
     }
 
     void draw() {
@@ -51,7 +51,7 @@ public:
             part.axes.draw_grid();
             part.curves.draw();
             part.axes.draw_frame();
-            part.axes.draw_words();
+            part.axes.draw_words(part.legend.room_above());
             if (!shows_something(part.axes.panel())) say_nothing(part.axes.frame());
             draw_labels(part.axes, part.curves, part.legend.box());
             part.legend.draw();
@@ -89,7 +89,9 @@ private:
     void set_frames() {
         std::vector<Margins4> of_column(columns_), of_row(rows_);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const Margins4 m = parts_[i].axes.margins();
+            Margins4 m = parts_[i].axes.margins();
+            m.right += parts_[i].legend.room_beside();
+            m.top += parts_[i].legend.room_above();
             Margins4 &c = of_column[column(i)], &r = of_row[row(i)];
             c.left = std::max(c.left, m.left);
             c.right = std::max(c.right, m.right);
@@ -106,22 +108,23 @@ private:
             foot[k] = top - of_row[k].top - high;
             top = foot[k] - of_row[k].bottom;
         }
-        const auto set = [&](std::size_t i, double beside) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
             const Margins4& c = of_column[column(i)];
             const double left = cell_width_ * static_cast<double>(column(i));
-            const double right = std::max(left + cell_width_ - c.right - beside, left + c.left + em_);
+            const double right = std::max(left + cell_width_ - c.right, left + c.left + em_);
             parts_[i].axes.set_frame({left + c.left, foot[row(i)], right, foot[row(i)] + high}, c.left);
-        };
-        std::vector<double> beside(columns_), own(parts_.size());
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            set(i, 0);
-            own[i] = parts_[i].legend.room_beside();
-            beside[column(i)] = std::max(beside[column(i)], own[i]);
         }
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            set(i, beside[column(i)]);
-            parts_[i].legend.place(own[i] > 0);
+    }
+
+    /// A legend that goes outside makes frames smaller, so that another one may find no place any more.
+    void set_frames_and_legends() {
+        for (bool moved = true; moved;) {
+            set_frames();
+            moved = false;
+            for (Part& part : parts_)
+                if (part.legend.goes_outside()) moved = true;
         }
+        for (Part& part : parts_) part.legend.place();
     }
 
     void say_nothing(const Box& f) {
@@ -170,6 +173,19 @@ void check_plot(const Plot& plot) {
                          (log ? ", positive on a logarithmic axis" : ""));
 }
 
+/// With share_x the panels of a column have the x_range that one of them has.
+Plot with_shared_ranges(Plot plot) {
+    const std::size_t columns = std::clamp<std::size_t>(std::size_t(plot.columns), 1, plot.panels.size());
+    for (std::size_t c = 0; c < columns && plot.share_x; ++c) {
+        std::optional<std::array<double, 2>> range;
+        for (std::size_t i = c; i < plot.panels.size(); i += columns)
+            if (!range) range = plot.panels[i].x_range;
+        for (std::size_t i = c; i < plot.panels.size(); i += columns)
+            if (plot.panels[i].x_categories.empty()) plot.panels[i].x_range = range;
+    }
+    return plot;
+}
+
 bool ends_in_svg(const std::string& path) {
     if (path.size() < 4) return false;
     std::string end = path.substr(path.size() - 4);
@@ -179,9 +195,10 @@ bool ends_in_svg(const std::string& path) {
 
 }  // namespace
 
-std::string draw_plot(const std::string& path, const Plot& plot, int width, int height) {
+std::string draw_plot(const std::string& path, const Plot& given, int width, int height) {
     check_size(width, height);
-    check_plot(plot);
+    check_plot(given);
+    const Plot plot = with_shared_ranges(given);
     if (ends_in_svg(path)) {
         SvgPen pen(width, height, plot.title);
         Drawing(pen, plot, width, height).draw();

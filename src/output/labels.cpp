@@ -15,7 +15,8 @@ struct Label {
     double width, height;
     Box at{};
     double cost = 0;
-    bool led = false;  ///< a thin line leads from it to its point
+    bool led = false;     ///< a thin line leads from it to its point
+    bool may_go = false;  ///< where it finds no room
 };
 
 constexpr double pi = 3.14159265358979323846;
@@ -34,7 +35,12 @@ double distance(const Box& b, const Pixel& p) {
 class Placement {
 public:
     Placement(const Axes& axes, const Curves& curves, const Box& legend, std::vector<Label> labels)
-        : axes_(axes), legend_(legend), em_(axes.em()), labels_(std::move(labels)), places_(curves.places(0.5 * em_)) {
+        : axes_(axes),
+          legend_(legend),
+          em_(axes.em()),
+          labels_(std::move(labels)),
+          places_(curves.places(0.5 * em_)),
+          dots_(curves.drawn().dots) {
         cells_across_ = std::max(1, static_cast<int>((axes.frame().right - axes.frame().left) / cell()) + 1);
         cells_up_ = std::max(1, static_cast<int>((axes.frame().top - axes.frame().bottom) / cell()) + 1);
         cells_.resize(std::size_t(cells_across_) * cells_up_);
@@ -45,7 +51,11 @@ public:
     std::vector<Label> placed() {
         for (int round = 0; round < 4; ++round)
             for (std::size_t i = 0; i < labels_.size(); ++i) place(i, round > 0);
-        return std::move(labels_);
+        std::vector<Label> kept;
+        for (const bool may_go : {false, true})
+            for (const Label& label : labels_)
+                if (label.may_go == may_go && (!may_go || finds_room(label, kept))) kept.push_back(label);
+        return kept;
     }
 
 private:
@@ -63,6 +73,14 @@ private:
             for (double x = b.left; x < b.right + cell(); x += cell())
                 n += cells_[cell_at(std::min(x, b.right), std::min(y, b.top))] > 0;
         return n;
+    }
+
+    bool finds_room(const Label& label, const std::vector<Label>& kept) const {
+        const Box& b = label.at;
+        if (outside(b) > 0 || shared_area(b, legend_) > 0) return false;
+        for (const Dot& dot : dots_)
+            if (b.holds(dot.at[0], dot.at[1], 0.5 * dot.radius)) return false;
+        return std::ranges::none_of(kept, [&](const Label& other) { return shared_area(b, other.at) > 0; });
     }
 
     double outside(const Box& b) const {
@@ -114,6 +132,7 @@ private:
     double em_;
     std::vector<Label> labels_;
     std::vector<Pixel> places_;
+    std::vector<Dot> dots_;
     int cells_across_, cells_up_;
     std::vector<int> cells_;  ///< how much is drawn in each cell of the frame
 };
@@ -153,7 +172,12 @@ void draw_labels(const Axes& axes, const Curves& curves, const Box& legend) {
             const Pixel p = axes.pixel(s.x[i], s.y[i]);
             if (!axes.frame().holds(p[0], p[1], 1)) continue;
             const auto [width, height] = axes.pen().size_of(s.labels[i], style);
-            labels.push_back({p, curves.dot_radius(s), s.labels[i], width, std::max(height, style.size)});
+            labels.push_back({.point = p,
+                              .clear = curves.dot_radius(s),
+                              .words = s.labels[i],
+                              .width = width,
+                              .height = std::max(height, style.size),
+                              .may_go = s.faint});
         }
     }
     if (labels.empty()) return;
@@ -163,7 +187,9 @@ void draw_labels(const Axes& axes, const Curves& curves, const Box& legend) {
             axes.pen().path({label.point, nearest(label.at, label.point)}, std::max(1.0, axes.em() / 22), faint_ink);
     for (const Label& label : placed) {
         axes.pen().box(label.at.left - 1, label.at.bottom, label.width + 2, label.height, white, 0.7);
-        axes.pen().text(label.at.left, (label.at.bottom + label.at.top) / 2, label.words, style);
+        TextStyle own = style;
+        if (label.may_go) own.colour = faint_ink;
+        axes.pen().text(label.at.left, (label.at.bottom + label.at.top) / 2, label.words, own);
     }
 }
 

@@ -5,25 +5,35 @@
 
 namespace hinge::output {
 
-/// Where a legend stands: in the corner where it hides least, or beside the frame where it would hide much in each.
+/// Where a legend stands: inside the frame where it covers nothing, a corner if one is free. Else beside the frame, or
+/// above it where it is too wide or too high for that.
 class Legend {
 public:
     Legend(const Axes& axes, const Curves& curves);
 
-    /// What the frame must leave free at its right for it; 0: it stands inside.
+    /// Once the frame has a size: whether it needs another room outside than before, so that frames must be set anew.
+    bool goes_outside();
+    /// What the frame must leave free for it; 0: it stands elsewhere.
     double room_beside() const;
-    /// Once the frame has its final size. `beside`: at its right.
-    void place(bool beside);
+    double room_above() const;
+    /// Once the frame has its final size.
+    void place();
     const Box& box() const { return box_; }
     void draw() const;
 
 private:
-    Box best_corner(int& hidden) const;
+    enum class Where { inside, beside, above };
+    double height() const;
+    bool covers(const Drawn& drawn, const Box& box) const;
+    std::optional<Box> free_place() const;
+    std::size_t columns_above() const;
 
     const Axes& axes_;
     const Curves& curves_;
     std::vector<std::size_t> listed_;  ///< series with a name
-    double width_ = 0, height_ = 0, row_, sample_, pad_;
+    Where where_ = Where::inside;
+    std::size_t rows_ = 0;
+    double width_ = 0, entry_ = 0, row_, sample_, pad_;
     TextStyle style_;
     Box box_;
 };

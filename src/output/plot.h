@@ -22,6 +22,7 @@ struct Series {
     std::vector<double> high{};         ///< the upper edge of a band, whose lower edge is y
     std::optional<Rgb8> colour{};       ///< none: by its place among the series
     std::vector<std::string> labels{};  ///< beside the points or bars; empty: none
+    bool faint = false;                 ///< lighter; labels of its points are left out where there is no room
 };
 
 /// A level or upright line through a whole panel.
@@ -46,7 +47,9 @@ struct Plot {
     std::string title;
     std::vector<Panel> panels;
     int columns = 1;
-    bool share_x = false;  ///< the panels of a column have one x axis, which stands below the lowest
+    /// The panels of a column have one x axis, which stands below the lowest. Its range is the first x_range among
+    /// them.
+    bool share_x = false;
 };
 
 }  // namespace hinge::output

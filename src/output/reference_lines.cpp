@@ -59,17 +59,21 @@ void Curves::draw_line(const ReferenceLine& line) const {
     axes_.pen().text(line.upright ? *at : box.left, line.upright ? box.bottom : *at + 0.1 * em_, line.name, style);
 }
 
+std::vector<Box> Curves::name_boxes() const {
+    std::vector<Box> all;
+    if (panel_.lines.empty()) return all;
+    const std::vector<Pixel> drawn = places_of_series(0.5 * em_);
+    for (const ReferenceLine& line : panel_.lines)
+        if (const auto at = place_of(line); at && !line.name.empty()) all.push_back(name_box(line, *at, drawn));
+    return all;
+}
+
 std::vector<Pixel> Curves::places(double apart) const {
     std::vector<Pixel> all = places_of_series(apart);
-    const std::vector<Pixel> drawn = panel_.lines.empty() ? all : places_of_series(0.5 * em_);
-    for (const ReferenceLine& line : panel_.lines) {
-        const auto at = place_of(line);
-        if (!at || line.name.empty()) continue;
-        const Box b = name_box(line, *at, drawn);
+    for (const Box& b : name_boxes())
         for (double x = b.left; x <= b.right; x += 0.4 * em_)
             for (double y = b.bottom; y <= b.top; y += 0.4 * em_)
                 all.push_back({static_cast<float>(x), static_cast<float>(y)});
-    }
     return all;
 }
 

@@ -146,7 +146,7 @@ SeriesStyle read_style(Options& o) {
 
 Series read_series(lua_State* L, int index, const std::string& what, Names& x_names, Names& y_names) {
     Options o(L, index, what);
-    o.expect({"name", "x", "y", "low", "high", "style", "dashed", "colour", "labels"});
+    o.expect({"name", "x", "y", "low", "high", "style", "dashed", "colour", "labels", "faint"});
     Series s;
     s.name = o.text("name").value_or("");
     s.style = read_style(o);
@@ -162,6 +162,7 @@ Series read_series(lua_State* L, int index, const std::string& what, Names& x_na
         must_be_as_many(o, "y", s.y.size(), s.x.size());
     }
     s.dashed = o.flag("dashed", false);
+    s.faint = o.flag("faint", false);
     s.colour = read_colour(o);
     s.labels = read_texts(o, "labels");
     if (s.labels.size() > s.x.size()) must_be_as_many(o, "labels", s.labels.size(), s.x.size());
@@ -265,6 +266,31 @@ const std::vector<std::string>& panel_fields() {
     return names;
 }
 
+/// With share_x there is one scale below a column, which must hold for all of its panels.
+void check_shared_axes(Options& o, const output::Plot& plot, int columns) {
+    const auto range_text = [](const std::array<double, 2>& r) { return "{" + show(r[0]) + ", " + show(r[1]) + "}"; };
+    for (std::size_t i = 0; i < plot.panels.size() && plot.share_x; ++i)
+        for (std::size_t k = i % std::size_t(columns); k < i; k += std::size_t(columns)) {
+            const Panel &panel = plot.panels[i], &above = plot.panels[k];
+            const std::string which = "panel " + std::to_string(i + 1) + " has ",
+                              other = "as panel " + std::to_string(k + 1) + " in its column, which has ";
+            const auto differ = [&](const std::string& own, const std::string& theirs) {
+                o.complain("share_x", "true and " + which + own, "must have the same " + other + theirs);
+            };
+            if (panel.x_range && above.x_range && *panel.x_range != *above.x_range)
+                differ("x_range " + range_text(*panel.x_range), "x_range " + range_text(*above.x_range));
+            const auto kind = [](const Panel& p) -> std::string {
+                return p.x_categories.empty() ? p.log_x ? "a logarithmic x axis" : "a linear x axis" : "names along x";
+            };
+            const auto is_empty = [](const Panel& p) {
+                return std::ranges::all_of(p.series, [](const Series& one) { return one.x.empty(); });
+            };
+            if (is_empty(panel) || is_empty(above)) continue;
+            if (kind(panel) != kind(above)) differ(kind(panel), kind(above));
+            if (panel.x_categories != above.x_categories) differ("other names along x", "its own");
+        }
+}
+
 struct Sheet {
     Plot plot;
     int width, height;
@@ -292,6 +318,7 @@ Sheet read_plot(lua_State* L, int index, const std::string& function) {
     else sheet.plot.panels.push_back(read_panel(o, function + ":"));
     const int n = int(sheet.plot.panels.size()), columns = std::min(sheet.plot.columns, std::max(n, 1)),
               rows = (n + columns - 1) / std::max(columns, 1);
+    check_shared_axes(o, sheet.plot, std::max(columns, 1));
     if (n == 0) o.complain("panels", "{}", "must hold at least one { series =, ... }");
     sheet.width = o.integer("width", 1, columns == 1 ? 1200 : std::min(800 * columns, 8192));
     sheet.height = o.integer("height", 1, rows > 1 ? std::min(160 + 420 * rows, 8192) : columns > 1 ? 600 : 900);

@@ -199,6 +199,13 @@ for _, words in ipairs { "I", "II", "1", "two" } do holds(svg "bars.svg", words)
 for _, words in ipairs { "#ff0080", "#0a0b0c", "<circle", "<polygon" } do
   expect(svg "band.svg":find(words, 1, true), "no %s in band.svg", words)
 end
+-- Different ranges of different columns, or without share_x, are no error.
+said, good = lua [[
+local function panel(low, high) return { x_range = { low, high }, series = { { x = { 0, 9 }, y = { 0, 1 } } } } end
+hinge.plot({ share_x = true, columns = 2, panels = { panel(0, 1), panel(2, 3), panel(0, 1) } }, "ranges.svg")
+hinge.plot({ panels = { panel(0, 1), panel(2, 3) } }, "ranges.svg")
+]]
+expect(good, "ranges: %s", said)
 for _, words in ipairs { "both", "left", "right", "limit" } do holds(svg "panels.svg", words) end
 
 -- ---- what is wrong is said at the script's line ---------------------------------------------------------------------
@@ -269,6 +276,15 @@ for call, message in pairs {
     = "hinge.plot: field 'x_range' is {2, 1}; must be { low, high }, two numbers with low below high",
   ['hinge.plot({ y_range = { 0, 1 }, log_y = true, series = {} }, "x.png")']
     = "hinge.plot: field 'y_range' is {0, 1}; must be ..., above 0 on a logarithmic axis",
+  ['hinge.plot({ share_x = true, panels = { { x_range = { 0, 1 }, series = { { x = { 1 }, y = { 1 } } } }, '
+    .. '{ x_range = { 2, 4 }, series = { { x = { 3 }, y = { 1 } } } } } }, "x.png")']
+    = "hinge.plot: field 'share_x' is true and panel 2 has x_range {2, 4}; must have the same as panel 1 in its "
+      .. "column, which has x_range {0, 1}",
+  ['hinge.plot({ share_x = true, columns = 2, panels = { { series = { { x = { 1 }, y = { 1 } } } }, '
+    .. '{ series = { { x = { "a" }, y = { 1 } } } }, { log_x = true, series = { { x = { 3 }, y = { 1 } } } } } }, '
+    .. '"x.png")']
+    = "hinge.plot: field 'share_x' is true and panel 3 has a logarithmic x axis; must have the same as panel 1 in its "
+      .. "column, which has a linear x axis",
   ['hinge.plot({ lines = { { x = 1, y = 2 } }, series = {} }, "x.png")']
     = "hinge.plot: line 1: field 'y' is 2; must be left out beside x; ...",
   ['hinge.plot({ lines = { {} }, series = {} }, "x.png")']
