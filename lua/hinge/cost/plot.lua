@@ -4,6 +4,8 @@ local methods = require "hinge.cost.methods"
 
 local plot = {}
 local exact = 1e-10   -- errors below it are rounding: drawn beneath all others
+-- Of the lines, in their order.
+local colours = { "blue", "red", "green", "purple", "orange", "sky", "black", "yellow" }
 local near = 1.05     -- two points on logarithmic axes lie on each other: neither is more than this times the other
 
 local function method_of(result, s)
@@ -58,6 +60,19 @@ local function line_of(numbers, settings)
   return best
 end
 
+-- The settings of a method that are not on its line. They are drawn faint, in its colour.
+local function others_of(g, name, number, on_line, numbers, height)
+  local others = { name = name, style = "points", faint = true, colour = colours[(number - 1) % #colours + 1],
+    x = {}, y = {}, labels = {} }
+  for _, s in ipairs(g.settings) do
+    if not on_line[s] then
+      local i = #others.x + 1
+      others.x[i], others.y[i], others.labels[i] = s.seconds, height(s), label_of(numbers, s)
+    end
+  end
+  return #others.x > 0 and others or nil
+end
+
 -- Whether half or more of the points of a line lie on points of earlier lines. A solid line would hide these.
 local function hides(line, others)
   local hidden = 0
@@ -82,16 +97,21 @@ function plot.draw(result, job)
   end
   local floor = least < math.huge and least / 10 or exact
   local function height(s) return 100 * (s.error > exact and s.error or floor) end
-  local series, any_exact = {}, false
-  for _, g in ipairs(groups) do
+  local series, others, any_exact = {}, {}, false
+  for number, g in ipairs(groups) do
     local line = { name = g.name ~= "" and g.name or numbers[1].name, x = {}, y = {}, labels = {} }
+    local on_line = {}
     for i, s in ipairs(line_of(numbers, g.settings)) do
       line.x[i], line.y[i], line.labels[i] = s.seconds, height(s), label_of(numbers, s)
-      any_exact = any_exact or s.error <= exact
+      on_line[s] = true
     end
+    for _, s in ipairs(g.settings) do any_exact = any_exact or s.error <= exact end
     line.style, line.dashed = #line.x == 1 and "points" or "line and points", hides(line, series)
     series[#series + 1] = line
+    local name = #groups > 1 and line.name .. ", other settings" or "other settings"
+    others[#others + 1] = others_of(g, name, number, on_line, numbers, height)
   end
+  table.move(others, 1, #others, #series + 1, series)
   local front = { name = "Pareto front", style = "points", colour = "black", x = {}, y = {} }
   for i, s in ipairs(result.front) do front.x[i], front.y[i] = s.seconds, height(s) end
   series[#series + 1] = front
