@@ -75,7 +75,21 @@ local units_of_default = { u = "m", r = "rad", v = "m/s", a = "m/s^2", f = "N", 
   ar = "rad/s^2" }
 
 -- The unit of a column of history.csv by the name that a probe without one gets, node12_uz; "" where it has another.
+-- For runs of versions that wrote no probes.json.
 local function unit_of(name) return units_of_default[name:match "^node%d+_(%a+)[xyz]$" or ""] or "" end
+
+-- Units of probes by name, as probes.json beside the history has them.
+local function units_in(folder)
+  local file, units = io.open(folder .. "/probes.json"), {}
+  local probes = file and core.from_json(file:read "a")
+  if file then file:close() end
+  for _, probe in ipairs(type(probes) == "table" and probes or {}) do
+    if type(probe) == "table" and type(probe.name) == "string" and kinds[probe.unit] then
+      units[probe.name] = probe.unit
+    end
+  end
+  return units
+end
 
 local function source_of_folder(where, folder)
   if core.sandboxed() then
@@ -102,10 +116,10 @@ local function source_of_folder(where, folder)
   end
   local static = largest_of { lists[1] } == 0
   local source = { curves = {}, names = {}, static = static, steps = #lists[1] }
-  local energy = true
+  local energy, units = true, units_in(folder)
   for i = 3, #columns do
-    local curve = { name = columns[i], unit = energy and "J" or unit_of(columns[i]), energy = energy,
-      x = lists[static and 2 or 1], y = lists[i] }
+    local curve = { name = columns[i], energy = energy,
+      unit = energy and "J" or units[columns[i]] or unit_of(columns[i]), x = lists[static and 2 or 1], y = lists[i] }
     source.curves[curve.name] = curve
     source.names[#source.names + 1] = curve.name
     energy = energy and columns[i] ~= "remainder"

@@ -78,9 +78,9 @@ function job:strip(snapshots, columns, filename) end
 ---table of curves (hinge.plot), of panels (hinge.panels), or a run. Of a run its energies and probes are drawn over
 ---time, those of one unit in one panel. For a static run the load factor is drawn over its probes, which is the
 ---load-displacement curve, and energies are drawn over the load factor. In place of a run, the folder of one that has
----ended will do: its history.csv is read. This file says no units of probes, so only probes without a name of their own
----show one. Units on the axes have prefixes that suit the values. If no picture can be drawn, the job notes this and
----the run continues.
+---ended will do: its history.csv is read, and the units of its probes in probes.json beside it. Without that file,
+---which older versions did not write, only probes without a name of their own show a unit. Units on the axes have
+---prefixes that suit the values. If no picture can be drawn, the job notes this and the run continues.
 ---```lua
 ---job:plot({ series = { { x = { 0, 1, 2 }, y = { 0, 3, 4 }, name = "measured", style = "points" } }, x_label = "mm",
 ---  y_label = "kN" }, "load.png")
@@ -119,8 +119,8 @@ function job:plot(what, choice, filename) end
 ---@class hinge.panels several plots in one picture
 ---@field panels hinge.plot[] without width and height
 ---@field columns? integer panels in a row, default 1; those of a column have their axes in line
----true: the panels of a column have one x axis, which stands below the lowest; an x_range that one of them has holds for
----all, and two that differ are an error; default false
+---true: the panels of a column have one x axis, which stands below the lowest; an x_range that one of them has holds
+---for all, and two that differ are an error; default false
 ---@field share_x? boolean
 ---@field title? string above all
 ---@field width? integer pixels, default 1200; 800 for each of several columns

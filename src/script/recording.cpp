@@ -14,6 +14,7 @@
 #include "script/folders.h"
 #include "script/happenings.h"
 #include "script/onlooker.h"
+#include "script/summary.h"
 
 namespace hinge::script {
 
@@ -59,6 +60,13 @@ void sample(RunRecord& r) {
     }
 }
 
+/// The units of the columns of history.csv that are probes.
+void write_probes(const Context& c, const RunRecord& r) {
+    const std::string path = c.out_dir + "/probes.json";
+    if (r.probes.empty()) std::remove(path.c_str());
+    else write_whole(path, probes_json(r).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 /// Its history is history.csv from now on; those of the runs before it are kept by number.
 void take_files(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     take_folder(*c);
@@ -69,10 +77,15 @@ void take_files(const std::shared_ptr<Context>& c, const std::shared_ptr<RunReco
         c->writer->history_path = c->out_dir + "/history" + number;
         c->writer->events_path = c->out_dir + "/events" + number;
         std::rename(record->history_path.c_str(), c->writer->history_path.c_str());
-        if (std::rename((c->out_dir + "/events.csv").c_str(), c->writer->events_path.c_str()) != 0)
-            std::remove(c->writer->events_path.c_str());  // of an earlier program: nothing has happened in this one
+        // What stands there of an earlier program: nothing has happened in this one, and there was no probe.
+        const auto keep = [&](const std::string& file, const std::string& as) {
+            if (std::rename((c->out_dir + file).c_str(), as.c_str()) != 0) std::remove(as.c_str());
+        };
+        keep("/events.csv", c->writer->events_path);
+        keep("/probes.json", c->out_dir + "/probes-" + std::to_string(c->histories) + ".json");
     } else std::remove((c->out_dir + "/summary.json").c_str());  // of an earlier run: not about this one
     c->writer = record;
+    write_probes(*c, *record);
     begin_happenings(*record, c->out_dir + "/events.csv");
 }
 

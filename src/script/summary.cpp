@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "effects/point_mass.h"
 #include "script/element_count.h"
 #include "script/happenings.h"
 #include "script/plan.h"
+#include "script/recording.h"
 
 namespace hinge::script {
 namespace {
@@ -17,7 +19,25 @@ Json energy_json(const Run& run) {
     return j;
 }
 
+/// Of all members and point masses, kg.
+double mass_of(const Structure& s) {
+    double mass = 0;
+    for (const Element& e : s.elements()) mass += e.mass();
+    for (const PointMass& m : s.model().declared<PointMass>(point_mass_effect)) mass += m.mass;
+    return mass;
+}
+
 }  // namespace
+
+Json probes_json(const RunRecord& r) {
+    Json list = Json::array();
+    for (const auto& p : r.probes)
+        list.push_back({{"name", p->name},
+                        {"node", p->node + 1},
+                        {"quantity", node_quantities()[std::size_t(6 * int(p->quantity) + p->component)]},
+                        {"unit", unit_of(*p)}});
+    return list;
+}
 
 void describe_run(Json& j, const RunRecord& r) {
     const Run& run = *r.run;
@@ -26,7 +46,8 @@ void describe_run(Json& j, const RunRecord& r) {
     j["model"] = {{"members", s.model().members().size()},
                   {"elements", s.elements().size()},
                   {"nodes", s.position().size()},
-                  {"free_dofs", s.free_dofs()}};
+                  {"free_dofs", s.free_dofs()},
+                  {"mass", mass_of(s)}};
     for (const ElementGroup& g : element_groups(s.model()))
         j["model"]["automatic_elements"].push_back(
             {{"elements", g.elements}, {"members", g.members}, {"because", g.because}});
@@ -47,6 +68,7 @@ void describe_run(Json& j, const RunRecord& r) {
     j["stages"] = Json::array();
     for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
     j["damage"] = damage_by_group(run);
+    j["probes"] = probes_json(r);
     j["energy"] = energy_json(run);
     j["energy_error"] =
         std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));

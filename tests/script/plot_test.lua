@@ -164,6 +164,19 @@ end
 holds(svg "done.svg", "remainder", false)
 holds(svg "done_some.svg", "kinetic energy, kJ")
 
+-- Units of probes as the run left them beside its history; what is no list of probes is as good as none.
+for text, wanted in pairs {
+  ['[{"name":"roof","node":1,"quantity":"az","unit":"m/s^2"}, {"name":"node2_uz","unit":"m"}]'] = { "roof, m/s²" },
+  ['[{"name":"roof","node":1,"quantity":"uz","unit":"m"}]'] = { "displacement, m", "roof", "node2_uz" },
+  ['[{"name":"roof","unit":"furlong"}, 3, {"unit":"m"}]'] = { "roof", "node2_uz, mm" },
+  ['[{"name":"ro'] = { "roof", "node2_uz, mm" },
+} do
+  support.write(folder .. "/done/probes.json", text)
+  said, good = lua 'hinge.plot("done", "units.svg")'
+  expect(good, "units of %s: %s", text, said)
+  for _, words in ipairs(wanted) do holds(svg "units.svg", words) end
+end
+
 -- ---- a run that goes on from a checkpoint ---------------------------------------------------------------------------
 
 said = lua [[

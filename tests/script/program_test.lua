@@ -321,6 +321,17 @@ equal(run(hinge .. " run " .. script("pair.lua", side_by_side) .. " --out " .. q
 local first, second = lines "pair/history-1.csv", lines "pair/history.csv"
 expect(#first == 12 and #second == 12, "two histories of 11 rows: %d, %d", #first - 1, #second - 1)
 expect((first[1] or ""):find "uz1$" and (second[1] or ""):find "uz2$", "their probes: %s, %s", first[1], second[1])
+for name, wanted in pairs { ["probes-1"] = "uz1", probes = "uz2" } do
+  local probes = support.json(support.read(path("pair/" .. name .. ".json")) or "[]")
+  expect(probes[1] and probes[1].name == wanted and probes[1].unit == "m", "%s.json", name)
+end
+
+-- A run without probes leaves none of an earlier run.
+equal(run(hinge .. " run " .. script("bare.lua", (side_by_side:gsub("runs%[i%]:probe[^\n]*", ""))) .. " --out "
+  .. quote(path "pair")), 0, "two runs without probes")
+for _, name in ipairs { "probes", "probes-1" } do
+  expect(not support.is_there(path("pair/" .. name .. ".json")), "%s.json of another run", name)
+end
 
 -- The ten-storey impact, 400 steps with frames and pictures.
 status, _, complaint = run(hinge .. " run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out "
