@@ -112,7 +112,10 @@ void add_report(CLI::App& app, Request& request) {
                            "and a player to look at it in 3D; any browser shows it, without a network");
     verb->add_option("folders", request.folders, "Output folders of the runs")->required();
     verb->add_option("--out", request.out, "HTML file (default report.html in the first folder)");
-    verb->footer("Exit status: 0; 1 it cannot be written; 2 where no run was written.");
+    verb->footer(
+        "A frame that cannot be read is left out; stderr and the page name it. Exit status: 0; 1 where a frame was "
+        "left "
+        "out, or the page cannot be written; 2 where no run was written.");
 }
 
 void add_history(CLI::App& app, Request& request) {

@@ -78,14 +78,36 @@ local function chosen(frames)
   return list
 end
 
--- What the page takes of the frames. Returns JSON, how many frames.
+-- What the page takes of the frames. Returns JSON, how many frames, and those that cannot be read: { { file =,
+-- problem = }, ... }.
 local function frames_json(folder)
-  if not read(folder .. "/frames.pvd") then return "null", 0 end
+  if not read(folder .. "/frames.pvd") then return "null", 0, {} end
   local all = render.frames(folder)
-  local files = {}
+  local files, damaged = {}, {}
   for i, frame in ipairs(chosen(all)) do files[i] = frame.file end
-  local frames, count = core.pack_frames(files, #all - #files)
-  return frames or "null", count
+  local frames, count, problems = core.pack_frames(files, #all - #files)
+  for i, file in ipairs(files) do
+    if problems[i] then damaged[#damaged + 1] = { file = file, problem = problems[i] } end
+  end
+  return frames or "null", count, damaged
+end
+
+-- Names the frames that are not in the page, on stderr.
+local function tell_damaged(damaged)
+  for i, frame in ipairs(damaged) do
+    if i > 8 then
+      io.stderr:write(("hinge: not in the page: %s\n"):format(check.count(#damaged - 8, "more frame")))
+      break
+    end
+    local named = frame.problem:find(frame.file, 1, true) and frame.problem or frame.file .. ": " .. frame.problem
+    io.stderr:write(("hinge: not in the page: %s\n"):format(named))
+  end
+end
+
+-- The units of probes, as the run left them beside its history; "null" for a run of an older version.
+local function probes_json(folder)
+  local text = read(folder .. "/probes.json")
+  return text and type(core.from_json(text)) == "table" and text or "null"
 end
 
 local function name_of(folder) return folder:match "([^/]+)/*$" or folder end
@@ -112,9 +134,13 @@ local function run_json(folder, name)
     check.fail("%s/summary.json is not whole; run the script again", folder)
   end
   if owner and type(core.from_json(owner)) ~= "table" then owner = nil end
-  local frames, count = frames_json(folder)
-  return ('{"name":%s,"summary":%s,"owner":%s,"history":%s,"events":%s,"frames":%s}'):format(core.to_json(name),
-    summary or "null", not summary and owner or "null", history_json(folder), events_json(folder), frames), count
+  local frames, count, damaged = frames_json(folder)
+  local fields = { { "name", core.to_json(name) }, { "summary", summary or "null" },
+    { "owner", not summary and owner or "null" }, { "history", history_json(folder) },
+    { "probes", probes_json(folder) }, { "events", events_json(folder) }, { "frames", frames },
+    { "damaged", #damaged > 0 and core.to_json(damaged) or "[]" } }
+  for i, field in ipairs(fields) do fields[i] = ('"%s":%s'):format(field[1], field[2]) end
+  return "{" .. table.concat(fields, ",") .. "}", count, damaged
 end
 
 local template = [[
@@ -147,32 +173,34 @@ end
 --- The page of hinge run --live, which asks the program that serves it for all it shows. `id`: the program's own.
 function page.live(id) return with_data(('{"live":%s}'):format(core.to_json(id)), true) end
 
---- The page about the runs in these folders, as text; and how many frames it has.
+--- The page about the runs in these folders, as text; how many frames it has, and those that cannot be read.
 function page.text(folders)
-  local runs, frames = {}, 0
+  local runs, frames, all_damaged = {}, 0, {}
   local called = names(folders)
   for i, folder in ipairs(folders) do
-    local count
-    runs[i], count = run_json(folder, called[i])
+    local count, damaged
+    runs[i], count, damaged = run_json(folder, called[i])
     frames = frames + count
+    table.move(damaged, 1, #damaged, #all_damaged + 1, all_damaged)
   end
-  return with_data(('{"runs":[%s]}'):format(table.concat(runs, ","))), frames
+  return with_data(('{"runs":[%s]}'):format(table.concat(runs, ","))), frames, all_damaged
 end
 
 --- options: folders (output folders), out (a file, or nil for report.html in the first folder). Returns the program's
--- exit status.
+-- exit status: 1 where the page is made, and frames are not in it because they cannot be read.
 function page.main(options)
   return runner.guard(function()
     local folders = {}
     for i, folder in ipairs(options.folders) do folders[i] = #folder > 1 and folder:gsub("/+$", "") or folder end
-    local text, frames = page.text(folders)
+    local text, frames, damaged = page.text(folders)
     local out = options.out or folders[1] .. "/report.html"
     core.write_text(out, text)
     print(("%s: %s, %s, %.1f MB"):format(out, check.count(#folders, "run"), check.count(frames, "frame"), #text / 1e6))
-    if frames == 0 then
+    tell_damaged(damaged)
+    if frames == 0 and #damaged == 0 then
       print("no frames, so nothing to look at in 3D; a script asks for them with job:frame(run) or hinge.frame(run)")
     end
-    return 0
+    return #damaged > 0 and 1 or 0
   end)
 end
 

@@ -108,6 +108,7 @@ private:
         for (const auto& [m, group] : first.memberships)
             of.push_back(std::uint32_t(m)), of.push_back(std::uint32_t(group));
         j_["groups"] = first.groups;
+        j_["declared_nodes"] = first.declared;
         put("declared", at);
         put("held", held);
         put("ends", ends);

@@ -83,6 +83,17 @@ equal(run.history.columns[1], "time", "first column of the history")
 equal(run.history.columns[#run.history.columns], "sway", "last column of the history")
 near(run.history.values[1][#run.history.values[1]], 0.04, 1e-9, "end of the history")
 
+-- Units of probes, beside the history and in the summary.
+for what, list in pairs { ["in the page"] = run.probes, ["in summary.json"] = run.summary.probes,
+  ["in probes.json"] = support.json(page "one/probes.json") } do
+  equal(#list, 1, "probes " .. what)
+  local p = list[1] or {}
+  equal(("%s %s %s %s"):format(p.name, p.node, p.quantity, p.unit), "sway 6 ux m", "a probe " .. what)
+end
+status, _, complaint = support.run(("cd %s && %s -e 'hinge.plot(\"one\", \"sway.svg\")'"):format(quote(folder), hinge))
+expect(status == 0 and page "sway.svg":find(">sway, mm<", 1, true), "the plot of a folder: %s", complaint)
+near(run.summary.model.mass, 7850 * (20 * (0.15 ^ 2 - 0.138 ^ 2) + 0.6 * 0.1 ^ 2), 1e-6, "total mass, kg")
+
 -- events.csv: in order, and each break with its cause.
 local columns = table.concat(run.events.columns, ",")
 equal(columns, "time,event,element,member,end,group,limit,strain,of,rule", "columns of events.csv")
@@ -129,6 +140,33 @@ expect(status == 0 and printed:find("no frames, so nothing to look at in 3D", 1,
 status, _, complaint = support.run(("cd %s && %s report nowhere"):format(quote(folder), hinge))
 expect(status == 2 and complaint:find("no run was written to nowhere", 1, true), "no run: %s %s", status, complaint)
 
+-- Frames that cannot be read are left out and named; the page is made, without any frame too.
+os.execute(("cd %s && cp -r one damaged"):format(quote(folder)))
+local files = {}
+for file in page "damaged/frames.pvd":gmatch 'file="([^"]*)"' do files[#files + 1] = file end
+local function cut(file) support.write(folder .. "/damaged/" .. file, page("damaged/" .. file):sub(1, 900)) end
+cut(files[3])
+os.remove(folder .. "/damaged/" .. files[5])
+support.write(folder .. "/damaged/history.csv", (page "one/history.csv":match "^[^\n]*\n[^\n]*\n")) -- one row
+status, printed, complaint = support.run(("cd %s && %s report damaged"):format(quote(folder), hinge))
+equal(status, 1, "a page without some frames")
+expect(printed:find "^damaged/report.html: 1 run, 18 frames", "a page without some frames: %s", printed)
+for _, i in ipairs { 3, 5 } do
+  expect(complaint:find("hinge: not in the page: [^\n]*damaged/" .. files[i]:gsub("%p", "%%%0")), "%s is not named: %s",
+    files[i], complaint)
+end
+equal(select(2, complaint:gsub("\n", "\n")), 2, "lines about damaged frames: " .. complaint)
+local damaged = data_of(page "damaged/report.html").runs[1]
+equal(damaged.frames.frames, 18, "frames that are whole")
+equal(#damaged.damaged, 2, "frames that are damaged")
+equal(damaged.damaged[1].file, "damaged/" .. files[3], "the first that is damaged")
+for _, file in ipairs(files) do cut(file) end
+status, printed, complaint = support.run(("cd %s && %s report damaged --out none.html"):format(quote(folder), hinge))
+expect(status == 1 and printed:find "^none.html: 1 run, 0 frames" and not printed:find "a script asks for them",
+  "no frame that is whole: %s", printed)
+expect(complaint:find "hinge: not in the page: 12 more frames\n", "many damaged frames: %s", complaint)
+equal(data_of(page "none.html").runs[1].frames, nil, "frames where all are damaged")
+
 -- In a browser.
 local function found(programs)
   for _, name in ipairs(programs) do
@@ -141,8 +179,8 @@ local starts = chromium and support.run(("timeout 60 %s --headless --no-sandbox 
   :format(quote(chromium))) == 0
 if node and starts then
   local test = support.root .. "tests/viewer/page_test.js"
-  local seen, said, wrong = support.run(("%s %s %s %s %s"):format(quote(node), quote(test), quote(chromium),
-    quote(folder .. "/one/report.html"), arg[2] and quote(arg[2]) or ""))
+  local seen, said, wrong = support.run(("%s %s %s %s %s %s"):format(quote(node), quote(test), quote(chromium),
+    quote(folder .. "/one/report.html"), quote(folder .. "/damaged/report.html"), arg[2] and quote(arg[2]) or ""))
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
 else

@@ -1,8 +1,9 @@
 // What a person does with the page of hinge report, in a headless Chromium: it opens without errors and without a
 // network, draws, scrubs, plays, picks, hides, is used by keyboard and on a narrow screen.
 //
-// Run: node tests/viewer/page_test.js CHROMIUM REPORT [PICTURE]      ends with a line for each thing that is wrong
-// The report is of the scene of tests/script/report_test.lua.
+// Run: node tests/viewer/page_test.js CHROMIUM REPORT DAMAGED [PICTURE]   ends with a line for each thing that is wrong
+// The report is of the scene of tests/script/report_test.lua; DAMAGED of the same without two of its frames, and with one
+// row of its history.
 "use strict";
 const { Browser, drawing } = require("./browser.js");
 
@@ -83,6 +84,8 @@ async function on_a_wide_screen(b, report, picture) {
     expect(chosen === member, `a click on member ${member} picks ${chosen}`);
     const said = await b.value("document.querySelector('.picked h3').textContent");
     expect(said.startsWith(`member ${member} `), `the panel of member ${member} says ${said}`);
+    const hints = await b.value("document.querySelector('.picked').textContent");
+    expect(hints.includes("at each of the 20 frames, 2\u202fms apart on average"), `the panel's hint on frames: ${hints}`);
   }
   expect(await b.value("document.querySelectorAll('.picked svg').length") === 4, "the history of a member has 4 plots");
   await b.click(...await b.value("(() => { const r = hinge_report.player.canvas.getBoundingClientRect();"
@@ -129,6 +132,93 @@ async function on_a_wide_screen(b, report, picture) {
   const story = await b.value("document.querySelector('.story').textContent");
   for (const what of ["first hinge", "first contact", "breaks at end", "has reached its limit", "storey 1", "end: completed"])
     expect(story.includes(what), `what happened does not tell of: ${what}`);
+  await the_words(b);
+  await the_load_paths(b);
+  await the_supports(b);
+}
+
+// What the page says, in plain words and with units.
+async function the_words(b) {
+  const all = (what) => b.value(`[...document.querySelectorAll(${JSON.stringify(what)})].map((e) => e.textContent)`);
+  const times = await all(".story .at"), story = (await all(".story")).join();
+  expect(times.length > 5 && times.every((t) => /^[\d.e-]+\u202fs$/.test(t)), `times of events: ${times.join(", ")}`);
+  expect(story.includes("have been in contact: "), "the end does not say what has been in contact");
+  expect((await all("th")).includes("has been in contact"), "the tables do not say that something has been in contact");
+  expect((await all("h3")).includes("Probes: displacement"), `the probes' quantity is not told: ${await all("h3")}`);
+  const units = await b.value(`[...document.querySelector('svg[aria-label="probes over time, displacement"]')
+    .querySelectorAll("text")].map((e) => e.textContent)`);
+  expect(units.includes("mm"), `the probes' unit is not told: ${units}`);
+  const rows = new Map(await b.value(`[...document.querySelectorAll("tr")].map((r) => [...r.cells].map((c) =>
+    c.textContent))`));
+  const mass = 7850 * (20 * (0.15 ** 2 - 0.138 ** 2) + 0.6 * 0.1 ** 2);
+  expect(Math.abs(parseFloat(rows.get("total mass")) - mass) < 0.1 && rows.get("total mass").endsWith("kg"),
+    `the total mass is ${rows.get("total mass")} instead of ${mass} kg`);
+  const far = rows.get("largest displacement in the last frame, of what stands on supports");
+  const [most, node] = await b.value(`(() => {
+    const f = hinge_report.runs[0].frames, last = 3 * f.nodes * (f.count - 1), u = (i) => Math.hypot(...[0, 1, 2].map((c) =>
+      f.positions[last + 3 * i + c] - f.declared[3 * i + c]));
+    const of = [0, 1, 2, 3, 4, 5, ...[...f.ends].filter((i, e) => i < f.nodes && f.member[e >> 1] < 7)];
+    return of.map((i) => [u(i), i]).reduce((a, b) => (b[0] > a[0] ? b : a));
+  })()`);
+  expect(far?.startsWith(`${Number((1000 * most).toPrecision(4))}\u202fmm: `) && (node < 8 ? far.endsWith(`node ${node + 1}`) :
+    /a node inside member [1-6]$/.test(far)), `the largest displacement is ${far}, not ${most} m of node ${node + 1}`);
+}
+
+// The load that a column leaves to another: which members, and over which time.
+async function the_load_paths(b) {
+  const text = await b.value(`(() => {
+    const { frames, events } = hinge_report.runs[0], was = [frames.forces.slice(), frames.scale.slice()], last = frames.count - 1;
+    frames.forces.fill(0), frames.scale.fill(1);
+    const put = (f, m, n) => { for (const b of frames.members.get(m).bars) frames.forces[6 * f * frames.bars + b] = n; };
+    put(0, 1, -20000), put(0, 3, -5000), put(1, 3, -15000);
+    const row = events.rows.find((r) => r[1] === "fracture").slice();
+    row[0] = frames.times[1], row[3] = "1", events.rows.push(row);
+    const said = hinge_report.story(hinge_report.runs[0]).find((e) => e.kind === "load");
+    events.rows.pop(), frames.forces.set(was[0]), frames.scale.set(was[1]);
+    return said && said.text;
+  })()`);
+  expect(text === "load finds another way: member 1, a column of storey 1, carried 20\u202fkN of compression in the frame "
+    + "before it broke. Of the storey's other columns, member 3 takes up most: its compression grows from 5\u202fkN at "
+    + "0.002\u202fs to 15\u202fkN at 0.004\u202fs", `a load path: ${text}`);
+}
+
+// Signs of supports: all are held here; in data that are changed, other kinds, and a plane model.
+async function the_supports(b) {
+  const signs = (change) => b.value(`(() => {
+    const { scene, run: { frames } } = hinge_report.player.views[0], held = frames.held.slice();
+    const at = new scene.constructor({ ...frames, held: ((held) => { ${change}; return held; })(held) });
+    const points = [...at.support_signs.geometry.attributes.position.array];
+    return { kinds: at.supports.map((s) => s.kind).join(), n: points.length / 3, flat: Math.max(...points.filter((v, i) =>
+      i % 3 === 2)) - Math.min(...points.filter((v, i) => i % 3 === 2)), size: at.size };
+  })()`);
+  const as_is = await signs("");
+  expect(as_is.kinds === "plate,plate", `clamped supports are ${as_is.kinds}`);
+  expect(as_is.flat < 0.01 * as_is.size, `the plates are ${as_is.flat} m high`);
+  const shown = await b.value("hinge_report.player.views[0].scene.supports.map((s) => s.kind).join()");
+  expect(shown === "plate,plate", `the scene has ${shown}`);
+  const pin = await signs("held[0] = 7");
+  expect(pin.kinds === "pin,plate" && pin.flat > 0.02 * pin.size && pin.n !== as_is.n, `a pin is ${JSON.stringify(pin)}`);
+  const roller = await signs("held[0] = 4, held[3] = 6");
+  expect(roller.kinds === "roller,roller" && roller.n === 2 * 16 + 4 + 2, `rollers are ${JSON.stringify(roller)}`);
+  expect((await signs("held[0] = 56")).kinds === "turns,plate", "rotations alone have no sign of their own");
+  const plane = await signs("held.fill(2 + 8 + 32, 0, 8), held[0] = 63, held[3] = 2 + 8 + 32 + 4");
+  const beam = await signs("held.fill(4, 0, 8), held[0] = 7"); // its ends, and those of the bar
+  expect(beam.kinds === `pin${",roller".repeat(7)}`, `supports of which all hold uz are ${beam.kinds}`);
+  expect(plane.kinds === "plate,roller", `the supports of a plane model are ${plane.kinds}`);
+}
+
+async function without_some_frames(b, report) {
+  await b.size(1280, 720);
+  await b.open(report);
+  await b.until("document.documentElement.dataset.ready === 'yes'");
+  expect(await b.value("hinge_report.runs[0].frames.count") === 18, "frames of the page without two of them");
+  const said = (await b.value("document.querySelector('main').textContent")).match(
+    /2 frames could not be read and are not in this page: \S+0003\.vtp, \S+0005\.vtp/);
+  expect(said, "the page does not name the frames that could not be read");
+  const curve = await b.value(`[...document.querySelectorAll('svg[aria-label="energies over time"] path')].map((p) =>
+    [p.getAttribute("d"), p.getAttribute("stroke-linecap")])`);
+  expect(curve.length > 0 && curve.every(([d, cap]) => /^M[-\d.]+ [-\d.]+h0$/.test(d) && cap === "round"),
+    `a curve of one point is drawn as ${JSON.stringify(curve)}`);
 }
 
 // In the page: of each element of a frame, drawn alone, { seen: [t, pixel] along it, slack: what 1.5 pixels are of its
@@ -289,11 +379,11 @@ async function on_a_narrow_screen(b, report) {
 }
 
 (async () => {
-  const [program, report, picture] = process.argv.slice(2);
+  const [program, report, damaged, picture] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
     for (const part of [() => on_a_wide_screen(b, report, picture), () => by_keyboard(b), () =>
-      on_a_narrow_screen(b, report)]) {
+      on_a_narrow_screen(b, report), () => without_some_frames(b, damaged)]) {
       await part();
       for (const problem of b.problems) expect(false, `the page complains: ${problem}`);
       const others = b.requests.filter((u) => !u.startsWith("file://") && !u.startsWith("data:") && !u.startsWith("blob:"));

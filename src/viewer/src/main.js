@@ -1,8 +1,8 @@
 // hinge report: the page about one run or several.
 import style from "./page.css";
-import { make, number, table, card, bar, quantity } from "./page.js";
+import { abscissa, make, number, table, card, bar, quantity } from "./page.js";
 import { plot } from "./plot.js";
-import { list, read_frames, frame_at, member_state } from "./run_data.js";
+import { frame_at, largest_displacement, list, member_state, read_frames } from "./run_data.js";
 import { look_on } from "./live.js";
 import { story_of } from "./story.js";
 import { member_panel } from "./member.js";
@@ -79,14 +79,30 @@ function energies(runs, seek) {
       height: 300 });
     cursors.push(figure.cursor);
     const probes = columns.slice(end + 1).map((c, i) => ({ name: c, x, y: list(h.values)[end + 1 + i].map((v) => v ?? NaN) }));
-    const own = probes.length ? plot({ label: "probes over time", x_label: statics ? "load factor" : "time, s",
-      series: probes, seek }) : null;
-    if (own) cursors.push(own.cursor);
-    return make("div", {}, figure, own ? make("h3", {}, "Probes") : null, own);
+    return make("div", {}, figure, ...probe_plots(r, probes, statics, seek));
   });
 }
 
-const damage_columns = ["members", "elastic", "yielded", "broken", "in contact"];
+const kinds = { m: "displacement", rad: "rotation", "m/s": "velocity", "rad/s": "angular velocity", "m/s^2": "acceleration",
+  "rad/s^2": "angular acceleration", N: "reaction", "N m": "moment" };
+
+// Probes of one unit in one plot; those of an older run, which says no units, in one without.
+function probe_plots(r, probes, statics, seek) {
+  const info = list(r.probes ?? r.summary?.probes), unit_of = new Map(info.map((p) => [p.name, p.unit]));
+  const groups = new Map();
+  for (const p of probes) {
+    const unit = kinds[unit_of.get(p.name)] ? unit_of.get(p.name) : "";
+    groups.set(unit, [...(groups.get(unit) ?? []), p]);
+  }
+  return [...groups].flatMap(([unit, series]) => {
+    const drawn = plot({ label: `probes over time${unit ? `, ${kinds[unit]}` : ""}`, x_label: statics ? "load factor" :
+      "time, s", unit: unit.replace("^2", "²"), series, seek });
+    cursors.push(drawn.cursor);
+    return [make("h3", {}, unit ? `Probes: ${kinds[unit]}` : "Probes"), drawn];
+  });
+}
+
+const damage_columns = ["members", "elastic", "yielded", "broken", "has been in contact"];
 
 // Of the frame shown; without frames, as the summary has it. rows_of(run, frame): [name, then the numbers of
 // damage_columns], or null.
@@ -107,7 +123,7 @@ function damage(runs, title, rows_of) {
   if (!runs.some((r) => rows_of(r, r.frames ? 0 : -1))) return null;
   show(Infinity);
   cursors.push(show);
-  return card(title, holder, one ? null : make("p", { class: "hint" }, "yielded / broken / in contact"));
+  return card(title, holder, one ? null : make("p", { class: "hint" }, "yielded / broken / has been in contact"));
 }
 
 function counted(frames, frame, members) {
@@ -137,12 +153,13 @@ const hidden_kinds = new Set(); // of what happened
 function story(runs, player) {
   return each(runs, "What happened, in order", (r) => {
     const slack = player ? 1e-9 * Math.abs(player.end) : 0;
+    const statics = r.summary ? r.summary.kind === "static" : Boolean(r.frames?.factors);
     const entries = story_of(r), i = player ? player.views.findIndex((v) => v.run === r) : -1;
     const lines = entries.map((e) => {
       const line = make("li", { class: e.kind }, make("button", { type: "button", class: "at", onclick: () => {
         player?.play(false), player?.seek(e.at);
         if (e.member && i >= 0) player.choose(i, e.member);
-      } }, number(e.at)), make("span", {}, e.text));
+      } }, abscissa(e.at, statics)), make("span", {}, e.text));
       return [e.at, line];
     });
     let past = 0; // lines before the time shown
@@ -164,8 +181,15 @@ function story(runs, player) {
     const frames_note = [r.frames?.not_shown ? `${r.frames.not_shown} frames are not in this page` : "",
       r.frames?.of_other_models ? `${r.frames.of_other_models} frames are of another model, and left out` : ""]
       .filter(Boolean).join("; ");
-    return make("div", {}, filter, box, more, frames_note ? make("p", { class: "hint" }, frames_note) : null);
+    const damaged = list(r.damaged).length ? make("p", { class: "hint" }, damaged_text(list(r.damaged))) : null;
+    return make("div", {}, filter, box, more, frames_note ? make("p", { class: "hint" }, frames_note) : null, damaged);
   });
+}
+
+function damaged_text(damaged) {
+  const names = damaged.slice(0, 8).map((d) => String(d.file).split("/").pop()), more = damaged.length - names.length;
+  return `${damaged.length === 1 ? "A frame" : `${damaged.length} frames`} could not be read and ${damaged.length === 1 ?
+    "is" : "are"} not in this page: ${names.join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
 }
 
 const share = (seconds, all) => bar(seconds / all, `${number(seconds, 3)} s`);
@@ -201,7 +225,12 @@ function warnings(runs) {
 function model_numbers(r) {
   const s = r.summary || {}, m = { ...s.model };
   delete m.automatic_elements;
+  delete m.mass;
   const extra = { "kind of run": s.kind, steps: s.steps, "wall time, s": s.wall_seconds, "version of hinge": s.hinge };
+  if (s.model?.mass > 0) extra["total mass"] = `${number(s.model.mass)}\u202fkg`;
+  const far = r.frames && largest_displacement(r.frames);
+  if (far) extra[`largest displacement in the last frame${far.all ? "" : ", of what stands on supports"}`]
+    = `${quantity(far.value, "m")}: ${far.where}`;
   if (s.fastest_node) extra["fastest node"] = `${s.fastest_node.node}: ${quantity(s.fastest_node.speed, "m/s")}`;
   return [...Object.entries(m).map(([k, v]) => [k.replace(/_/g, " "), v]), ...Object.entries(extra)].filter(([, v]) =>
     v !== undefined);
@@ -233,8 +262,10 @@ function member_card(runs, player) {
 
 function make_player(runs, grows = false) {
   const with_frames = runs.filter((r) => r.frames);
-  if (with_frames.length === 0) return [null, card("The structure", make("p", {}, "No frames were written, so there is "
-    + "nothing to look at in 3D. A script asks for them with job:frame(run) or hinge.frame(run)."))];
+  const lost = runs.flatMap((r) => list(r.damaged));
+  if (with_frames.length === 0) return [null, card("The structure", make("p", {}, lost.length ? damaged_text(lost) :
+    "No frames were written, so there is nothing to look at in 3D. A script asks for them with job:frame(run) or "
+    + "hinge.frame(run)."))];
   let member = null;
   const changed = (p, what) => {
     p.show_time?.();
@@ -288,7 +319,7 @@ async function main() {
   const [player, watch] = make_player(runs);
   report.append(heading(runs), watch, ...below(runs, player));
   if (player) player.seek(player.end);
-  window.hinge_report = { runs, player, ready: true };
+  window.hinge_report = { runs, player, story: story_of, ready: true };
   document.documentElement.dataset.ready = "yes";
 }
 

@@ -17,6 +17,15 @@ function weakest(frames, member) {
   return bar;
 }
 
+// Between two frames more may happen than the curves have.
+function sampling(frames) {
+  const x = frames.abscissa, apart = x.length > 1 ? Math.abs(x[x.length - 1] - x[0]) / (x.length - 1) : 0;
+  const every = apart === 0 ? "" : frames.factors ? `, ${number(apart, 2)} of the load factor apart on average` :
+    `, ${quantity(apart, "s", 2)} apart on average`;
+  return `The curves have a value at each of the ${number(x.length)} frames${every}. What comes and goes between two frames `
+    + "is not in them: a member that has yielded need not reach f_y = 1 here.";
+}
+
 /// Elements to put into the panel, and a function that moves their cursors to a time.
 export function member_panel(run, number_of, seek) {
   const { frames } = run, member = frames.members.get(number_of);
@@ -48,7 +57,7 @@ export function member_panel(run, number_of, seek) {
     + `My0 ${quantity(limit(2), "N m", 3)}` : "without a yield stress";
   return {
     parts: [make("h3", {}, head), facts, make("p", { class: "hint" }, `curves: element ${bar + 1}, the most strained; `
-      + capacity), surface, ...plots].filter(Boolean),
+      + capacity), surface, ...plots, make("p", { class: "hint" }, sampling(frames))].filter(Boolean),
     cursor(time) {
       const f = frame_at(frames, time), { worst, touched } = member_state(frames, f, member);
       facts.textContent = `${states[worst]}${touched ? ", has been in contact" : ""} · f_y ${number(f_y(frames, f, bar), 3)} · N `

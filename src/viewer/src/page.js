@@ -45,6 +45,9 @@ export function quantity(value, unit, digits = 4) {
   return number(value / factor, digits) + (name ? "\u202f" + name : "");
 }
 
+/// A place on the axis of a run: a time, or of statics a load factor.
+export const abscissa = (value, statics) => (statics ? `load factor ${number(value)}` : `${number(value)}\u202fs`);
+
 /// A table: names of the columns, rows of cells; a cell is text, a number (to the right) or an element.
 export function table(columns, rows, attributes = {}) {
   const cell = (tag, value) => {

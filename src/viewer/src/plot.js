@@ -29,6 +29,8 @@ function path(x, y, to_x, to_y) {
   for (let i = 0; i < x.length; ++i) {
     const ok = Number.isFinite(x[i]) && Number.isFinite(y[i]);
     if (ok) text += `${pen ? "L" : "M"}${to_x(x[i]).toFixed(1)} ${to_y(y[i]).toFixed(1)}`;
+    const lone = ok && !pen && !(i + 1 < x.length && Number.isFinite(x[i + 1]) && Number.isFinite(y[i + 1]));
+    if (lone) text += "h0"; // its round ends make a dot
     pen = ok;
   }
   return text;
@@ -59,7 +61,7 @@ export function plot({ label, x_label = "time, s", unit = "", series, width = 64
   drawing.append(svg("text", { x: (left + width - right) / 2, y: height - 5, "text-anchor": "middle" }, x_label));
   if (y_unit) drawing.append(svg("text", { x: 4, y: top + 8 }, y_unit));
   const curves = series.map((s, i) => svg("path", { d: path(s.x, s.y, to_x, to_y), fill: "none",
-    stroke: s.colour || colours[i % colours.length], "stroke-width": 1.8, "stroke-dasharray": s.dash ? "5 4" : null }));
+    stroke: s.colour || colours[i % colours.length], "stroke-width": 1.8, "stroke-linecap": "round", "stroke-dasharray": s.dash ? "5 4" : null }));
   const cursor = svg("line", { class: "cursor", x1: left, x2: left, y1: top, y2: height - bottom });
   drawing.append(...curves, cursor);
   if (seek) {

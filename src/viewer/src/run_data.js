@@ -67,7 +67,7 @@ export async function read_frames(packed) {
     whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4), read_changes(packed)]);
   const frames = {
     nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups),
-    not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
+    declared_nodes: packed.declared_nodes || packed.nodes, not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
     declared: floats(declared), held, ends, member, width: floats(width), limits: floats(limits), ...changes,
   };
   frames.abscissa = frames.factors || frames.times;
@@ -139,6 +139,50 @@ function find_storeys(frames) {
     m.storey = k < 0 ? floors.length - 1 : k;
     for (const b of m.bars) frames.storey[b] = m.storey;
   }
+}
+
+// Which of the six a plane model holds at all its nodes: one displacement and the two rotations that go with it, and
+// rotations that no node has. The ends of a single beam are no such plane, though all may be held upwards.
+function held_everywhere(held, nodes) {
+  let all = nodes > 0 ? 63 : 0;
+  for (let i = 0; i < nodes; ++i) all &= held[i];
+  if (all === 63) return 0;
+  const out_of_plane = [1 | 16 | 32, 2 | 8 | 32, 4 | 8 | 16].filter((plane) => (all & plane) === plane);
+  return (all & 56) | (out_of_plane.length === 1 ? out_of_plane[0] & 7 : 0);
+}
+
+/// Supports as pictures show them (src/output/symbols.cpp): { node, kind, held }. kind: "plate" where all is held, "pin"
+/// where the rotations are free, "roller" where some displacements are, "turns" where rotations alone are held. What all
+/// nodes of a plane model hold does not count.
+export function supports_of(frames) {
+  const { held } = frames, nodes = Math.min(frames.declared_nodes, held.length), out = [];
+  const everywhere = held_everywhere(held, nodes), moves = 7 & ~everywhere;
+  const turns = 56 & ~everywhere;
+  for (let i = 0; i < nodes; ++i) {
+    const own = held[i] & ~everywhere;
+    if (!own) continue;
+    const stays = (own & moves) === moves;
+    out.push({ node: i, held: own, free: moves & ~own, kind: stays ? ((own & turns) === turns ? "plate" : "pin") :
+      own & moves ? "roller" : "turns" });
+  }
+  return out;
+}
+
+/// The largest displacement in the last frame, m, and where; of what is attached to supports, if anything is. `all`: of
+/// all nodes. null where there is none.
+export function largest_displacement(frames) {
+  const { bars, ends, attached, declared, positions, nodes } = frames, from = 3 * nodes * (frames.count - 1);
+  const any = attached.includes(1);
+  let value = -1, at = -1, of = 0;
+  for (let e = 0; e < 2 * bars; ++e) {
+    const i = ends[e];
+    if (i === no_node || (any && !attached[e >> 1])) continue;
+    const u = Math.hypot(...[0, 1, 2].map((c) => positions[from + 3 * i + c] - declared[3 * i + c]));
+    if (u > value) value = u, at = i, of = frames.member[e >> 1];
+  }
+  if (at < 0) return null;
+  return { value, all: !any || !attached.includes(0),
+    where: at < frames.declared_nodes ? `node ${at + 1}` : `a node inside member ${of}` };
 }
 
 /// The last frame at or before an abscissa (time or load factor); the first one before all.

@@ -3,7 +3,8 @@
 import {
   BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Group,  LineBasicMaterial, LineSegments, Mesh, Points, Scene, ShaderMaterial, Vector2, Vector3,
 } from "three";
-import { place_bars, declared_at, hinges_of, state, state_of, broken } from "./run_data.js";
+import { place_bars, declared_at, hinges_of, state, state_of, broken, supports_of } from "./run_data.js";
+import { support_lines } from "./supports.js";
 import { band_colours } from "./bands.js";
 
 // A bar is a strip of two triangles that faces the eye, shaded as a tube, and half a width longer at either end: four
@@ -140,7 +141,7 @@ export class RunScene {
     this.root.add(this.dots.drawn);
   }
 
-  // A grid on the lowest support, its lines a round number of metres apart, and a pyramid under each support.
+  // A grid on the lowest support, its lines a round number of metres apart, and a sign at each support.
   #add_ground() {
     const { low, high, frames } = this, span = Math.max(high[0] - low[0], high[1] - low[1], 0.3 * this.size);
     const power = 10 ** Math.floor(Math.log10(span / 4)), step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= span / 6);
@@ -155,14 +156,9 @@ export class RunScene {
     this.axes = [["x", [o[0] + l, o[1], z]], ["y", [o[0], o[1] + l, z]], ["z", [o[0], o[1], z + l]]];
     const axis_colours = ["#c0272d", "#2e8b57", "#1f5fa8"];
     this.axes.forEach(([, tip], i) => this.ground.add(lines([...o, ...tip], axis_colours[i])));
-    const pyramids = [], s = 0.018 * this.size;
-    for (let i = 0; i < frames.nodes; ++i)
-      if (frames.held[i] & 4) {
-        const p = frames.declared.subarray(3 * i, 3 * i + 3);
-        const corners = [[-s, -s], [s, -s], [s, s], [-s, s]].map(([x, y]) => [p[0] + x, p[1] + y, p[2] - 1.5 * s]);
-        corners.forEach((c, k) => pyramids.push(...p, ...c, ...c, ...corners[(k + 1) % 4]));
-      }
-    this.ground.add(lines(pyramids, "#4a5560"));
+    this.supports = supports_of(frames);
+    this.support_signs = lines(support_lines(frames, this.supports, 0.018 * this.size), "#4a5560");
+    this.ground.add(this.support_signs);
     this.root.add(this.ground);
   }
 

@@ -1,6 +1,6 @@
 // What happened, in order: first contact and first hinges, breaks with their causes, storeys reached, loads that went
 // elsewhere, floors that came down, what fell asleep or woke, and the end.
-import { number, quantity } from "./page.js";
+import { abscissa, number, quantity } from "./page.js";
 import { list, force, state, state_of, broken } from "./run_data.js";
 
 /// Rows of events.csv as { at, event, element, member, end, group, limit, strain, of, rule }.
@@ -95,9 +95,11 @@ function load_paths(rows, frames) {
       if (more > most) most = more, taker = m;
     }
     if (taker && most > 0.05 * -before)
-      out.push({ at: x[after], kind: "load", member: taker.number, text: `load finds another way: column ${lost.number} of `
-        + `storey ${lost.storey + 1} carried ${quantity(-before, "N", 3)}; in column ${taker.number} compression grows `
-        + `from ${quantity(Math.max(0, -carried(after - 1, taker)), "N", 3)} to ${quantity(-carried(after, taker), "N", 3)}` });
+      out.push({ at: x[after], kind: "load", member: taker.number, text: `load finds another way: member ${lost.number}, a `
+        + `column of storey ${lost.storey + 1}, carried ${quantity(-before, "N", 3)} of compression in the frame before it broke. `
+        + `Of the storey's other columns, member ${taker.number} takes up most: its compression grows from `
+        + `${quantity(Math.max(0, -carried(after - 1, taker)), "N", 3)} at ${abscissa(x[after - 1], frames.factors)} to `
+        + `${quantity(-carried(after, taker), "N", 3)} at ${abscissa(x[after], frames.factors)}` });
   }
   return out;
 }
@@ -156,7 +158,7 @@ export function story_of(run) {
   const met = rows.filter((r) => r.event === "contact"), bent = rows.filter((r) => r.event === "yield");
   entries.sort((a, b) => a.at - b.at);
   if (summary && !["running", "unfinished"].includes(summary.verdict)) {
-    const counts = [met.length ? `in contact: ${by_group(met)}` : "", bent.length ? `yielded: ${by_group(bent)}` : ""]
+    const counts = [met.length ? `have been in contact: ${by_group(met)}` : "", bent.length ? `have yielded: ${by_group(bent)}` : ""]
       .filter(Boolean).join("; ");
     entries.push({ at: summary.kind === "static" ? summary.factor : summary.time, kind: "end", member: 0,
       text: `end: ${summary.verdict}${summary.reason ? `, ${summary.reason}` : ""}${counts ? ` (${counts})` : ""}` });
