@@ -85,7 +85,8 @@ private:
 
     double outside(const Box& b) const {
         const Box& f = axes_.frame();
-        return std::max({0.0, f.left - b.left, b.right - f.right - em_, f.bottom - b.bottom, b.top - f.top - em_});
+        const double right = legend_.left > f.right ? std::min(f.right + em_, legend_.left - 2) : f.right + em_;
+        return std::max({0.0, f.left - b.left, b.right - right, f.bottom - b.bottom, b.top - f.top - em_});
     }
 
     double cost_of(std::size_t i, const Box& b, double away, bool all) const {

@@ -69,10 +69,11 @@ do
   settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 1 } -- no error
   require "hinge.cost.plot".draw({ knobs = knobs, settings = settings, front = {} },
     { plot = function(_, what) drawn = what end })
-  local seen, faint = {}, 0
+  local seen, faint, named = {}, 0, 0
   for _, s in ipairs(drawn.series) do
+    named = named + (s.faint and s.name and 1 or 0)
     for i, label in ipairs(s.labels or {}) do
-      local way = s.name:match "^%a+"
+      local way = s.faint and ({ blue = "one", red = "two" })[s.colour] or (s.name or "?"):match "^%a+"
       seen[#seen + 1] = ("%s %s %g"):format(label, way, s.x[i])
       faint = faint + (s.faint and s.style == "points" and 1 or 0)
     end
@@ -81,6 +82,7 @@ do
   equal(table.concat(seen, "; "), "dt 2, 2 elements one 4; dt 2, 2 elements two 8; dt 2, 4 elements one 8; "
     .. "dt 2, 4 elements two 16; dt 4, 2 elements one 3; dt 4, 2 elements two 6; dt 4, 4 elements one 5; "
     .. "dt 4, 4 elements two 10", "points of cost.png")
+  equal(named, 1, "entries of the legend for faint points")
   equal(faint, 2, "faint points: those that are slower and no better than another of their method")
 end
 

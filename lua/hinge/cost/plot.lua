@@ -108,7 +108,7 @@ function plot.draw(result, job)
     for _, s in ipairs(g.settings) do any_exact = any_exact or s.error <= exact end
     line.style, line.dashed = #line.x == 1 and "points" or "line and points", hides(line, series)
     series[#series + 1] = line
-    local name = #groups > 1 and line.name .. ", other settings" or "other settings"
+    local name = #others == 0 and "faint: other settings" or nil
     others[#others + 1] = others_of(g, name, number, on_line, numbers, height)
   end
   table.move(others, 1, #others, #series + 1, series)
