@@ -39,8 +39,8 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 /// nodes count for nothing. Where it adds stiffness, `rigid` is the most that there may be: motions whose w^2 is less
 /// than 1e-11 of the ratio of the sums of the diagonals count as rigid.
 struct AddedToModes {
-    Blocks stiffness;
-    std::vector<Blocks::Node> mass;
+    Blocks stiffness = Blocks();
+    std::vector<Blocks::Node> mass = {};
 };
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
                                         const AddedToModes& added = {});

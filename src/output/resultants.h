@@ -33,7 +33,7 @@ private:
         };
         double M[2], Q[2], sign, length;
         double q[2] = {0, 0}, m[2] = {0, 0};  ///< per length, linear between the ends
-        std::vector<Point> points;
+        std::vector<Point> points = {};
         double shear_left = 0, moment_left = 0;  ///< what inertia adds to Q and M from end to end, linearly
 
         void close();

@@ -228,7 +228,13 @@ near(row.error, 0.01, 1e-12, "formulations are compared at 1 %")
 equal(row.methods[1].value, "conventional", "the first formulation")
 equal(row.methods[1].settings[1].values.elements_per_member, 4, "1 % lies between 4")
 equal(row.methods[1].settings[2].values.elements_per_member, 8, "and 8 conventional elements")
-equal(row.methods[2].settings[1].values.elements_per_member, 2, "asi-gauss is there with 2")
+-- asi-gauss is there with any number: the fastest one counts, which noise may choose where all take microseconds
+local fastest
+for _, s in ipairs(r.settings) do
+  if s.values.formulation == "asi-gauss" and (not fastest or s.seconds < fastest.seconds) then fastest = s end
+end
+equal(row.methods[2].settings[1].values.elements_per_member, fastest.values.elements_per_member,
+  "the fastest asi-gauss")
 local shorter = support.smallest_of(row.methods[1].ratio, row.methods[2].ratio)
 near(shorter, 1, 1e-12, "the shorter of both times is the measure")
 r = hinge.cost(cantilever, { parameters = { formulation = "conventional" }, repeats = 1, within = 0.01 })
