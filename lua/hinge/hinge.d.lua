@@ -1449,11 +1449,11 @@ function hinge.frame(run) end
 ---```lua
 ---hinge.picture(run, { title = "under 1 kN", width = 800, height = 600 }, "cantilever.png")
 ---hinge.picture(run, { scale = 50, ghost = true, supports = true, loads = true, show = "Mx", view = "front",
----  labels = true }, "moments.png")
+---  labels = true }) -- picture.png
 ---```
 ---@param run hinge.run see job:picture
 ---@param view? hinge.view
----@param filename string plain name ending in .png
+---@param filename? string plain name ending in .png; default picture.png, then picture-2.png and so on
 function hinge.picture(run, view, filename) end
 
 ---```lua

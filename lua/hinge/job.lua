@@ -49,11 +49,15 @@ function Job:frame(run, ...)
   self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
 
---- Draws the structure as it is now into a PNG picture in the output folder.
+--- Draws the structure as it is now into a PNG picture in the output folder; without a name picture.png, picture-2.png.
 function Job:picture(run, view, filename, ...)
   check.no_more(named(self, "picture"), ...)
   must_be_run(named(self, "picture"), run)
   view = check.options(named(self, "picture"), view, view_rules)
+  if filename == nil then
+    self.unnamed = (self.unnamed or 0) + 1
+    filename = self.unnamed == 1 and "picture.png" or ("picture-%d.png"):format(self.unnamed)
+  end
   try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename))
 end
 

@@ -31,7 +31,7 @@ function job:frame(run) end
 ---```
 ---@param run hinge.run
 ---@param view? hinge.view
----@param filename string plain name ending in .png
+---@param filename? string plain name ending in .png; default picture.png, then picture-2.png and so on
 function job:picture(run, view, filename) end
 
 ---@class hinge.view

@@ -69,6 +69,15 @@ equal(draw { up = { 0, 1, 0 } } == draw { up = { 0, 1, 0 }, from = { -1, 0.55, 1
   "perspective with y upwards")
 equal(draw { view = "top" } == draw { view = "top", up = { 0, 0, 2 } }, true, "a longer up")
 
+-- Without a name.
+for _, name in ipairs { "picture.png", "picture-2.png" } do
+  job:picture(run, { scale = 50, ghost = true, supports = true, loads = true, show = "Mx", view = "front",
+    labels = true })
+  expect(support.read(folder .. "/" .. name), "there is no %s", name)
+end
+job:picture(run, nil, "named.png")
+expect(support.read(folder .. "/named.png") and not support.read(folder .. "/picture-3.png"), "a picture with a name")
+
 -- Wrong fields.
 local where = debug.getinfo(1, "S").short_src
 for text, view in pairs {
