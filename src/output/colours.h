@@ -24,7 +24,7 @@ constexpr Colour group_colours[] = {{31, 119, 180}, {224, 134, 45},  {63, 155, 7
 
 constexpr Colour plain_bar = {168, 175, 184};  ///< members that show nothing by their colour
 constexpr Colour member_number = {96, 102, 110};
-constexpr Colour ghost_colour = {176, 182, 190};
+constexpr Colour ghost_colour = {124, 130, 138};
 constexpr Colour support_colour = {84, 92, 102};
 constexpr Colour ground_fill = {243, 242, 238}, ground_line = {214, 212, 204};
 constexpr Colour load_colour = {128, 44, 140};

@@ -156,6 +156,15 @@ public:
             layers.push_back(ground);
         }
         layers.push_back(scene);
+        // The shape at the start lies over all else: thick members would hide it.
+        const vtkNew<vtkRenderer> ghost;
+        if (view_.ghost)
+            if (const auto lines = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14))) {
+                ghost->SetViewport(scene->GetViewport());
+                ghost->AddActor(lines);
+                set_camera(ghost, camera_);
+                layers.push_back(ghost);
+            }
         if (!words_.empty()) layers.push_back(words);
         return take_pixels(view_.width, view_.height, layers);
     }
@@ -183,9 +192,6 @@ private:
             for (const auto& actor : actors) scene->AddActor(actor);
         };
         const double em = em_ * camera_.metres_per_pixel;
-        if (view_.ghost)
-            if (const auto ghost = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14)))
-                scene->AddActor(ghost);
         add(member_actors(bars_, view_, camera_));
         if (diagram_ && !diagram_->empty()) add(diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
         if (dot_unit_ > 0) add(hinge_actors(bars_, camera_, dot_unit_));

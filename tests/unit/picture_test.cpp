@@ -309,6 +309,11 @@ TEST_CASE("the start is drawn as lines in grey", "[output]") {
     const Spot ghost = spot(image, ghost_line, 20), now = spot(image, class_colours[0], 60);
     CHECK(ghost.n > 300);
     CHECK(now.y - ghost.y > 1.8 * (now.right - now.left) / 10.0);
+    // Over a thick member that has hardly moved it shows all the same.
+    Beam thick(1, 2);
+    const Image alone = thick.draw();
+    thick.view.ghost = true;
+    CHECK(spot(thick.draw(), ghost_colour, 60).n > spot(alone, ghost_colour, 60).n + 300);
 }
 
 TEST_CASE("a moment is drawn on the side in tension", "[output]") {
