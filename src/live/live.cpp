@@ -82,8 +82,7 @@ std::string Rows::json() const {
     return text + "]";
 }
 
-// ---- the run's thread
-// -------------------------------------------------------------------------------------------------
+// ---- the run's thread -----------------------------------------------------------------------------------------------
 
 Live::Live(int port) : id_(random_id()), page_(shared("")) {
     server_ = std::make_unique<Server>(port, [this](const Request& request) { return answer(request); });
@@ -199,8 +198,7 @@ void Live::end(const Json& what) try {
     while (Clock::now() < until && anybody_left()) std::this_thread::sleep_for(10ms);
 } catch (...) {}
 
-// ---- the server's thread
-// ----------------------------------------------------------------------------------------------
+// ---- the server's thread --------------------------------------------------------------------------------------------
 
 std::optional<Answer> Live::answer(const Request& request) {
     std::shared_ptr<const State> state;

@@ -77,21 +77,11 @@ std::vector<Entry> legend(const Told& told, int dots) {
         if (d.largest > 0) entries.push_back({say("largest ", d.largest), plus_fill, 9, 0});
         if (d.smallest < 0) entries.push_back({say("smallest ", d.smallest), minus_fill, 9, 0.7});
     } else if (view.show == Show::yield) {
-        static const char* const labels[plastic_class + 1] = {
-            "0.0\xE2\x80\x93"
-            "0.2",
-            "0.2\xE2\x80\x93"
-            "0.4",
-            "0.4\xE2\x80\x93"
-            "0.6",
-            "0.6\xE2\x80\x93"
-            "0.8",
-            "0.8\xE2\x80\x93"
-            "1.0",
-            "1.0"};
-        for (int i = 0; i <= plastic_class; ++i)
-            entries.push_back(
-                {labels[i], class_colours[static_cast<std::size_t>(i)], 4.4, i == plastic_class ? 0.4 : 0});
+        for (int i = 0; i <= plastic_class; ++i) {
+            char text[24] = "1.0";
+            if (i < plastic_class) std::snprintf(text, sizeof text, "%.1f\u2013%.1f", 0.2 * i, 0.2 * (i + 1));
+            entries.push_back({text, class_colours[static_cast<std::size_t>(i)], 4.4, i == plastic_class ? 0.4 : 0});
+        }
     } else if (view.show == Show::group) {
         const std::size_t most = 8;
         for (std::size_t i = 0; i < told.snapshot.groups.size() && i < most; ++i) {

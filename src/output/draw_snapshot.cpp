@@ -68,8 +68,7 @@ void set_light(vtkRenderer* renderer) {
     renderer->AddLight(key);
 }
 
-/// Numbers of nodes and members.
-/// Where there is no room for all, the nearest to the eye stay.
+/// Numbers of nodes and members. Where there is no room for all, the nearest to the eye stay.
 void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vector<DrawnBar>& bars, const View& view,
                  double scale, const Camera& camera) {
     const auto nearness = [&](Vec p) { return -camera.project(p)[2]; };
@@ -118,8 +117,9 @@ public:
         if (view.supports) supports_ = find_supports(snapshot, bars_, view, chosen_.scale);
         // What stands beside the members needs room, too.
         if (!view.box) {
+            const double least = least_support();
             for (const Support& s : supports_) {
-                const double reach = 1.2 * support_size(s, least_support());
+                const double reach = 1.2 * support_size(s, least);
                 for (const double side : {-0.7, 0.7}) shown.push_back(s.at + reach * s.towards + side * reach * s.x);
             }
             for (const GroundPatch& g : ground_)
@@ -140,36 +140,34 @@ public:
         const Told told = this->told();
         const auto caption = sketch([&](Pen& pen) { draw_caption(pen, told, camera_); });
         const auto words = sketch([&](Pen& pen) { draw_words(pen, words_, camera_, margins_.bottom, em_); });
-        const vtkNew<vtkRenderer> scene;
-        scene->SetViewport(0, 1.0 * margins_.bottom / view_.height, 1, 1 - 1.0 * margins_.top / view_.height);
-        add_actors(scene);
-        set_camera(scene, camera_);
-        set_light(scene);
-        std::vector<vtkRenderer*> layers{caption};
+        std::vector<vtkSmartPointer<vtkRenderer>> layers{caption};
         // The ground lies behind all else: it must not hide supports that reach into it.
-        const vtkNew<vtkRenderer> ground;
         if (!ground_.empty()) {
-            ground->SetViewport(scene->GetViewport());
-            for (const GroundPatch& g : ground_)
-                for (const auto& actor : ground_actors(g, camera_)) ground->AddActor(actor);
-            set_camera(ground, camera_);
-            layers.push_back(ground);
+            Actors actors;
+            for (const GroundPatch& g : ground_) append(actors, ground_actors(g, camera_));
+            layers.push_back(layer(actors));
         }
-        layers.push_back(scene);
-        // The shape at the start lies over all else: thick members would hide it.
-        const vtkNew<vtkRenderer> ghost;
+        layers.push_back(layer(scene_actors()));
+        set_light(layers.back());
+        // The shape at the start lies over the members, which would hide it.
         if (view_.ghost)
-            if (const auto lines = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14))) {
-                ghost->SetViewport(scene->GetViewport());
-                ghost->AddActor(lines);
-                set_camera(ghost, camera_);
-                layers.push_back(ghost);
-            }
+            if (const auto lines = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14)))
+                layers.push_back(layer({lines}));
         if (!words_.empty()) layers.push_back(words);
-        return take_pixels(view_.width, view_.height, layers);
+        const std::vector<vtkRenderer*> plain(layers.begin(), layers.end());
+        return take_pixels(view_.width, view_.height, plain);
     }
 
 private:
+    static void append(Actors& to, const Actors& more) { to.insert(to.end(), more.begin(), more.end()); }
+    /// What these show between caption and title.
+    vtkSmartPointer<vtkRenderer> layer(const Actors& actors) const {
+        auto made = vtkSmartPointer<vtkRenderer>::New();
+        made->SetViewport(0, 1.0 * margins_.bottom / view_.height, 1, 1 - 1.0 * margins_.top / view_.height);
+        for (const auto& actor : actors) made->AddActor(actor);
+        set_camera(made, camera_);
+        return made;
+    }
     Told told() const {
         // Pictures with a box are one of several, and those have the same legend.
         const auto any = [&](auto test) {
@@ -187,16 +185,14 @@ private:
         camera_ = fit_camera(shown, typical_radius(bars_), view_.from, view_.up, view_.parallel, view_.width, height);
     }
     double least_support() const { return sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel; }
-    void add_actors(vtkRenderer* scene) const {
-        const auto add = [&](const auto& actors) {
-            for (const auto& actor : actors) scene->AddActor(actor);
-        };
-        const double em = em_ * camera_.metres_per_pixel;
-        add(member_actors(bars_, view_, camera_));
-        if (diagram_ && !diagram_->empty()) add(diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
-        if (dot_unit_ > 0) add(hinge_actors(bars_, camera_, dot_unit_));
-        add(support_actors(supports_, camera_, least_support()));
-        add(load_actors(arrows_, camera_, em));
+    Actors scene_actors() const {
+        Actors actors = member_actors(bars_, view_, camera_);
+        if (diagram_ && !diagram_->empty())
+            append(actors, diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
+        if (dot_unit_ > 0) append(actors, hinge_actors(bars_, camera_, dot_unit_));
+        append(actors, support_actors(supports_, camera_, least_support()));
+        append(actors, load_actors(arrows_, camera_, em_ * camera_.metres_per_pixel));
+        return actors;
     }
 
     const Snapshot& snapshot_;
@@ -226,7 +222,7 @@ std::string draw_snapshot(const Snapshot& snapshot, const View& view) {
 }
 
 std::string draw_strip(int count, const Snapshot* const* snapshots, const View* views, int columns) {
-    if (count < 1 || columns < 1) throw InputError("a strip needs at least one still and one column");
+    if (count < 1 || columns < 1) throw InputError("a strip needs at least one picture and one column");
     const int rows = (count + columns - 1) / columns, width = views[0].width, height = views[0].height;
     columns = std::min(columns, count);
     check_size(columns * width, rows * height);

@@ -36,6 +36,10 @@ Vec usable_up(Vec up, Vec back) {
 
 double length(Vec a) { return std::sqrt(dot(a, a)); }
 
+Vec across(Vec along) {
+    return unit(cross(along, std::abs(along[2]) < 0.9 * length(along) ? Vec{0, 0, 1} : Vec{1, 0, 0}));
+}
+
 bool finite(Vec a) { return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]); }
 
 double size_of(std::span<const Vec> points) {

@@ -19,6 +19,8 @@ inline Vec cross(Vec a, Vec b) {
 double length(Vec a);
 inline Vec unit(Vec a) { return (1 / length(a)) * a; }
 bool finite(Vec a);
+/// A direction across another one, of unit length: level where that is possible, else along y.
+Vec across(Vec along);
 
 /// The diagonal of the box around the points, m.
 double size_of(std::span<const Vec> points);

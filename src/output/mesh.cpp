@@ -31,9 +31,8 @@ vtkSmartPointer<Array> array_of(const std::vector<Value>& values, int parts) {
 }
 
 /// Two directions across a third, of unit length.
-std::array<Vec, 2> across(Vec along) {
-    const Vec side = std::abs(along[2]) < 0.9 * length(along) ? Vec{0, 0, 1} : Vec{1, 0, 0};
-    const Vec u = unit(cross(along, side));
+std::array<Vec, 2> both_across(Vec along) {
+    const Vec u = across(along);
     return {u, cross(unit(along), u)};
 }
 
@@ -108,7 +107,7 @@ void add_box(Mesh& mesh, Vec centre, Vec x, Vec y, Vec z, Colour colour) {
 
 void add_cone(Mesh& mesh, Vec tip, Vec foot, double radius, int sides, Colour colour) {
     const Vec along = tip - foot, n = unit(along);
-    const auto axes = across(along);
+    const auto axes = both_across(along);
     const double slope = radius / length(along);
     for (int i = 0; i < sides; ++i) {
         const Vec p = around(axes, i, sides), q = around(axes, i + 1, sides);
@@ -122,7 +121,7 @@ void add_cone(Mesh& mesh, Vec tip, Vec foot, double radius, int sides, Colour co
 }
 
 void add_rod(Mesh& mesh, Vec a, Vec b, double radius, int sides, Colour colour) {
-    const auto axes = across(b - a);
+    const auto axes = both_across(b - a);
     for (int i = 0; i < sides; ++i) {
         const Vec p = around(axes, i, sides), q = around(axes, i + 1, sides);
         const Mesh::Index k = mesh.vertex(a + radius * p, p, colour), l = mesh.vertex(a + radius * q, q, colour),

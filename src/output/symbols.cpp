@@ -114,7 +114,7 @@ std::vector<Support> find_supports(const Snapshot& snapshot, std::span<const Dra
         if (held == 0 || (!at[i] && !(bare[i] && snapshot.points[i][2] >= view.above))) continue;
         Support s{Support::rotations, drawn_at(snapshot, i, scale), down, {}, 0};
         if (!finite(s.at)) continue;
-        s.x = unit(cross(std::abs(down[1]) < 0.9 ? Vec{0, 1, 0} : Vec{1, 0, 0}, down));
+        s.x = across(down);
         if (at[i]) s.section = std::max(at[i]->shape.width, at[i]->shape.depth);
         if ((held & moves) == moves && (held & turns) == turns) {
             s.kind = Support::clamped;
@@ -125,10 +125,8 @@ std::vector<Support> find_supports(const Snapshot& snapshot, std::span<const Dra
                 const Vec out = start_of(snapshot, i) - start_of(snapshot, static_cast<std::size_t>(other));
                 if (finite(out) && length(out) > 0) {
                     s.towards = unit(out);
-                    const Vec across = cross(at[i]->up, s.towards);
-                    s.x = length(across) > 0.1
-                              ? unit(across)
-                              : unit(cross(std::abs(s.towards[2]) < 0.9 ? Vec{0, 0, 1} : Vec{1, 0, 0}, s.towards));
+                    const Vec beside = cross(at[i]->up, s.towards);
+                    s.x = length(beside) > 0.1 ? unit(beside) : across(s.towards);
                 }
             }
         } else if ((held & moves) == moves) {
@@ -262,7 +260,7 @@ namespace {
 void add_turn(Mesh& mesh, const Arrow& a, double em) {
     constexpr int pieces = 24;
     const Vec axis = unit(a.tip - a.tail);
-    const Vec u = unit(cross(axis, std::abs(axis[2]) < 0.9 ? Vec{0, 0, 1} : Vec{1, 0, 0})), v = cross(axis, u);
+    const Vec u = across(axis), v = cross(axis, u);
     const double radius = std::min(0.45 * length(a.tip - a.tail), 1.6 * em), head = 0.7 * em;
     const auto at = [&](double share) {
         const double angle = 1.5 * std::numbers::pi * share - 0.75 * std::numbers::pi;

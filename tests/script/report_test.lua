@@ -167,24 +167,10 @@ expect(status == 1 and printed:find "^none.html: 1 run, 0 frames" and not printe
 expect(complaint:find "hinge: not in the page: 12 more frames\n", "many damaged frames: %s", complaint)
 equal(data_of(page "none.html").runs[1].frames, nil, "frames where all are damaged")
 
--- In a browser.
-local function found(programs)
-  for _, name in ipairs(programs) do
-    local where = support.output("command -v " .. name):gsub("%s+$", "")
-    if where ~= "" then return where end
-  end
-end
-local node, chromium = found { "node", "nodejs" }, found { "chromium-headless-shell", "chromium", "chromium-browser" }
-local starts = chromium and support.run(("timeout 60 %s --headless --no-sandbox --disable-gpu --dump-dom about:blank")
-  :format(quote(chromium))) == 0
-if node and starts then
-  local test = support.root .. "tests/viewer/page_test.js"
-  local seen, said, wrong = support.run(("%s %s %s %s %s %s"):format(quote(node), quote(test), quote(chromium),
-    quote(folder .. "/one/report.html"), quote(folder .. "/damaged/report.html"), arg[2] and quote(arg[2]) or ""))
+local look = support.browser "report"
+if look then
+  local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html", arg[2])
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
-else
-  print(chromium and not starts and ("report: not looked at in a browser: %s does not start here"):format(chromium)
-    or "report: not looked at in a browser: neither chromium-headless-shell nor chromium is there, or no Node.js")
 end
 checks.done()

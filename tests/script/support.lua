@@ -114,6 +114,34 @@ function support.run(command)
   return kind == "exit" and status or kind .. " " .. status, printed, complaint
 end
 
+-- The first of these programs that is there.
+local function first_of(programs)
+  for _, name in ipairs(programs) do
+    local where = support.output("command -v " .. name):gsub("%s+$", "")
+    if where ~= "" then return where end
+  end
+end
+
+--- look(script, ...): what support.run does of a test in tests/viewer, by Node.js with a headless Chromium and these
+--- arguments, which may be nil. Nil where there is no such program; `who` says so.
+function support.browser(who)
+  local node, chromium = first_of { "node", "nodejs" }, first_of { "chromium-headless-shell", "chromium",
+    "chromium-browser" }
+  local quote = support.quote
+  local starts = chromium and support.run(("timeout 60 %s --headless --no-sandbox --disable-gpu --dump-dom about:blank")
+    :format(quote(chromium))) == 0
+  if node and starts then
+    return function(script, ...)
+      local words = { quote(node), quote(support.root .. "tests/viewer/" .. script), quote(chromium) }
+      for i = 1, select("#", ...) do words[#words + 1] = select(i, ...) and quote((select(i, ...))) end
+      return support.run(table.concat(words, " "))
+    end
+  end
+  print(chromium and not starts and ("%s: not looked at in a browser: %s does not start here"):format(who, chromium)
+    or ("%s: not looked at in a browser: neither chromium-headless-shell nor chromium is there, or no Node.js")
+      :format(who))
+end
+
 --- hinge_on(verb, text, arguments), and its folder, gone when the test ends: writes a script there and runs
 --- `hinge VERB scene.lua ARGUMENTS` of a build folder; returns what support.run does.
 function support.scenes(build)

@@ -122,4 +122,27 @@ const drawing = `(async () => {
   return { hash, drawn };
 })()`;
 
-module.exports = { Browser, drawing };
+// Checks of a test: expect(ok, what), and run(main), which ends with a line for each that is wrong.
+function checks() {
+  const wrong = [];
+  let checked = 0;
+  function expect(ok, what) {
+    ++checked;
+    if (!ok) wrong.push(what);
+  }
+  function run(main) {
+    const tell = () => wrong.forEach((what) => console.log(what));
+    main().then(() => {
+      tell();
+      console.log(`${checked} checked, ${wrong.length} wrong`);
+      process.exitCode = wrong.length > 0 ? 1 : 0;
+    }, (error) => {
+      tell();
+      console.log(error.stack);
+      process.exit(1);
+    });
+  }
+  return { expect, run };
+}
+
+module.exports = { Browser, checks, drawing };

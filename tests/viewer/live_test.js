@@ -5,14 +5,9 @@
 // The script served there is that of tests/script/live_test.lua; it stops when there is a file STOP.
 "use strict";
 const fs = require("fs");
-const { Browser, drawing } = require("./browser.js");
+const { Browser, checks, drawing } = require("./browser.js");
 
-const wrong = [];
-let checked = 0;
-function expect(ok, what) {
-  ++checked;
-  if (!ok) wrong.push(what);
-}
+const { expect, run } = checks();
 
 const frames = "hinge_report.runs[0].frames", last = "hinge_report.player.time";
 const banner = "document.querySelector('.live').textContent";
@@ -36,7 +31,6 @@ async function while_it_runs(b, picture) {
   const energies = "document.querySelector('svg[aria-label^=energies] path').getAttribute('d')";
   const curve = await b.value(energies);
   await b.until(`${energies} !== ${JSON.stringify(curve)}`, 30);
-  ++checked;
   if (picture) await b.picture(picture);
 
   // a curve that is hidden stays so, though the plot is drawn anew
@@ -60,7 +54,6 @@ async function looking_back(b) {
   await b.until(`${last} > ${now + 0.002} && ${newest}.getAttribute('aria-pressed') === 'true'`, 30);
   const then = await b.value(last);
   await b.until(`${last} > ${then}`, 30);
-  ++checked;
 }
 
 // With room for eight frames: no more, in order, from the first to the newest.
@@ -108,7 +101,7 @@ async function after_its_end(b, stop) {
   expect(await b.value("document.querySelectorAll('main script, main img').length") === 0, "a name has become markup");
 }
 
-(async () => {
+run(async () => {
   const [program, address, stop, picture] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
@@ -123,11 +116,4 @@ async function after_its_end(b, stop) {
     fs.writeFileSync(stop, "");
     await b.stop();
   }
-  for (const what of wrong) console.log(what);
-  console.log(`${checked} checked, ${wrong.length} wrong`);
-  process.exitCode = wrong.length > 0 ? 1 : 0;
-})().catch((error) => {
-  for (const what of wrong) console.log(what);
-  console.log(error.stack);
-  process.exit(1);
 });

@@ -5,14 +5,9 @@
 // The report is of the scene of tests/script/report_test.lua; DAMAGED of the same without two of its frames, and with one
 // row of its history.
 "use strict";
-const { Browser, drawing } = require("./browser.js");
+const { Browser, checks, drawing } = require("./browser.js");
 
-const wrong = [];
-let checked = 0;
-function expect(ok, what) {
-  ++checked;
-  if (!ok) wrong.push(what);
-}
+const { expect, run } = checks();
 const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const pause = (ms) => new Promise((r) => setTimeout(r, ms));
 
@@ -378,7 +373,7 @@ async function on_a_narrow_screen(b, report) {
   for (const tag of ["CANVAS", "BUTTON", "INPUT", "SELECT"]) expect(reached.has(tag), `Tab does not reach ${tag}`);
 }
 
-(async () => {
+run(async () => {
   const [program, report, damaged, picture] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
@@ -392,10 +387,4 @@ async function on_a_narrow_screen(b, report) {
   } finally {
     await b.stop();
   }
-  for (const what of wrong) console.log(what);
-  console.log(`${checked} checked, ${wrong.length} wrong`);
-  process.exitCode = wrong.length > 0 ? 1 : 0;
-})().catch((error) => {
-  console.log(error.stack);
-  process.exit(1);
 });

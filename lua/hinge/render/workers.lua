@@ -1,28 +1,24 @@
 -- Work on numbered items in several processes, each of which takes the next item when it has done one; with a line on a
 -- terminal that says how far it is.
 local core = require "hinge.core"
+local status_line = require "hinge.status_line"
 
 local workers = {}
 
-local function time_text(seconds)
-  if seconds < 100 then return ("%.0f s"):format(math.max(1, seconds)) end
-  return ("%.0f min"):format(seconds / 60)
-end
-
--- The line "37 of 100 pictures, 12 s left"; nothing where stderr is no terminal.
+-- Shows "37 of 100 pictures, 12 s left" on a terminal.
 local function progress(what, total)
-  local width, began = core.width(), core.clock()
+  local line, began = status_line.new(), core.clock()
   local show = {}
   function show.tick(done)
-    if not width then return end
-    local line = ("%d of %d %s"):format(done, total, what)
+    if not line then return end
+    local text = ("%d of %d %s"):format(done, total, what)
     if done > 0 and done < total then
-      line = ("%s, %s left"):format(line, time_text((core.clock() - began) / done * (total - done)))
+      text = ("%s, %s left"):format(text, status_line.time((core.clock() - began) / done * (total - done)))
     end
-    io.stderr:write("\r\27[K" .. line:sub(1, width - 1))
+    line.show(text)
   end
   function show.close()
-    if width then io.stderr:write "\r\27[K" end
+    if line then line.clear() end
   end
   return show
 end

@@ -25,12 +25,15 @@ function files.note(path)
   if text then fingerprint_of[whole] = core.fingerprint(text) end
 end
 
--- What was read before anybody looked: the script that Lua runs, and the modules that it has required; of hinge's own
--- those that are models, the others being a part of the engine.
+-- Whether a module of that name is part of a case: of hinge's own those that are models, the others being a part of the
+-- engine.
+local function is_of_script(name) return name:find "^hinge%.models%." or not name:find "^hinge%f[%W]" end
+
+-- What was read before anybody looked: the script that Lua runs, and the modules that it has required.
 local function note_loaded()
   files.note(type(arg) == "table" and arg[0] or nil)
   for name in pairs(package.loaded) do
-    if type(name) == "string" and (name:find "^hinge%.models%." or not name:find "^hinge%f[%W]") then
+    if type(name) == "string" and is_of_script(name) then
       files.note((package.searchpath(name, package.path)))
     end
   end
@@ -43,7 +46,7 @@ function files.watch()
   local note, search, loadfile, dofile, lines = files.note, package.searchers[2], loadfile, dofile, io.lines
   package.searchers[2] = function(name)
     local loader, path = search(name)
-    if type(loader) == "function" then note(path) end
+    if type(loader) == "function" and is_of_script(name) then note(path) end
     return loader, path
   end
   _G.loadfile = function(path, ...) note(path) return loadfile(path, ...) end

@@ -1,19 +1,14 @@
 -- How a study goes, while it goes: a line that is renewed on a terminal, lines now and then in a pipe.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
+local status_line = require "hinge.status_line"
 
 local progress = {}
-
-local function time_text(seconds)
-  if seconds < 100 then return ("%.0f s"):format(seconds) end
-  if seconds < 6000 then return ("%.0f min"):format(seconds / 60) end
-  return ("%.1f h"):format(seconds / 3600)
-end
 
 --- options: total (number of cases, or nil where they are proposed one after the other), kept (from an earlier run),
 -- jobs. Returns { ended(task, outcome), tick(running), close() }.
 function progress.new(options)
-  local width = core.width()
+  local status = status_line.new()
   local began, shown, told = core.clock(), 0, 0
   local done, failed, spent = 0, 0, 0
   local show = {}
@@ -27,7 +22,7 @@ function progress.new(options)
     local left = options.total and options.total - options.kept - done
     if left and done > 0 and left > 0 then
       local each = spent / done / options.jobs
-      parts[#parts + 1] = time_text(math.max(each * left, (core.clock() - began) / done * left)) .. " left"
+      parts[#parts + 1] = status_line.time(math.max(each * left, (core.clock() - began) / done * left)) .. " left"
     end
     return table.concat(parts, ", ")
   end
@@ -37,17 +32,17 @@ function progress.new(options)
     if case.finished(outcome.verdict) then return end
     failed = failed + 1
     if failed > 10 then return end
-    if width then io.stderr:write "\r\27[K" end
+    if status then status.clear() end
     io.stderr:write(("case %d %s%s%s\n"):format(task.number, outcome.verdict,
       outcome.reason and ": " .. outcome.reason or "", failed == 10 and " (further ones: results.csv)" or ""))
   end
 
   function show.tick(running)
     local now = core.clock()
-    if width then
+    if status then
       if now - shown < 0.1 then return end
       shown = now
-      io.stderr:write("\r\27[K" .. line(running):sub(1, width - 1))
+      status.show(line(running))
       return
     end
     local part = options.total and (options.kept + done) * 10 // math.max(1, options.total) or done // 10
@@ -58,7 +53,7 @@ function progress.new(options)
   end
 
   function show.close()
-    if width then io.stderr:write "\r\27[K" end
+    if status then status.clear() end
   end
   return show
 end
