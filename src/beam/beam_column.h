@@ -194,26 +194,18 @@ template <class Real>
     return out;
 }
 
+/// Sum and difference of what the two elements bend by (kappa), first less second, about x and about y, rad.
+struct PairShapeNumbers {
+    double sum[2], difference[2];
+};
+PairShapeNumbers shape_of(const Vec6& d1, const Vec6& d2);
+
 using PairMatrix = Eigen::Matrix<double, 12, 12>;
 /// U less the energies of the two elements by themselves, J; its derivatives with respect to their elastic deformations
 /// d1 and d2, six numbers each as everywhere: N and N m; and 12 x 12, symmetric.
 double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
-Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
+/// Forces: `N`, where asked for, is the axial force of the pair, N.
+Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, double* N = nullptr);
 PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
-
-inline const FixedEnd no_fixed_ends[2];
-
-/// The return to the yield surfaces of a pair whose elastic deformations would be d[0] and d[1]: forces that are dU/dd
-/// where the flow has left it, none of them beyond its surface. `tolerance`: what the forces may miss of dU/dd, in the
-/// energy norm. `fixed_end`: of the two elements.
-void return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-                       const YieldSurface* const (&w)[2], const double* sections, int n, Flow (&flow)[2],
-                       double tolerance = 1e-5, const FixedEnd* fixed_end = no_fixed_ends);
-
-/// d(forces)/dd of a pair, 12 x 12, consistent with that return. `elastic`: what the flow has left; `flow`: null of an
-/// element that does not flow.
-PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const double* sections, int n, const Flow* const (&flow)[2],
-                        const FixedEnd* fixed_end = no_fixed_ends);
 
 }  // namespace hinge::beam

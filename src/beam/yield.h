@@ -62,6 +62,8 @@ struct Flow {
     double dissipation = 0;       ///< (p and its fixed-end part) . plastic, J, >= 0
     /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
+    bool converged = true;  ///< false: the iteration that looked for the flow has ended without an answer
+    bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {

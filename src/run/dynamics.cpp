@@ -184,7 +184,7 @@ void Dynamics::recover(double time) {
     for (const auto& e : effects_) e->add_forces(time, w_.resisting);
     if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
     for (int e : sweep_.rotated()) stiffness_changed(e);
-    if (step_.iteration == 0 && sweep_.folded() >= 0) step_.failure = sweep_.folded_reason();
+    if (step_.iteration == 0 && sweep_.folded() >= 0) step_.failure = sweep_.failure();
 }
 
 /// True: another iteration follows.
@@ -202,9 +202,11 @@ bool Dynamics::correct() {
 
 /// With the displacement predictor the stresses so far are those that the last solution started from.
 void Dynamics::settle() {
-    if (!integrator_->recovers_last()) return;
-    recover(step_.end());
-    integrator_->recovered_last();
+    if (integrator_->recovers_last()) {
+        recover(step_.end());
+        integrator_->recovered_last();
+    }
+    if (sweep_.unreturned() >= 0) step_.failure = sweep_.failure();
 }
 
 /// What was tried becomes the state.

@@ -307,7 +307,7 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && angle <= 1e-11 && r <= 1e-6 * scale;
         if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
-            if (sweep_.folded() >= 0) return Outcome::diverged;
+            if (!sweep_.failure().empty()) return Outcome::diverged;
             converged_in_ = iteration;
             last_move_ = total;
             return Outcome::converged;
@@ -419,7 +419,8 @@ bool Statics::past_exchange(double increment) {
 
 /// Ends the run at a limit load: completed where the script asked for that and there was a way to it.
 void Statics::end_at_limit(const std::string& why, const std::string& advice) {
-    if (sweep_.folded() >= 0) return fail(why + advice + "; " + sweep_.folded_reason());
+    if (const std::string of_element = sweep_.failure(); !of_element.empty())
+        return fail(why + advice + "; " + of_element);
     if (!settings_.to_limit || substeps_ == 0) return fail(why + advice);
     verdict_ = Verdict::completed;
     reason_ = "limit load: " + why;

@@ -23,8 +23,6 @@ void elastic_deformations(const Structure& structure, const State& state, const 
 
 beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
                               int first, const beam::Flow* const (&flow)[2]) {
-    double section[2];
-    const int n = sweep.sections(section);
     const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
     const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
     const beam::YieldSurface* surface[2] = {&e[0]->yield, &e[1]->yield};
@@ -33,7 +31,7 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
     const beam::FixedEnd fixed[2] = {sweep.fixed_end(first), sweep.fixed_end(first + 1)};
-    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, section, n, flow, fixed);
+    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, flow, fixed);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first) {

@@ -1,7 +1,7 @@
 // Hinges at the end of a step: what flowed is accumulated, and integration points go to where the hinges are.
 #pragma once
 
-#include "beam/beam_column.h"
+#include "beam/pair_return.h"
 #include "state/sweep.h"
 
 namespace hinge {

@@ -4,7 +4,7 @@
 #include <bit>
 #include <map>
 
-#include "beam/beam_column.h"
+#include "beam/pair_return.h"
 #include "beam/mass.h"
 #include "beam/tangent.h"
 #include "core/built.h"
@@ -42,7 +42,7 @@ struct Sweep::Kind {
 struct Sweep::Found {
     std::vector<Yielding> yielding;
     std::vector<int> rotated, wound;
-    int folded = -1;
+    int folded = -1, unreturned = -1;
     // of a block with wound elements
     beam::Winding winding[lane_count];
     beam::Triad<Lanes> frame;
@@ -78,6 +78,9 @@ constexpr double bending_counts = 1.0 / 64;
 
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
+
+/// On the plastic deformation of a pair (pair_return.h). Its forces follow from what is left elastic, whatever this is.
+constexpr double pair_tolerance = 1e-4;
 
 Sweep::Sweep(const Structure& structure, ThreadPool& pool, bool inertia)
     : structure_(structure), pool_(pool), inertia_(inertia) {}
@@ -348,8 +351,6 @@ void Sweep::keep_twist(State& state) const {
 /// The return to the yield surface of a pair, the first of which is lane i.
 [[gnu::noinline]] void Sweep::return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6],
                                           Found& found) const {
-    double section[2];
-    const int section_count = sections(section);
     beam::Stiffness k[2];
     Vec6 elastic[2];
     const beam::YieldSurface* surface[2];
@@ -361,11 +362,12 @@ void Sweep::keep_twist(State& state) const {
     }
     beam::Flow flow[2];
     const beam::FixedEnd* fixed = fixed_ends_.empty() ? beam::no_fixed_ends : &fixed_ends_[element + i];
-    beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic, surface, section,
-                            section_count, flow, 1e-5, fixed);
+    const bool converged = beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic,
+                                                   surface, flow, pair_tolerance, fixed);
+    if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
-        if (flow[j].lambda[0] > 0 || flow[j].lambda[1] > 0) found.yielding.push_back({element + i + j, flow[j]});
+        if (flow[j].flows()) found.yielding.push_back({element + i + j, flow[j]});
     }
 }
 
@@ -442,7 +444,9 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                     found.yielding.push_back(
                         {element + i, beam::return_to_surface(trial, kind.stiffness(i), e.yield, section, section_count,
                                                               fixed_end(element + i))});
-                    for (int c = 0; c < 6; ++c) p[c][i] = found.yielding.back().flow.p[c];
+                    const beam::Flow& flow = found.yielding.back().flow;
+                    if (!flow.converged && found.unreturned < 0) found.unreturned = element + i;
+                    for (int c = 0; c < 6; ++c) p[c][i] = flow.p[c];
                 }
         }
 
@@ -548,7 +552,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
         found_[i].yielding.clear();
         found_[i].rotated.clear();
         found_[i].wound.clear();
-        found_[i].folded = -1;
+        found_[i].folded = found_[i].unreturned = -1;
         const auto go_over = [&]<bool large>() {
             const auto choose = [&]<bool p_delta>() {
                 return !inertia_            ? &Sweep::run_blocks<large, false, false, p_delta>
@@ -568,17 +572,22 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     yielding.clear();
     rotated_.clear();
     wound_.clear();
-    folded_ = -1;
+    folded_ = unreturned_ = -1;
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
         rotated_.insert(rotated_.end(), f.rotated.begin(), f.rotated.end());
         wound_.insert(wound_.end(), f.wound.begin(), f.wound.end());
         folded_ = std::max(folded_, f.folded);
+        if (unreturned_ < 0) unreturned_ = f.unreturned;
     }
     for (const Block& b : blocks_) updates_ += std::popcount(b.whole);
 }
 
-std::string Sweep::folded_reason() const {
+std::string Sweep::failure() const {
+    if (unreturned_ >= 0)
+        return "the plastic flow of " + structure_.element_name(unreturned_) +
+               " was not found: its forces are too far beyond the yield surface for one step";
+    if (folded_ < 0) return {};
     return "an end of " + structure_.element_name(folded_) +
            " has folded back against the element itself, by 177 degrees; more elements a member, or fracture, may help";
 }

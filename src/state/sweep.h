@@ -58,7 +58,11 @@ public:
     /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
     /// there is none. Filled by run; large displacement.
     int folded() const { return folded_; }
-    std::string folded_reason() const;  ///< why a run cannot go on with it
+    /// An element whose return to its yield surface has not converged; -1 when there is none. Filled by run.
+    int unreturned() const { return unreturned_; }
+    /// Why a step cannot go on from here, "" where it can: an element has folded, or the return of one to its yield
+    /// surface has not converged. Filled by run.
+    std::string failure() const;
     /// Marks where the element is at `pose` as what its stiffness was built for.
     void mark_built(int element, const State& state, const Pose& pose);
 
@@ -114,7 +118,7 @@ private:
     std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and what its elements were bent by
     std::vector<int> rotated_;
     std::vector<int> wound_;
-    int folded_ = -1;
+    int folded_ = -1, unreturned_ = -1;
     double rotation_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;
