@@ -3,12 +3,16 @@
 -- Run     lua5.4 tests/hard/random.lua [name=value ...], with the module on LUA_CPATH
 --         count=200 first=1    so many seeds, from the first; with class, setting or fast of those that fit
 --         seed=N               this seed alone, with the history of its balance
+--         seeds=N,N,...        these seeds
+--         why                  every seed also with p_delta chord, 4 and 8 elements, a quarter of its step, and without
+--                              contact, fracture or plasticity: what its error comes from
 --         class=NAME           only seeds of this class; as=NAME: all seeds as this class ("hit frame": the frames hit
 --                              by a bar; "struck column": one member pressed by 20 t)
 --         setting=NAME         only seeds of this setting: auto, explicit, fine dt, coarse dt
 --         guard=off|on         energy_tolerance of the runs: 0 (default), or their own default
 --         set.NAME=VALUE       an option of the model (p_delta, elements_per_member) or of the run (dt, integrator,
---                              step_control, ...) in place of the scene's own
+--                              step_control, ...) in place of the scene's own; set.dt_times=0.25: that part of its
+--                              own step; set.contact=none, set.fracture=none, set.plasticity=false: without these
 --         out=FILE.csv         a line for each seed is added; seeds that it already has are not run again
 --         jobs=1               processes at a time; each scene has a process of its own
 --         seconds=20           longest time of a scene; then it counts as failed, "too slow"
@@ -35,7 +39,7 @@ local options, changed = { count = 200, first = 1, jobs = 1, seconds = 20, guard
 for _, word in ipairs(arg) do
   local name, value = word:match "^([%w_.]+)=(.*)$"
   if not name then name, value = word, true end
-  value = tonumber(value) or value
+  value = tonumber(value) or value == "true" or value ~= "false" and value
   if name:match "^set%." then changed[name:sub(5)] = value else options[name] = value end
 end
 if options.guard == "off" then changed.energy_tolerance = 0 end
@@ -249,9 +253,9 @@ if options.seed then
     end
     before = share
   end
+  for _, warning in ipairs(out.warnings or {}) do print("warning: " .. warning) end
   print(("%s after %d steps, %.2f s; largest error %.4g %% at t = %.6g s; %s"):format(out.verdict, out.steps,
     out.seconds, 100 * out.worst, out.at, out.reason))
-  for _, warning in ipairs(out.warnings or {}) do print("warning: " .. warning) end
   os.exit(out.verdict == "completed")
 end
 
@@ -317,27 +321,48 @@ local function ended(process, how, code)
   keep(line)
 end
 
+local variants
+if options.compare then
+  variants = {}
+  for _, step in ipairs { 20, 5 } do
+    for _, p_delta in ipairs { "member", "chord" } do
+      for _, elements in ipairs(step == 20 and { 2, 4, 8 } or { 2 }) do
+        variants[#variants + 1] = { ("%2d us %s %d"):format(step, p_delta, elements),
+          { dt = 1e-6 * step, p_delta = p_delta, elements_per_member = elements } }
+      end
+    end
+  end
+elseif options.why then
+  variants = { { "own", {} }, { "chord", { p_delta = "chord" } }, { "4 elem.", { elements_per_member = 4 } },
+    { "8 elem.", { elements_per_member = 8 } }, { "dt / 4", { dt_times = 0.25 } },
+    { "chord dt/4", { p_delta = "chord", dt_times = 0.25 } }, { "no contact", { contact = "none" } },
+    { "no fract.", { fracture = "none" } }, { "elastic", { plasticity = false } } }
+end
+
 -- What is still to run: a scene and its changes, or nil.
 local next_task = coroutine.wrap(function()
-  local seed, left = options.first - 1, options.count
-  while left > 0 do
-    seed = seed + 1
+  local seed, left, listed = options.first - 1, options.count, nil
+  if options.seeds then
+    listed = {}
+    for word in tostring(options.seeds):gmatch "%d+" do listed[#listed + 1] = math.tointeger(word) end
+    left = #listed
+  end
+  while left > 0 and seed < options.first + 1e6 do
+    seed = listed and listed[#listed - left + 1] or seed + 1
     local scene = scene_of(seed)
+    if listed and not scene then left = left - 1 end
     if scene then left = left - 1 end
     if scene and options.tell then
       pcall(scene.make, hinge, changed)
       print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
-    elseif scene and options.compare then
-      for _, dt in ipairs { 2e-5, 5e-6 } do
-        for _, p_delta in ipairs { "member", "chord" } do
-          for _, elements in ipairs(dt == 2e-5 and { 2, 4, 8 } or { 2 }) do
-            local one = scene_of(seed)
-            one.setting = ("%2.0f us %s %d"):format(1e6 * dt, p_delta, elements)
-            local changes = { dt = dt, p_delta = p_delta, elements_per_member = elements }
-            for name, value in pairs(changed) do changes[name] = value end
-            if not done[seed .. one.setting] then coroutine.yield(one, changes) end
-          end
+    elseif scene and variants then
+      for _, variant in ipairs(variants) do
+        local one, changes = scene_of(seed), {}
+        one.setting = variant[1]
+        for _, from in ipairs { variant[2], changed } do
+          for name, value in pairs(from) do changes[name] = value end
         end
+        if not done[seed .. one.setting] then coroutine.yield(one, changes) end
       end
     elseif scene and not done[seed .. scene.setting] then
       coroutine.yield(scene, changed)
@@ -367,6 +392,30 @@ while true do
   end
 end
 if options.tell then os.exit(true) end
+
+-- A line a seed: its error in every variant, %, with "f" where the run failed.
+local function table_of_causes()
+  local by_seed, order = {}, {}
+  for _, row in ipairs(rows) do
+    if not by_seed[row.seed] then
+      by_seed[row.seed] = {}
+      order[#order + 1] = row.seed
+    end
+    by_seed[row.seed][row.setting] = ("%.2g%s"):format(100 * row.worst, row.verdict == "completed" and "" or " f")
+  end
+  local head = { ("%8s"):format "seed" }
+  for _, variant in ipairs(variants) do head[#head + 1] = ("%11s"):format(variant[1]) end
+  print(table.concat(head))
+  for _, seed in ipairs(order) do
+    local line = { ("%8d"):format(seed) }
+    for _, variant in ipairs(variants) do line[#line + 1] = ("%11s"):format(by_seed[seed][variant[1]] or "") end
+    print(table.concat(line))
+  end
+end
+if options.why then
+  table_of_causes()
+  os.exit(true)
+end
 
 local all = summary(rows)
 if options.check then

@@ -1,9 +1,10 @@
 -- Random scenes: scene(seed) draws one. Its class, settings and structure are a function of the seed alone, because all
 -- draws come from a generator of its own in integer arithmetic.
 --
--- A scene: class, budget (element steps), setting ("auto", "explicit", "fine dt", "coarse dt"), words (a list that describes it, complete after
--- make), make(hinge, changed), which returns the model and the options of its dynamic run. `changed` replaces options
--- of the model (p_delta, elements_per_member) and of the run (dt, integrator, step_control, ...).
+-- A scene: class, setting ("auto", "explicit", "fine dt", "coarse dt"), budget (element steps), words (a list that
+-- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
+-- `changed` replaces options of the model (p_delta, elements_per_member, plasticity) and of the run (dt, integrator,
+-- ...). To find causes: dt_times, a factor of the scene's own step, auto steps too; contact or fracture = "none".
 local scenes = {}
 
 local g = 9.80665
@@ -357,7 +358,7 @@ local function fracture(s, group)
     end
   end
   note(s, "fracture by %s", kind)
-  s.model:fracture(rule)
+  if s.changed.fracture ~= "none" then s.model:fracture(rule) end
 end
 
 -- A contact rule that is drawn; between: two groups, or nil.
@@ -368,7 +369,7 @@ local function contact(s, between)
   note(s, "contact %s%s", rule.rule, rule.friction and (" friction %.2f"):format(rule.friction) or "")
   if rule.rule == "surface" and not rule.friction and d.chance(0.5) then rule.rule = nil end -- as a user writes it
   s.contact = rule.rule or "surface"
-  s.model:contact(rule)
+  if s.changed.contact ~= "none" then s.model:contact(rule) end
 end
 
 local function damping(s)
@@ -747,14 +748,14 @@ end
 make["struck column"] = function(s)
   local hinge, model = s.hinge, s.model
   local of = hinge.section.h { depth = 0.25, width = 0.125, web = 0.006, flange = 0.009 }
-  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 295e6 }
+  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 }
   local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 5.8 }
-  local m = member(s, a, b, { section = of, material = steel, up = { 1, 0, 0 }, group = "frame" })
-  s.members[1] = m
+  s.members[1] = member(s, a, b, { section = of, material = steel, up = { 1, 0, 0 }, group = "frame" })
   -- The web lies along x, so the weak axis is x, and the column bends out along y.
   model:fix(a, "x,y,z,ry,rz")
   model:fix(b, "x,y,ry,rz")
-  model:mass { node = b, mass = 20e3 }
+  model:mass { node = a, mass = 1, inertia = 1e4 } -- keeps the end turning
+  model:mass { node = b, mass = 20e3, inertia = 1e4 }
   model:velocity(a, { 0, 0, 0 }, { 0.5, 0, 0 })
   model:velocity(b, { 0, 0, -2 }, { -0.5, 0, 0 })
   note(s, "H 250 x 125 of 5.8 m, 20 t at 2 m/s along its axis, ends turn by 0.5 rad/s")
@@ -766,6 +767,9 @@ local weights = { { 20, "struck frame" }, { 20, "lost column" }, { 12, "shaken f
 
 -- Steps of plain numbers that users write, s: for short strokes and for collapse.
 local fine, coarse = { 2e-6, 5e-6, 1e-5, 2e-5 }, { 5e-5, 1e-4, 2e-4, 5e-4, 1e-3 }
+
+local of_model = { p_delta = true, elements_per_member = true, plasticity = true }
+local not_of_run = { dt_times = true, contact = true, fracture = true }
 
 --- The scene of a seed. class: that class in place of the drawn one.
 function scenes.scene(seed, class)
@@ -794,12 +798,10 @@ function scenes.scene(seed, class)
   function scene.make(hinge, changed)
     changed = changed or {}
     local options = { elements_per_member = elements }
-    for _, name in ipairs { "p_delta", "elements_per_member" } do
-      if changed[name] ~= nil then options[name] = changed[name] end
-    end
+    for name in pairs(of_model) do if changed[name] ~= nil then options[name] = changed[name] end end
     local s = { hinge = hinge, d = draws(seed, 2), model = hinge.model(options), words = scene.words, elements = 0,
       per_member = math.tointeger(options.elements_per_member) or 2,
-      joints = {}, feet = {}, members = {}, names = {}, later = {}, speed = 1 }
+      joints = {}, feet = {}, members = {}, names = {}, later = {}, speed = 1, changed = changed }
     note(s, "elements %s", options.elements_per_member or "default")
     make[scene.class](s)
     local more = {}
@@ -829,7 +831,10 @@ function scenes.scene(seed, class)
     end
     more.duration = math.min(s.wanted, math.max(20, budget / math.max(20, s.elements)) * step)
     for k, v in pairs(changed) do
-      if k ~= "p_delta" and k ~= "elements_per_member" then more[k] = v end
+      if not (of_model[k] or not_of_run[k]) then more[k] = v end
+    end
+    if changed.dt_times then
+      more.dt = changed.dt_times * (run.dt == "auto" and not run.integrator and s.wave / 12 or step)
     end
     if type(more.dt) == "number" then more.duration = math.max(20, math.floor(more.duration / more.dt)) * more.dt end
     more.record = false
