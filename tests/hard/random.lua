@@ -24,7 +24,7 @@
 -- Shows   a table by class and by setting: how many completed, energy errors over 0.1, 1 and 10 %, the largest one, how
 --         many failed by name, and how many are wrong in silence: completed with an error over 1 %
 --
--- The error is the energy remainder over the largest physical energy that was supplied up to then (initial energy, work
+-- The error is the energy error over the largest physical energy that was supplied up to then (initial energy, work
 -- of loads and supports, potential energy released), looked at every few steps. No account of the error itself counts.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. package.path
@@ -51,7 +51,7 @@ local function one_line(text) return (tostring(text):gsub("%s*\n%s*", " ")) end
 -- Energy supplied up to now: what was there, work done on it, and what gravity released.
 local function supply(energy) return energy.initial + math.max(0, energy.work) + math.max(0, -energy.gravity) end
 
--- Largest error of the samples { time, remainder, supplied so far }, as a part of the energy supplied up to then; and
+-- Largest error of the samples { time, error, supplied so far }, as a part of the energy supplied up to then; and
 -- its time. Where little was supplied yet, a twentieth of what was supplied while the balance closed counts.
 local function worst_of(samples)
   local sound = 0
