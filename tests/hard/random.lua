@@ -24,8 +24,8 @@
 -- Shows   a table by class and by setting: how many completed, energy errors over 0.1, 1 and 10 %, the largest one, how
 --         many failed by name, and how many are wrong in silence: completed with an error over 1 %
 --
--- The error is the energy error over the largest physical energy that was supplied up to then (initial energy, work
--- of loads and supports, potential energy released), looked at every few steps. No account of the error itself counts.
+-- Errors are the run's energy error over the largest physical energy that was supplied up to then (initial energy, work
+-- of loads and supports, potential energy released), looked at every five steps. The error itself never counts there.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. package.path
 local hinge = require "hinge"
