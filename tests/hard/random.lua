@@ -18,22 +18,24 @@
 --         seconds=20           longest time of a scene; then it counts as failed, "too slow"
 --         compare              every seed with p_delta member and chord, 2, 4 and 8 elements, steps of 20 and 5 us;
 --                              with as="hit frame" count=40: what bending between joints loses, what the step loses
---         fast                 only seeds with a small budget of steps
+--         fast                 only seeds with a small budget of steps, and of these the first 40 %
 --         tell                 prints the scenes' descriptions and runs none
 --         check                the status is 1 where a bound in `bounds` is not kept
 -- Shows   a table by class and by setting: how many completed, energy errors over 0.1, 1 and 10 %, the largest one, how
 --         many failed by name, and how many are wrong in silence: completed with an error over 1 %
 --
 -- Errors are the run's energy error over the largest physical energy that was supplied up to then (initial energy, work
--- of loads and supports, potential energy released), looked at every five steps. The error itself never counts there.
+-- of loads and supports, potential energy released), looked at every step or every
+-- five. The error itself never counts there.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. package.path
 local hinge = require "hinge"
 local core = require "hinge.core"
 local scenes = require "random_scenes"
 
--- What 200 scenes kept when the test was written. Raise these, never lower them.
-local bounds = { completed = 0.9, within_1_percent = 0.9, silent = 0.1 }
+-- What `check` asks for, as parts of all scenes. The 200 fast ones gave these numbers when they were written here, less
+-- two scenes for other processors: raise them with the engine, never lower them. None may be refused or crash.
+local bounds = { completed = 0.94, within_1_percent = 0.94, within_01_percent = 0.86, silent = 0.05 }
 
 local options, changed = { count = 200, first = 1, jobs = 1, seconds = 20, guard = "off" }, {}
 for _, word in ipairs(arg) do
@@ -42,6 +44,7 @@ for _, word in ipairs(arg) do
   value = tonumber(value) or value == "true" or value ~= "false" and value
   if name:match "^set%." then changed[name:sub(5)] = value else options[name] = value end
 end
+if options.fast then changed.part = 0.4 end
 if options.guard == "off" then changed.energy_tolerance = 0 end
 
 -- One scene --------------------------------------------------------------------------------------------------------
@@ -76,10 +79,10 @@ local function run_scene(scene, changes)
   local ok, problem = pcall(function()
     local model, more = scene.make(hinge, changes)
     run = model:dynamic(more)
-    local supplied, count = 0, 0
+    local supplied, count, every = 0, 0, run.planned_steps < 1000 and 1 or 5
     run:on_step(function(r)
       count = count + 1
-      if count % 5 == 0 or r.index >= r.planned_steps then
+      if count % every == 0 or r.index >= r.planned_steps then
         local e = r.energy
         local now = supply(e)
         if now > supplied or now ~= now then supplied = now end
@@ -154,7 +157,7 @@ end
 
 local function summary(rows)
   local function new() return { n = 0, completed = 0, over = { 0, 0, 0 }, largest = 0, failed = 0, silent = 0,
-    seconds = 0, times = {} } end
+    wild = 0, seconds = 0, times = {} } end
   local groups, order = {}, {}
   local function add(name, row)
     local group = groups[name]
@@ -173,6 +176,7 @@ local function summary(rows)
       if not (row.worst <= 1e-2) then group.silent = group.silent + 1 end
     else
       group.failed = group.failed + 1
+      if row.verdict ~= "failed" then group.wild = group.wild + 1 end
     end
   end
   for _, row in ipairs(rows) do
@@ -225,7 +229,7 @@ end
 local function scene_of(seed)
   local scene = scenes.scene(seed, options.as)
   if options.class and scene.class ~= options.class then return nil end
-  if options.fast and scene.budget > 1.2e5 then return nil end
+  if options.fast and scene.budget > 1e5 then return nil end
   if options.setting and scene.setting ~= options.setting then return nil end
   return scene
 end
@@ -419,9 +423,17 @@ end
 
 local all = summary(rows)
 if options.check then
-  local kept = all.n - all.over[2]
-  local holds = all.completed >= bounds.completed * all.n and kept >= bounds.within_1_percent * all.n
-    and all.silent <= bounds.silent * all.n
-  print(holds and "the bounds are kept" or "a bound is not kept")
-  os.exit(holds)
+  local broken = {}
+  local function at_least(what, part, bound)
+    print(("%-32s %.4f of all, bound %.4f"):format(what, part, bound))
+    if not (part >= bound) then broken[#broken + 1] = what end
+  end
+  at_least("completed", all.completed / all.n, bounds.completed)
+  at_least("energy error within 1 %", 1 - all.over[2] / all.n, bounds.within_1_percent)
+  at_least("energy error within 0.1 %", 1 - all.over[1] / all.n, bounds.within_01_percent)
+  at_least("not wrong in silence", 1 - all.silent / all.n, 1 - bounds.silent)
+  at_least("neither refused nor crashed", 1 - all.wild / all.n, 1)
+  at_least("scenes that ran", all.n, options.count)
+  print(#broken == 0 and "the bounds are kept" or "not kept: " .. table.concat(broken, ", "))
+  os.exit(#broken == 0)
 end
