@@ -4,8 +4,8 @@
 -- A scene: class, setting ("auto", "explicit", "fine dt", "coarse dt"), budget (element steps), words (a list that
 -- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
 -- `changed` replaces options of the model (p_delta, elements_per_member, plasticity) and of the run (dt, integrator,
--- ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of the scene's own step, auto steps
--- too; contact = "none", fracture = "none".
+-- ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto steps too;
+-- contact = "none", fracture = "none".
 local scenes = {}
 
 local g = 9.80665
