@@ -328,11 +328,11 @@ end
 local variants
 if options.compare then
   variants = {}
-  for _, step in ipairs { 20, 5 } do
+  for _, dt in ipairs { 2e-5, 5e-6 } do
     for _, p_delta in ipairs { "member", "chord" } do
-      for _, elements in ipairs(step == 20 and { 2, 4, 8 } or { 2 }) do
-        variants[#variants + 1] = { ("%2d us %s %d"):format(step, p_delta, elements),
-          { dt = 1e-6 * step, p_delta = p_delta, elements_per_member = elements } }
+      for _, elements in ipairs(dt == 2e-5 and { 2, 4, 8 } or { 2 }) do
+        variants[#variants + 1] = { ("%2.0f us %s %d"):format(1e6 * dt, p_delta, elements),
+          { dt = dt, p_delta = p_delta, elements_per_member = elements } }
       end
     end
   end
