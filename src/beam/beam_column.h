@@ -84,6 +84,17 @@ struct PairKind {
 };
 PairKind<double> pair_kind(const Rigidity& c, double L);
 
+/// S and A of both planes at axial force N. Of eight, lanes 2 i and 2 i + 1 are the elements of one pair and have the
+/// same N: the even lanes compute one plane, the odd lanes the other.
+[[gnu::always_inline]] inline void both_planes(const PairKind<double>& k, double N, PairNumbers<double> (&of)[2]) {
+    for (int plane : {0, 1}) of[plane] = pair_numbers(-k.c[plane] * N);
+}
+[[gnu::always_inline]] inline void both_planes(const PairKind<Lanes>& k, const Lanes& N, PairNumbers<Lanes> (&of)[2]) {
+    const PairNumbers<Lanes> m = pair_numbers<Lanes>(-even_and_odd(k.c[0], k.c[1]) * N);
+    of[0] = {evens(m.S), evens(m.S1), evens(m.S2), evens(m.A), evens(m.A1), evens(m.A2)};
+    of[1] = {odds(m.S), odds(m.S1), odds(m.S2), odds(m.A), odds(m.A1), odds(m.A2)};
+}
+
 /// What the pair's forces have beyond those of the elements by themselves.
 template <class Real>
 struct PairForces {
@@ -107,7 +118,8 @@ template <class Real>
                                              PairForces<Real>& out) {
     const auto c = [&](double v) { return spread(v, N); };
     const Real one = c(1);
-    const PairNumbers<Real> of[2] = {pair_numbers(c(0) - k.c[0] * N), pair_numbers(c(0) - k.c[1] * N)};
+    PairNumbers<Real> of[2];
+    both_planes(k, N, of);
     Real bow = c(0), slope = c(0);
     for (int plane : {0, 1}) {
         bow += of[plane].S1 * y.square[plane] + of[plane].A1 * y.difference_square[plane];

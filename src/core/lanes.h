@@ -82,6 +82,18 @@ inline bool any_true(const Mask& a) {
     return __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
 }
 
+/// The even lanes of a and the odd lanes of b.
+[[gnu::always_inline]] inline Lanes even_and_odd(const Lanes& a, const Lanes& b) {
+    return __builtin_shufflevector(a, b, 0, 9, 2, 11, 4, 13, 6, 15);
+}
+/// The even lanes, each also in the odd lane after it; and the odd lanes, each also in the even lane before it.
+[[gnu::always_inline]] inline Lanes evens(const Lanes& a) {
+    return __builtin_shufflevector(a, a, 0, 0, 2, 2, 4, 4, 6, 6);
+}
+[[gnu::always_inline]] inline Lanes odds(const Lanes& a) {
+    return __builtin_shufflevector(a, a, 1, 1, 3, 3, 5, 5, 7, 7);
+}
+
 /// Rows and columns of eight vectors change places.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
     const auto half = [&]<int c>() {  // columns c, c + 2, c + 4, c + 6
