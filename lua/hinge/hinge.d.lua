@@ -1011,19 +1011,27 @@ function model:dynamic(options) end
 ---the load cases that act, as in static_options. Default: those of `from`, with the factors at its end. A case that was
 ---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
----the largest energy error, as a part of the largest energy. The largest energy is the largest value that any account
----of run.energy has had so far. Beyond it the run ends with the verdict "failed". Default 0.02. It is 0.1 with explicit
----steps, and where forces begin or end suddenly (contact, ground, fracture, connectors that break, loads that are
----functions of the state). It is 0 with shift = "whole", whose energy balance cannot close. 0: no check. The error is
----checked every 100 steps, or 20 times in a short run, and at the end. The state of a failed run is that of the last
----check at which the balance closed (models of up to 200 000 elements)
+---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
+---verdict "failed". It also ends if the error grows between two checks by more than a tenth of energy_tolerance, or 1 %
+---where that is more (never more than half of it). Default 0.02. It is 0.1 with explicit steps, and where forces begin
+---or end suddenly (contact, ground, fracture, connectors that break, loads that are functions of the state). It is 0
+---with shift = "whole", whose energy balance cannot close. 0: no check. The error is checked every 100 steps, or 20
+---times in a short run, and at the end. The state of a failed run is that of the last check at which the balance closed
+---(models of up to 200 000 elements); run.energy_error and the last row of history.csv are those of the check that
+---failed. run.reason ends with a setting that held from that state to 20 steps beyond the failure, in a short trial
+---that calls no function of the script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If the
+---model has such functions, it names a setting that was not tried
 ---@field energy_tolerance? number
 ---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
 ---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
 ---be solved. It is tried again with half the length, down to dt / 1024; below this the run fails. The script never sees
 ---a step that was undone. After steps with small errors the step becomes longer again, up to dt. This costs a quarter
----of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method, else 0: every step
----is kept. It is an error with shift = "whole", whose energy balance cannot close
+---of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method. Default otherwise,
+---with newmark, if members can yield or forces can begin or end suddenly (see energy_tolerance): only a step that fails
+---is undone and tried again in this way, that is, one that cannot be solved, or in which the error grows by more than a
+---quarter of energy_tolerance as the motion changes abruptly. This costs next to nothing, and changes no bit of a run
+---in which no step fails. 0: every step is kept, and a step that cannot be solved ends the run. It is an error with
+---shift = "whole", whose energy balance cannot close
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
 ---threads that share the work of a step; default 1; results are the same to the bit for any number
@@ -1090,8 +1098,14 @@ function model:dynamic(options) end
 ---@field instability? hinge.instability in statics: where the structure became unstable; nil where it did not
 ---@field worst_remainder number J, the largest absolute value of energy.remainder so far
 ---energy.remainder as a part of the largest energy, at the last row of history.csv. The largest energy is the largest
----value that any account of the energy balance has had so far. energy_tolerance of model:dynamic limits the same error
+---value that any account of the energy balance has had so far. An account counts only up to what the other side of the
+---balance explains (what is held or dissipated: up to the initial energy, the work supplied and what gravity and
+---springs gave), so that energy from an error does not count. energy_tolerance of model:dynamic limits the same error.
+---If the balance did not close, this is the error when that was seen, not that of the earlier state to which the run
+---went back
 ---@field energy_error number
+---the same of the state that the run has now; differs from energy_error only after the balance did not close
+---@field energy_error_of_state number
 ---pairs of elements; bound: ties made or contacts begun; released: those ended
 ---@field contacts { bound: integer, released: integer }
 ---@field stages { name: string, seconds: number }[] wall time of the steps by stage

@@ -378,12 +378,16 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     });
     const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
+    if (rho < -std::max(settings.floor, 1e-280)) {  // a node's own block is not positive definite
+        keep_worst_block();
+        return {0, false, true};
+    }
     double before = 0;  // alpha of the last step
     while (rho > goal && rho > 1e-280) {
         if (report.iterations == settings.max_iterations) return report.converged = false, report;
         follow(before);
         const double dq = multiply();
-        if (!(dq > 0)) return report.converged = false, report;
+        if (!(dq > 0)) return {report.iterations, false, dq <= 0};
         const double alpha = rho / dq;
         const double next = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
             Wide product{};
@@ -408,6 +412,29 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     solve_back(right, solution);
     report.converged = std::isfinite(rho);
     return report;
+}
+
+/// d: what the preconditioner makes of r at the black node where that is most opposed to r, zero elsewhere.
+template <class Number>
+void Condensed<Number>::keep_worst_block() {
+    const auto product = [&](int p) { return sum(Wide(six * load(&q_[stride * p]) * load(&r_[stride * p]))); };
+    int worst = black_.front();
+    for (int p : black_)
+        if (product(p) < product(worst)) worst = p;
+    std::fill(d_.begin(), d_.end(), 0.0);
+    store(&d_[stride * worst], load(&q_[stride * worst]));
+}
+
+template <class Number>
+void Condensed<Number>::direction(double* d) const {
+    std::fill(d, d + 6 * which_.size(), 0.0);
+    for (int p : staying_) std::memcpy(d + 6 * order_[p], &d_[stride * p], 6 * sizeof(double));
+    for (int i : going_) {
+        const Between& m = between_[i];
+        Wide v{};
+        for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &d_[stride * place_[m.side[s]]]);
+        store_six(d + 6 * m.node, v);
+    }
 }
 
 template class Condensed<float>;

@@ -26,6 +26,7 @@ struct SolverSettings {
 struct SolveReport {
     int iterations = 0;
     bool converged = true;
+    bool indefinite = false;  ///< not converged because d . A d <= 0 for the search direction d (Condensed::direction)
 };
 
 /// Number: of the blocks; vectors are double.
@@ -43,6 +44,8 @@ public:
     void renew(const std::vector<int>& nodes, const ElementMatrices& parts);
     /// A x = right by preconditioned conjugate gradients from x = 0; six numbers a node.
     SolveReport solve(const double* right, double* x, const SolverSettings& settings);
+    /// After a solution that ended as indefinite: d with d . A d <= 0, six numbers a node.
+    void direction(double* d) const;
 
 private:
     enum class Colour : char { between, red, black };
@@ -63,6 +66,7 @@ private:
     void reduce(const double* right);
     void solve_back(const double* right, double* x) const;
     double multiply();
+    void keep_worst_block();
     void follow(double alpha);
     int far(int place, int entry) const;
     int pair_about(int node) const;

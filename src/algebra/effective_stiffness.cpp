@@ -239,6 +239,36 @@ SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vecto
     return report;
 }
 
+EffectiveStiffness::Weakest EffectiveStiffness::weakest_part() const {
+    const int nodes = int(structure_.position().size());
+    std::vector<double> d(6 * std::size_t(nodes));
+    if (narrow_) narrow_->direction(d.data());
+    else if (condensed_) condensed_->direction(d.data());
+    const auto at = [&](int node) { return Eigen::Map<const Vec6>(&d[6 * std::size_t(node)]); };
+    Weakest found;
+    double least = 0;
+    const auto compare = [&](double product, int a, int b, int element) {
+        if (!(product < least)) return;
+        least = product;
+        const bool first = b < 0 || at(a).squaredNorm() >= at(b).squaredNorm();
+        found = {first ? a : b, element, element >= 0 ? -1 : first ? b : a};
+    };
+    for (int e = 0; e < int(structure_.elements().size()); ++e) {
+        const auto& node = structure_.elements()[e].node;
+        compare(matrices_.product(e, d.data()), node[0], node[1], e);
+    }
+    for (const Blocks::Node& n : matrices_.node_blocks()) compare(at(n.node).dot(n.K * at(n.node)), n.node, -1, -1);
+    for (int n = 0; n < nodes; ++n) compare(matrices_.product_of_offset_mass(n, d.data()), n, -1, -1);
+    for (const Coupling& c : couplings_) {
+        Vec12 x;
+        x << at(c.a), at(c.b);
+        compare(x.dot(c.K * x), c.a, c.b, -1);
+    }
+    for (int n = 0; n < nodes && found.node < 0; ++n)  // rounding alone
+        if (at(n).squaredNorm() > least) least = at(n).squaredNorm(), found.node = n;
+    return found;
+}
+
 bool EffectiveStiffness::factorise() {
     if (factor_valid_) return factors_.good();
     const int n = int(structure_.position().size());

@@ -62,6 +62,13 @@ public:
     void assemble();
     /// A x = right, six numbers a node.
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
+    /// After a solution that ended as indefinite: what has the most negative part in d . A d.
+    struct Weakest {
+        int node = -1;     ///< that moves most in d, of those that the part is attached to
+        int element = -1;  ///< -1: what effects add at the node, or between it and `other`
+        int other = -1;
+    };
+    Weakest weakest_part() const;
     /// Factorises A as it stands. False when it is singular.
     bool factorise();
     const DirectFactors& factors() const { return factors_; }

@@ -1,5 +1,7 @@
 #include "algebra/element_matrices.h"
 
+#include <algorithm>
+
 namespace hinge {
 namespace {
 
@@ -118,6 +120,28 @@ Mat6 ElementMatrices::own(int node) const {
     for (int c = 0; c < 6; ++c)
         if (held_[node] >> c & 1) sum(c, c) = 1;
     return sum;
+}
+
+double ElementMatrices::product(int element, const double* x) const {
+    if (empty_[element]) return 0;
+    const Element& e = structure_.elements()[element];
+    const std::size_t at = stride_ * std::size_t(element);
+    const auto own = [&](int end) { return narrow_ ? own_of(&narrow_part_[at], end) : own_of(&wide_part_[at], end); };
+    const Eigen::Map<const Vec6> a(x + 6 * e.node[0]), b(x + 6 * e.node[1]);
+    double sum = a.dot(own(0) * a) + b.dot(own(1) * b) + a.dot(across(element, 0) * b) + b.dot(across(element, 1) * a);
+    if (has_bridges() && e.partner >= 0) {
+        const int first = std::min(element, e.partner);
+        const Eigen::Map<const Vec6> outer(x + 6 * structure_.elements()[first].node[0]),
+            far(x + 6 * structure_.elements()[first + 1].node[1]);
+        sum += outer.dot(bridge(first, 0) * far);
+    }
+    return sum;
+}
+
+double ElementMatrices::product_of_offset_mass(int node, const double* x) const {
+    if (offset_mass_.empty()) return 0;
+    const Eigen::Map<const Vec6> v(x + 6 * node);
+    return v.dot(offset_mass_[node] * v);
 }
 
 Mat6 ElementMatrices::across(int element, int end) const {

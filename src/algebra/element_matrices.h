@@ -36,6 +36,11 @@ public:
     Mat6 own(int node) const;
     /// The block in the row of the element's node at `end` (0, 1) and the column of its other node.
     Mat6 across(int element, int end) const;
+    /// x . A x of an element's own part, with half of what its pair has between its outer ends; x: six numbers a node,
+    /// zero where held.
+    double product(int element, const double* x) const;
+    /// The same of the masses that hang rigidly on a node.
+    double product_of_offset_mass(int node, const double* x) const;
     const Structure& structure() const { return structure_; }
 
     template <class Self, class A>

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "beam/mass.h"
@@ -11,6 +12,8 @@
 
 namespace hinge {
 namespace {
+
+constexpr int most_iterations = 500;  ///< of conjugate gradients on M, which takes some 20 to 1e-13
 
 void hold(std::vector<Vec6>& v, const State& state) {
     for (std::size_t i = 0; i < v.size(); ++i)
@@ -47,8 +50,8 @@ Part part_of(const Structure& structure, int index, const State& state, const Po
 
 /// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as
 /// preconditioner.
-void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change, const State& state,
-                         double tolerance) {
+SolveReport solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change,
+                                const State& state, double tolerance) {
     const std::size_t n = r.size();
     const Pose pose = pose_of(state);
     std::vector<Part> part(structure.elements().size());
@@ -104,10 +107,12 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
     by_node(r, d);
     double rho = dot(r, d);
     const double goal = rho * tolerance * tolerance;
-    for (int iteration = 0; rho > goal && rho > 1e-280 && iteration < 500; ++iteration) {
+    SolveReport report;
+    for (; rho > goal && rho > 1e-280; ++report.iterations) {
+        if (report.iterations == most_iterations) return report.converged = false, report;
         multiply(d, q);
         const double dq = dot(d, q);
-        if (!(dq > 0)) return;
+        if (!(dq > 0)) return {report.iterations, false, dq <= 0};
         const double alpha = rho / dq;
         for (std::size_t i = 0; i < n; ++i) change[i] += alpha * d[i], r[i] -= alpha * q[i];
         by_node(r, q);
@@ -115,6 +120,8 @@ void solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::v
         rho = next;
         for (std::size_t i = 0; i < n; ++i) d[i] = q[i] + beta * d[i];
     }
+    report.converged = std::isfinite(rho);
+    return report;
 }
 
 }  // namespace
@@ -201,7 +208,8 @@ void Mass::take_up_held(const State& state) {
     blocks_->parts.set_held(state.held);
 }
 
-void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance) {
+SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state,
+                        double tolerance) {
     change.resize(impulse.size());
     std::vector<Vec6> right = impulse;
     hold(right, state);
@@ -209,7 +217,7 @@ void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, co
         for (std::size_t i = 0; i < right.size(); ++i) change[i] = lumped_inverse_[i].cwiseProduct(right[i]);
         for (const Heavy& h : heavy_) change[h.node] = h.inverse * right[h.node];
         hold(change, state);
-        return;
+        return {};
     }
     if (!blocks_ && structure_.cubic()) renew({}, state, pose_of(state));
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
@@ -220,7 +228,7 @@ void Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, co
     blocks_->dirty.clear();
     SolverSettings sharp;
     sharp.tolerance = tolerance;
-    blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
+    return blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
 }
 
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
@@ -232,7 +240,7 @@ double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {
                 impulse[i][c] = 0;
             }
     std::vector<Vec6> change;
-    mass.solve(impulse, change, state, 1e-13);
+    if (!mass.solve(impulse, change, state, 1e-13).converged) return std::numeric_limits<double>::quiet_NaN();
     double cost = 0;
     for (std::size_t i = 0; i < impulse.size(); ++i) {
         cost -= impulse[i].dot(state.velocity[i] + 0.5 * change[i]);

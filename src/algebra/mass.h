@@ -26,8 +26,10 @@ public:
     /// Offset masses alone: where `pose` has rotated them.
     void rotate_offset_masses(const State& state, const Pose& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
-    /// `tolerance`: of the residual, relative; lumped masses need none.
-    void solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state, double tolerance);
+    /// `tolerance`: of the residual, relative; lumped masses need none. Without an answer the report says so (an
+    /// indefinite M, a right side that is not finite, 500 iterations), and `change` is not to be used.
+    SolveReport solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state,
+                      double tolerance);
 
     /// Lumped: of each node's elements, a number for each degree of freedom, 1/kg and 1/(kg m^2); zero where it
     /// is held or nothing is left.
@@ -84,7 +86,7 @@ private:
 /// impulse with M as it is after the breaks. It keeps both momenta, and as a projection it cannot gain energy. (When
 /// the carrier's velocity alone was made to keep the momenta, debris with little inertia was flung about: 51 MJ out of
 /// nothing in one impact of 112 MJ.) Counts and returns the kinetic energy lost in this, J; counts the work of moving
-/// supports too.
+/// supports too. Not a number, and nothing is changed, where M v' - M v = impulse could not be solved.
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse);
 
 }  // namespace hinge

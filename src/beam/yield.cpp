@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace hinge::beam {
 
@@ -67,40 +69,92 @@ Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const Vec6* s, c
     return solve_in_blocks(softened(F, A, lambda, n), right);
 }
 
-/// Both ends at once: the multipliers maximise the concave dual
-///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p + s_i) - 1),  l >= 0,  dg/dl_i = f_i - 1,
-/// by Newton's method on those that are free to move, each step shortened until g rises.
-void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
-                     const Vec6* s, double* lambda) {
-    const Mat6 F = k.flexibility();
-    const Vec6 d_trial = F * trial;
-    const Mat6 A[2] = {yield_matrix(sections[0], w), yield_matrix(sections[1], w)};
+constexpr double enough = 1e-8;  ///< of f; rounding leaves some 1e-11 after a trial of 1e4 times the strength
+
+/// The multipliers of both ends at once. They maximise the concave dual
+///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p + s_i) - 1),  l >= 0,  dg/dl_i = f_i - 1.
+class BothEnds {
+public:
+    BothEnds(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, const Vec6* s)
+        : trial_(trial),
+          F_(k.flexibility()),
+          d_trial_(F_ * trial),
+          A_{yield_matrix(sections[0], w), yield_matrix(sections[1], w)},
+          s_(s) {
+        const Vec6 apart = s[0] - s[1];
+        feasible_ = w.n * apart[4] * apart[4] + w.z * apart[5] * apart[5] < 4;
+    }
+
+    /// From given multipliers. False: there is no answer, or none that rounding leaves within `enough`.
+    bool solve(double* lambda) const {
+        newton(lambda);
+        if (off(lambda) <= enough) return true;
+        // N and Mz are those of both ends but for loads between them: more than twice the strength, and no forces of
+        // the element keep both ends within their surfaces
+        if (!feasible_) return false;
+        one_in_the_other(lambda);
+        return off(lambda) <= enough;
+    }
+
+private:
+    static constexpr double enough =
+        1e-8;  ///< of f; rounding leaves some 1e-11 after a trial of 1e4 times the strength
     struct At {
         Vec6 p;
         double f[2], g;
     };
-    const auto at = [&](const double* l) {
+    At at(const double* l) const {
         At x;
-        x.p = relaxed(d_trial, F, A, s, l, 2);
-        const Vec6 away = x.p - trial;
-        x.g = 0.5 * away.dot(F * away);
+        x.p = relaxed(d_trial_, F_, A_, s_, l, 2);
+        const Vec6 away = x.p - trial_;
+        x.g = 0.5 * away.dot(F_ * away);
         for (int i = 0; i < 2; ++i) {
-            const Vec6 whole = x.p + s[i];
-            x.f[i] = whole.dot(A[i] * whole) - 1, x.g += l[i] * x.f[i];
+            const Vec6 whole = x.p + s_[i];
+            x.f[i] = whole.dot(A_[i] * whole) - 1, x.g += l[i] * x.f[i];
         }
         return x;
-    };
+    }
+    /// By how much the conditions l >= 0, f <= 0, l f = 0 are missed.
+    double off(const double* l) const {
+        const At x = at(l);
+        double most = 0;
+        for (int i = 0; i < 2; ++i) {
+            const double miss = l[i] > 0 ? std::abs(x.f[i]) : x.f[i];
+            if (!(miss <= most)) most = miss;  // one that is not a number stays
+        }
+        return most;
+    }
+    /// d f_i / d l_j, negative: h = { h00, h11, h01 } without the sign.
+    void slopes(const double* lambda, const Vec6& p, double* h) const {
+        const Mat6 S = softened(F_, A_, lambda, 2);
+        Vec6 a[2], Sa[2];
+        for (int i = 0; i < 2; ++i) {
+            a[i] = 2 * A_[i] * (p + s_[i]);
+            Sa[i] = solve_in_blocks(S, a[i]);
+        }
+        h[0] = a[0].dot(Sa[0]), h[1] = a[1].dot(Sa[1]), h[2] = a[0].dot(Sa[1]);
+    }
+    void newton(double* lambda) const;
+    void one_in_the_other(double* lambda) const;
+
+    Vec6 trial_;
+    Mat6 F_;
+    Vec6 d_trial_;
+    Mat6 A_[2];
+    const Vec6* s_;
+    bool feasible_;
+};
+
+/// Newton's method on the multipliers that are free to move, each step shortened until g rises. Where one of them comes
+/// to zero on the way, the step that is left need not raise g, and the method may stop short of the answer.
+void BothEnds::newton(double* lambda) const {
     At now = at(lambda);
     for (int iteration = 0; iteration < 200; ++iteration) {
         const bool free[2] = {lambda[0] > 0 || now.f[0] > 0, lambda[1] > 0 || now.f[1] > 0};
         if ((!free[0] || std::abs(now.f[0]) < 1e-13) && (!free[1] || std::abs(now.f[1]) < 1e-13)) return;
-        const Mat6 S = softened(F, A, lambda, 2);
-        Vec6 a[2], Sa[2];
-        for (int i = 0; i < 2; ++i) {
-            a[i] = 2 * A[i] * (now.p + s[i]);
-            Sa[i] = solve_in_blocks(S, a[i]);
-        }
-        const double h00 = a[0].dot(Sa[0]), h11 = a[1].dot(Sa[1]), h01 = a[0].dot(Sa[1]), det = h00 * h11 - h01 * h01;
+        double h[3];
+        slopes(lambda, now.p, h);
+        const double h00 = h[0], h11 = h[1], h01 = h[2], det = h00 * h11 - h01 * h01;
         double step[2] = {0, 0};
         if (free[0] && free[1] && det > 1e-13 * h00 * h11) {
             step[0] = (h11 * now.f[0] - h01 * now.f[1]) / det;
@@ -123,8 +177,56 @@ void two_multipliers(const Vec6& trial, const Stiffness& k, const YieldSurface& 
                      (off(now) < 1e-3 && off(there) < 0.5 * off(now)));  // near the top g no longer tells
             if (rises) lambda[0] = next[0], lambda[1] = next[1], now = there;
         }
-        if (!rises) return;  // rounding
+        if (!rises) return;
     }
+}
+
+/// The root of a falling function, F(l) = 1 from F(0) > 1, for F and its slope: Newton's method on 1 / sqrt(F), which
+/// is a straight line for one resultant alone, within what is known to hold the root.
+template <class Function>
+double falling_root(Function F_and_slope, double start) {
+    double low = 0, high = std::numeric_limits<double>::infinity(), l = start;
+    for (int i = 0; i < 200; ++i) {
+        const auto [F, slope] = F_and_slope(l);
+        if (!std::isfinite(F) || std::abs(F - 1) < 1e-15) break;
+        (F > 1 ? low : high) = l;
+        double next = l + (1 - 1 / std::sqrt(F)) * 2 * F * std::sqrt(F) / -slope;
+        if (!(next > low && next < high)) {
+            if (std::isinf(high)) next = l > 0 ? 16 * l : 1;
+            else next = low > 0 ? std::sqrt(low) * std::sqrt(high) : high / 16;
+            if (!(next > low && next < high)) next = low + (high - low) / 2;
+        }
+        if (next == l || !(next > low && next < high)) break;
+        l = next;
+    }
+    return l;
+}
+
+/// The multiplier of one end as the root of f there, with that of the other end found for each value: both functions
+/// fall all the way, so that there is no step that must be judged by g.
+void BothEnds::one_in_the_other(double* lambda) const {
+    const auto inner = [&](double l1) {
+        const double none[2] = {0, l1};
+        if (at(none).f[0] <= 0) return 0.0;
+        return falling_root(
+            [&](double l0) {
+                const double l[2] = {l0, l1};
+                const At x = at(l);
+                double h[3];
+                slopes(l, x.p, h);
+                return std::pair(x.f[0] + 1, -h[0]);
+            },
+            0);
+    };
+    const auto outer = [&](double l1) {
+        const double l[2] = {inner(l1), l1};
+        const At x = at(l);
+        double h[3];
+        slopes(l, x.p, h);
+        return std::pair(x.f[1] + 1, l[0] > 0 && h[0] > 0 ? h[2] * h[2] / h[0] - h[1] : -h[1]);
+    };
+    lambda[1] = outer(0).first <= 1 ? 0 : falling_root(outer, 0);
+    lambda[0] = inner(lambda[1]);
 }
 
 }  // namespace
@@ -156,8 +258,10 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
     };
     settle();
     if (n == 2 && f_at(flow.p, 1 - worst) > 1 + 1e-13) {
-        two_multipliers(trial, k, w, sections, s, flow.lambda);
+        flow.converged = BothEnds(trial, k, w, sections, s).solve(flow.lambda);
         settle();
+    } else {
+        flow.converged = f_at(flow.p, worst) <= 1 + enough;
     }
     for (int i = 0; i < n; ++i)
         if (flow.lambda[i] > 0) flow.plastic += flow.lambda[i] * yield_gradient(flow.p + s[i], sections[i], w);

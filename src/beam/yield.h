@@ -60,6 +60,7 @@ struct Flow {
     Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
     double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
     double dissipation = 0;       ///< (p and its fixed-end part) . plastic, J, >= 0
+    bool converged = true;        ///< false: no forces keep all sections within the surface, or none was found
     /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
     bool converged = true;  ///< false: the iteration that looked for the flow has ended without an answer

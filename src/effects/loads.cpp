@@ -121,7 +121,7 @@ public:
 
     bool calls_script() const override {
         for (const NodalLoad& l : declared())
-            if (l.follows_state() || l.history) return true;
+            if (l.follows_state() || (l.history && !l.history.points())) return true;
         return false;
     }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {

@@ -205,7 +205,7 @@ public:
 
     bool calls_script() const override {
         for (const MemberLoad& l : declared())
-            if (l.has_history) return true;
+            if (l.has_history && !l.history.points()) return true;
         return false;
     }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {

@@ -1,4 +1,6 @@
 // Supports that move along a path of the script's own, and the work that they do.
+#include <algorithm>
+
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -133,7 +135,11 @@ public:
         prescribe(w_.state.acceleration);
     }
 
-    bool calls_script() const override { return true; }
+    bool calls_script() const override {
+        const auto& motions = w_.structure.model().motions();
+        return std::any_of(motions.begin(), motions.end(),
+                           [](const SupportMotion& m) { return m.displacement && !m.displacement.points(); });
+    }
     bool calm() const override { return false; }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Moved& m : moved_)

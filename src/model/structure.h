@@ -44,6 +44,7 @@ public:
     explicit Structure(std::shared_ptr<const Model> model, MassKind mass = MassKind::consistent);
 
     const Model& model() const { return *model_; }
+    const std::shared_ptr<const Model>& share_model() const { return model_; }
     const std::vector<Vec3>& position() const { return position_; }    ///< m, at the start
     const std::vector<std::uint8_t>& fixed() const { return fixed_; }  ///< six bits a node
     const std::vector<Element>& elements() const { return elements_; }

@@ -9,6 +9,7 @@
 #include "run/central_differences.h"
 #include "run/energy_momentum.h"
 #include "run/newmark.h"
+#include "state/nodes.h"
 
 namespace hinge {
 namespace {
@@ -17,24 +18,17 @@ namespace {
 /// explicit steps come to while they hold, and else.
 constexpr double much_missed = 0.1, some_missed = 0.02;
 constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step control
-constexpr double far_bent = 0.5;       ///< rad: of an element, elastically
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
+constexpr double abrupt_part = 0.5;    ///< of a jump that is refused: a change of the motion that may hide one
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
+
+const std::string no_mass_solution = "conjugate gradients found no solution with the mass matrix alone";
 
 RunKind kind_of(const DynamicSettings& s) {
     return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving, s.dt};
 }
 
-/// By how much the element that is bent most is bent elastically, rad.
-double most_bent(const Structure& structure, const State& state) {
-    double most = 0;
-    for (std::size_t i = 0; structure.large() && i < structure.elements().size(); ++i) {
-        if (state.broken[i]) continue;
-        const Vec6 d = element_deformation(structure, int(i), state) - state.plastic[i];
-        most = std::max({most, std::abs(d[1] - d[0]), std::abs(d[3] - d[2])});
-    }
-    return most;
-}
+bool is_of_load(const std::string& failure) { return failure.find("the load on") != std::string::npos; }
 
 }  // namespace
 
@@ -45,7 +39,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       size_(settings_.dt, settings_.duration, settings_.automatic, settings_.controlled(), state_.time),
       mass_(w_),
       largest_energy_(*structure_),
-      guard_(settings_.energy_tolerance.value_or(energy_may_miss()), size_.whole()),
+      guard_(tolerance(), size_.whole() / size_.own_length()),
       control_(settings_.step_control) {
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
@@ -61,7 +55,12 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
     for (const auto& e : effects_)
         if (!decides_) decides_ = e->decides();
-    may_take_back_ = any_effect(&Effect::calls_script) || control_.on();
+    may_take_back_ = any_effect(&Effect::calls_script) || settings_.controlled();
+    if (settings_.halve_failed) {
+        lumped_.assign(structure_->position().size(), 0);
+        for (const Element& e : structure_->elements())
+            for (int n : e.node) lumped_[n] += 0.5 * e.mass();
+    }
 
     at_.loads = stages_.add("loads", "loads");
     if (meets_) at_.contact = stages_.add("contact", "contact");
@@ -73,13 +72,14 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     else integrator_ = std::make_unique<Newmark>(w_, mass_, stages_, settings_);
     at_.correct = integrator_->correct_stage();
     if (meets_) at_.ends = stages_.add("contact ends", "contact");
-    if (control_.on()) at_.control = stages_.add("step control", "inertia");
+    if (settings_.controlled()) at_.control = stages_.add("step control", "inertia");
     if (decides_) at_.decide = stages_.add(decides_, decides_);
     at_.commit = stages_.add("commit", "inertia");
 
     sweep_.take_up(state_);
     std::vector<Vec6> out_of_balance;
     find_acceleration(out_of_balance);
+    if (!step_.failure.empty()) fail(step_.failure);
     integrator_->begin(effects_);
     for (const auto& e : effects_) e->effective_stiffness_begins();
     if (any_effect(&Effect::has_blocks)) blocks_changed(state_);
@@ -88,11 +88,13 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
         if (e->sleeps()) sleepers_.emplace_back();
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
     add_inertia_to_reactions();
+    guard_.begin(state_);
 }
 
 /// A step for what effects add to the elements: a chosen one is shortened, too long an explicit one refused. Elements'
 /// own limit was looked at where the settings were read.
 DynamicSettings Dynamics::fitted(DynamicSettings s) const {
+    s.halve_failed = s.halve_failed && s.step_control == 0 && !s.explicit_steps() && calls_for_halving();
     Blocks stiffness, damping(1, false);
     for (const auto& e : effects_) e->add_stiffest(stiffness), e->add_stiffest(damping);
     const bool none =
@@ -149,9 +151,9 @@ void Dynamics::take_step() {
     }
     stage(at_.recover, [&] { settle(); });                    // stresses where a long step has led
     if (meets_) stage(at_.ends, [&] { all(&Effect::end); });  // [ties that are due, contacts that began or ended]
-    if (control_.on()) stage(at_.control, [&] { control_step(); });  // [whether the step is kept]
-    if (decides_) stage(at_.decide, [&] { all(&Effect::decide); });  // [eq 16; the script is told]
-    stage(at_.commit, [&] { commit(); });                            // what was tried becomes the state
+    if (settings_.controlled()) stage(at_.control, [&] { control_step(); });  // [whether the step is kept]
+    if (decides_) stage(at_.decide, [&] { all(&Effect::decide); });           // [eq 16; the script is told]
+    stage(at_.commit, [&] { commit(); });                                     // what was tried becomes the state
 }
 
 void Dynamics::begin_step() {
@@ -231,7 +233,12 @@ void Dynamics::commit() {
     watch_effects();
     ++state_.step;
     size_.count_step();
-    if (size_.varies()) state_.time = size_.end();
+    if (settings_.halve_failed) {
+        motions_.insert(motions_.begin(), motion_), motions_.resize(2, motion_);
+        if (error_) known_error_ = *error_;
+        refused_ = 0;
+    }
+    if (settings_.automatic || control_.on()) state_.time = size_.end();
     else state_.time += step_.dt;
 }
 
@@ -250,7 +257,7 @@ void Dynamics::break_elements() {
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
     Mass& mass = mass_.renewed(pose_of(state_));
     const double before = work_of_supports(state_.velocity, state_.velocity);
-    pass_on(state_, mass, impulse);
+    if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
     for (const auto& e : effects_) e->all_broke();
     anew_ = true;
@@ -281,7 +288,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
         for (int c = 0; c < 6; ++c)
             if (state_.held[n] >> c & 1) r[c] = 0 - out_of_balance[n][c], out_of_balance[n][c] = 0;
     }
-    mass.solve(out_of_balance, state_.acceleration, state_, 1e-12);
+    must_be_solved(mass.solve(out_of_balance, state_.acceleration, state_, 1e-12));
     w_.yielding.clear();
     anew_ = false;
     for (const auto& e : effects_) e->restart_ends();
@@ -307,6 +314,12 @@ void Dynamics::add_inertia_to_reactions() {
             if (state_.held[n] >> c & 1) reaction_[n][c] += with[n][c] - without[n][c];
 }
 
+/// A solution with M without an answer: the step fails. A right side that is not finite is named where it comes from.
+void Dynamics::must_be_solved(const SolveReport& report) {
+    const bool not_finite = !report.indefinite && report.iterations == 0;
+    if (!report.converged && !not_finite && step_.failure.empty()) step_.failure = no_mass_solution;
+}
+
 ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
     ImpulseResponse out;
     for (std::size_t i = 0; i < impulse.size(); ++i) {
@@ -314,7 +327,7 @@ ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
         for (int c = 0; c < 6; ++c)
             if (state_.held[i] >> c & 1) out.by_supports -= impulse[i][c] * w_.trial.velocity[i][c];
     }
-    mass_.renewed(w_.trial).solve(impulse, out.change, state_, 1e-10);  // nothing where it is held
+    must_be_solved(mass_.renewed(w_.trial).solve(impulse, out.change, state_, 1e-10));  // nothing where it is held
     for (std::size_t i = 0; i < impulse.size(); ++i) out.square += 0.5 * impulse[i].dot(out.change[i]);
     out.by_supports += work_of_supports(w_.trial.velocity, out.change);
     return out;
@@ -377,7 +390,8 @@ bool Dynamics::advance() {
             char at[64];
             std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + step_.dt);
             step_.failure = at + step_.failure;
-            rejected_ = control_.on();
+            // no shorter step helps against a load that is not finite
+            rejected_ = settings_.controlled() && !(settings_.halve_failed && is_of_load(step_.failure));
             if (!rejected_) fail(step_.failure);
         } while (rejected_ && again_shorter());
         for (const auto& e : effects_) e->forget();
@@ -408,7 +422,7 @@ void Dynamics::choose_length() {
         return std::any_of(effects_.begin(), effects_.end(),
                            [&](const auto& e) { return e->changes_within(state_.time, after); });
     };
-    take_steps_of(size_.next(calm(), integrator_->jump(), changes));
+    take_steps_of(size_.next(settings_.automatic && calm(), integrator_->jump(), changes));
 }
 
 void Dynamics::take_steps_of(long length) {
@@ -486,8 +500,54 @@ Energy Dynamics::energy_of_trial() {
     return energy;
 }
 
+/// Whether this scene is one in which steps that fail are halved by default.
+bool Dynamics::calls_for_halving() const {
+    return (built::plasticity && structure_->can_yield()) || any_effect(&Effect::makes_forces_vanish);
+}
+
+/// The kinetic energy of the nodes where the step is tried to end, with half of each element's mass on either node: it
+/// costs next to nothing, and is near enough to see a jump.
+double Dynamics::motion_of_trial() const {
+    const double* mass = lumped_.data();
+    const Vec6* v = w_.trial.velocity.data();
+    return w_.pool.sum(int(lumped_.size()), some_nodes, [mass, v](int first, int end) {
+        double sum = 0;
+        for (int i = first; i < end; ++i) sum += 0.5 * mass[i] * v[i].head<3>().squaredNorm();
+        return sum;
+    });
+}
+
+/// Without step_control: a step in which the energy balance error jumps is taken back. The balance itself costs a
+/// quarter of a step, so it is looked at only where the motion changes abruptly (its kinetic energy differs from what
+/// the two steps before lead to) or much flows in hinges.
+void Dynamics::refuse_jump() {
+    size_.count_easy(true);
+    motion_ = motion_of_trial();
+    error_.reset();
+    const double most = largest_energy_.most(), allowed = Guard::may_grow(tolerance(), false) * most;
+    if (!(allowed > 0)) return;
+    double flow = 0;
+    for (const Yielding& y : w_.yielding) flow += std::abs(y.flow.dissipation);
+    const double expected = motions_.size() < 2 ? motion_ : 2 * motions_[0] - motions_[1];
+    if (std::abs(motion_ - expected) <= abrupt_part * allowed && flow <= abrupt_part * allowed) return;
+    const Energy energy = energy_of_trial();
+    LargestEnergy now = largest_energy_;
+    if (std::isfinite(now.share(energy, accounts_)) && now.most() > 2 * most) return;  // it is still coming in
+    const double error = energy.error, grown = error - known_error_;
+    // what half the step does not make smaller is not the step's (elements broke since): the guard decides
+    const bool in_vain = refused_ > 0 && std::abs(grown) > 0.7 * refused_;
+    if (std::abs(grown) <= allowed || in_vain) return void(error_ = error);
+    refused_ = std::abs(grown);
+    char what[160];
+    std::snprintf(what, sizeof what,
+                  "the error of the energy balance would grow by %.3g %% of the largest energy, more than %.3g %%",
+                  100 * std::abs(grown) / most, 100 * Guard::may_grow(tolerance(), false));
+    step_.failure = what;
+}
+
 /// Step control: whether the step is kept.
 void Dynamics::control_step() {
+    if (!control_.on()) return refuse_jump();
     if (structure_->large())
         for (std::size_t i = 0; i < w_.rotation_step.size(); ++i)
             if (const double angle = w_.rotation_step[i].norm(); !(angle <= most_rotation)) {
@@ -499,32 +559,6 @@ void Dynamics::control_step() {
             }
     if (auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_))
         step_.failure = std::move(*why);
-}
-
-/// What may keep the energy of such a run better.
-std::string Dynamics::remedies() const {
-    const bool finest = control_.on() && verdict_ == Verdict::failed;  // steps have been halved already
-    const bool newmark = !explicit_steps() && !settings_.conserving;
-    const bool may_conserve =
-        newmark && structure_->large() && structure_->model().options().shift != Shift::whole &&
-        std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->takes_mean_forces(); });
-    std::vector<const char*> list;
-    // far bent, shorter steps do not hold either, nor does the energy-momentum method with so few elements
-    if (most_bent(*structure_, state_) > far_bent) {
-        if (may_conserve) return "more elements a member together with integrator = 'energy-momentum'";
-        list.push_back("more elements a member");
-    }
-    if (integrator_->remedy) list.push_back(integrator_->remedy);
-    list.push_back(finest ? "a larger step_control" : "a shorter dt");
-    if (!finest && !settings_.conserving && !settings_.chosen) list.push_back("dt = 'auto'");
-    if (!control_.on()) list.push_back("step_control");
-    if (newmark && settings_.alpha() == 0) list.push_back("rho_infinity below 1");
-    if (may_conserve) list.push_back("integrator = 'energy-momentum'");
-    else if (newmark && !structure_->cubic()) list.push_back("integrator = 'explicit'");
-    std::string text;
-    for (std::size_t i = 0; i < list.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == list.size() ? " or " : ", ") + std::string(list[i]);
-    return text;
 }
 
 /// Now and then, and at the end: whether a pair is pressed beyond what two elements can show.
@@ -564,12 +598,16 @@ void Dynamics::guard() {
         std::snprintf(what, sizeof what, "; fastest was %s with %.3g m/s at t = %.6g s",
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
     std::optional<std::string> lost;
-    if (due) lost = guard_.look(state_, largest_energy_.share(energy(), accounts_), running, what);
+    if (due)
+        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running,
+                           Guard::may_grow(tolerance(), explicit_steps()), what);
+    if (due && !lost) known_error_ = guard_.error();
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite
-    if (!lost && (sweep_.folded() >= 0 || reason_.find("the load on") != std::string::npos)) return;
+    if (!lost && (sweep_.folded() >= 0 || is_of_load(reason_))) return;
     const std::string why = !failed ? *lost : lost ? reason_ + "; before it, " + *lost : reason_;
-    fail(why + "; " + remedies() + " may hold");
+    fail(why);
+    if (!settings_.trial) fail(why + advice());
 }
 
 }  // namespace hinge

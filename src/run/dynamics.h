@@ -37,6 +37,8 @@ public:
     long rejected() const { return size_.rejected(); }             ///< steps taken back by step control
     bool explicit_steps() const { return settings_.explicit_steps(); }
     double largest_energy() const { return largest_energy_.most(); }  ///< J, that any account has had where it looked
+    /// Of a run whose energy balance no longer closed: the moment at which this was seen.
+    const std::optional<LostBalance>& lost() const { return guard_.lost(); }
     const Fastest& fastest() const { return integrator_->fastest; }
     /// Seconds that one product of this run's effective stiffness, block by block and uncondensed, with a vector takes:
     /// the yardstick of a step.
@@ -64,6 +66,10 @@ private:
     bool correct();
     void settle();
     void control_step();
+    void refuse_jump();
+    double motion_of_trial() const;
+    double tolerance() const { return settings_.energy_tolerance.value_or(energy_may_miss()); }
+    bool calls_for_halving() const;
     void commit();
     void break_elements();
     void watch_effects();
@@ -74,11 +80,18 @@ private:
     void remember();
     void take_back();
     bool again_shorter();
-    std::string remedies() const;
+    struct Remedy {
+        std::string words;
+        std::optional<DynamicSettings> settings;  ///< to be tried; none where the model would be another one
+    };
+    std::vector<Remedy> remedies() const;
+    std::string advice() const;
+    std::optional<bool> holds(const Remedy& remedy, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
     void guard();
     void look_at_pairs();
     void add_inertia_to_reactions();
+    void must_be_solved(const SolveReport& report);
     void find_acceleration(std::vector<Vec6>& out_of_balance);
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
@@ -105,8 +118,14 @@ private:
     const char* decides_ = nullptr;
     bool may_take_back_ = false;  ///< a step may fail and be undone
     Step step_;
-    bool anew_ = false;      ///< the next step begins with the acceleration found anew
-    bool rejected_ = false;  ///< the step failed in a way that a shorter one may mend
+    bool anew_ = false;            ///< the next step begins with the acceleration found anew
+    std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps that were kept; with halve_failed
+    double motion_ = 0;            ///< of the step that is tried
+    double known_error_ = 0;       ///< J, of the energy balance when it was last found, by the guard or in a step
+    double refused_ = 0;           ///< J, the growth for which this step was taken back
+    std::optional<double> error_;  ///< J, of the step that is tried, where it was found
+    std::vector<double> lumped_;   ///< kg, at each node
+    bool rejected_ = false;        ///< the step failed in a way that a shorter one may mend
     struct Sleeper {
         bool awake = false;
         long quiet = 0;

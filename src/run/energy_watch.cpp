@@ -19,14 +19,24 @@ LargestEnergy::LargestEnergy(const Structure& structure) {
 }
 
 double LargestEnergy::share(const Energy& energy, const AccountList& accounts) {
-    const auto take = [&](double account) {
-        if (std::isfinite(account)) most_ = std::max(most_, std::abs(account));
-        return std::isfinite(account);
-    };
-    if (!take(energy.initial)) return energy.initial;
-    for (const AccountInfo& info : accounts)
-        if (info.part_of.empty() && !take(energy[info.name])) return energy[info.name];
+    if (!std::isfinite(energy.initial)) return energy.initial;
+    double held = 0, given = 0;            // all that is held or was dissipated; all that was there or came in
+    double most_held = 0, most_given = 0;  // the largest account of each
+    const auto take = [](double account, double& all, double& most) { all += account, most = std::max(most, account); };
+    for (const AccountInfo& info : accounts) {
+        if (!info.part_of.empty()) continue;
+        const double account = energy[info.name];
+        if (!std::isfinite(account)) return account;
+        const bool in = (info.name == supplied_account) == (account > 0);
+        if (in) take(std::abs(account), given, most_given);
+        else take(std::abs(account), held, most_held);
+    }
+    most_ = std::max({most_, energy.initial, std::min(most_held, energy.initial + given), std::min(most_given, held)});
     return most_ > floor_ ? energy.error / most_ : 0;
+}
+
+void Guard::begin(const State& state) {
+    if (tolerance_ > 0 && state.broken.size() <= most_kept) good_ = {state, 0};
 }
 
 bool Guard::due(const State& state, bool running) const {
@@ -34,19 +44,38 @@ bool Guard::due(const State& state, bool running) const {
     return !running || state.step - looked_at_ >= std::clamp((steps_ - 1) / 20, 1L, most_between);
 }
 
-std::optional<std::string> Guard::look(State& state, double share, bool running, const std::string& fastest) {
+std::optional<std::string> Guard::look(State& state, const Energy& energy, const AccountList& accounts,
+                                       LargestEnergy& largest, bool running, double may_grow,
+                                       const std::string& fastest) {
+    const double before = largest.most(), share = largest.share(energy, accounts);
+    const double grown = share == 0 ? 0 : (energy.error - error_) / largest.most();
+    // while the energy of the run is still coming in, an error is compared with what will soon be little
+    const bool coming_in = largest.most() > 2 * before;
+    const bool closes = std::abs(share) <= tolerance_, steady = coming_in || std::abs(grown) <= may_grow;
+    const long since = looked_at_;
     looked_at_ = state.step;
-    if (std::abs(share) <= tolerance_) {
+    if (closes && steady) {
+        error_ = energy.error;
         if (running && state.broken.size() <= most_kept) good_ = {state, share};
         return {};
     }
+    lost_ = {state.step, state.time, state.factor, energy, share, false};
+    largest.set_most(before);
     char what[400];
-    std::snprintf(what, sizeof what,
-                  "step %ld, t = %.6g s: the energy balance no longer closes, its error is %.3g %% of the largest "
-                  "energy (energy_tolerance %.3g %%)",
-                  state.step, state.time, 100 * share, 100 * tolerance_);
+    if (closes)
+        std::snprintf(
+            what, sizeof what,
+            "step %ld, t = %.6g s: the error of the energy balance has grown by %.3g %% of the largest energy "
+            "since step %ld, more than %.3g %% (energy_tolerance %.3g %%)",
+            state.step, state.time, 100 * std::abs(grown), since, 100 * may_grow, 100 * tolerance_);
+    else
+        std::snprintf(what, sizeof what,
+                      "step %ld, t = %.6g s: the energy balance no longer closes, its error is %.3g %% of the largest "
+                      "energy (energy_tolerance %.3g %%)",
+                      state.step, state.time, 100 * share, 100 * tolerance_);
     std::string why = what + fastest;
     if (good_) {
+        lost_->went_back = true;
         state = std::move(good_->state);
         std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%",
                       state.step, state.time, 100 * good_->share);

@@ -1,7 +1,9 @@
 // What the energy balance error is held against, whether a run may go on, and whether a step is kept.
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 #include "run/step_size.h"
 #include "state/state.h"
@@ -9,6 +11,11 @@
 namespace hinge {
 
 /// The largest energy: the largest value that any account of the balance has had so far.
+///
+/// An account counts only up to what the other side of the balance explains, so that energy made by an error does not
+/// enlarge the value that the error is compared with: what is held or dissipated counts up to initial energy + supplied
+/// work + what other accounts (gravity, springs, ground) have given; what has been given counts up to what is held or
+/// dissipated. Where the balance closes, neither limit acts.
 class LargestEnergy {
 public:
     explicit LargestEnergy(const Structure& structure);
@@ -26,20 +33,42 @@ private:
     double most_ = 0, floor_ = 0;  ///< J
 };
 
-/// Now and then the energy balance is looked at. A run in which it no longer closes ends, with the last state in which
-/// it did.
+/// An energy balance that did not close: of the step at which that was seen, whatever state the run then goes back to.
+struct LostBalance {
+    long step = 0;
+    double time = 0;    ///< s
+    double factor = 0;  ///< load factor of the state
+    Energy energy;
+    double share = 0;        ///< its error as a part of the largest energy
+    bool went_back = false;  ///< a good state was kept, and is the run's again
+};
+
+/// Now and then the energy balance is looked at. A run in which it no longer closes, or whose error grew too much since
+/// the last look, ends with the last state in which it was well.
 class Guard {
 public:
     Guard(double tolerance, long steps) : tolerance_(tolerance), steps_(steps) {}
+    /// The state that the run begins with is good.
+    void begin(const State& state);
     bool due(const State& state, bool running) const;
-    /// `share`: LargestEnergy's. Null while the balance closes: the state is kept as good. Else what happened; `state`
-    /// becomes the last good one, if there is one.
-    std::optional<std::string> look(State& state, double share, bool running, const std::string& fastest);
+    /// Null while the balance closes: the state is kept as good. Else what happened; `state` becomes the last good one,
+    /// if there is one, and `largest` what it was before. `may_grow`: by which the error may, since the last look.
+    std::optional<std::string> look(State& state, const Energy& energy, const AccountList& accounts,
+                                    LargestEnergy& largest, bool running, double may_grow, const std::string& fastest);
+    const std::optional<LostBalance>& lost() const { return lost_; }
+    double error() const { return error_; }  ///< J, of the balance at the last look at which it closed
+
+    /// By how much of the largest energy the error may grow between two looks: a tenth of the tolerance, or 1 % where
+    /// that is more, and never more than half the tolerance. Of explicit steps, whose energy swings with the fastest
+    /// vibrations, half the tolerance.
+    static double may_grow(double tolerance, bool explicit_steps) {
+        return explicit_steps ? 0.5 * tolerance : std::max(0.1 * tolerance, std::min(0.01, 0.5 * tolerance));
+    }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         bool good = s.good_.has_value();  // where it is read: make_room has been called
-        a(s.looked_at_, good);
+        a(s.looked_at_, s.error_, good);
         if (good) a(s.good_->state, s.good_->share);
         else if constexpr (A::reading) s.good_.reset();
     }
@@ -56,6 +85,8 @@ private:
     long steps_;
     std::optional<Good> good_;  ///< when the balance was last looked at and closed
     long looked_at_ = 0;        ///< the step of that
+    double error_ = 0;          ///< J, of the balance then
+    std::optional<LostBalance> lost_;
 };
 
 /// A step may lose its share of what the run may lose, or whatever the steps before it have left over.

@@ -1,5 +1,7 @@
 #include "run/integrator.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 #include "state/rotate.h"
 
@@ -27,10 +29,37 @@ std::string Integrator::name_the_culprit() const {
 }
 
 void Integrator::fail_to_solve(Step& step, const SolverSettings& solver, const SolveReport& report) {
-    step.failure = solver.direct
-                       ? "the effective stiffness could not be factorised"
-                       : "conjugate gradients did not converge in " + count_text(report.iterations, "iteration");
-    remedy = solver.direct ? nullptr : "solver = 'direct', more solver_iterations";
+    remedy = nullptr;
+    if (solver.direct) {
+        step.failure = "the effective stiffness could not be factorised";
+    } else if (report.indefinite) {
+        step.failure = "the effective stiffness is not positive definite" + weakest_part();
+        remedy = "solver = 'direct'";
+    } else if (report.iterations < solver.max_iterations) {
+        step.failure = "the solution for the accelerations is not finite";
+    } else {
+        step.failure = "conjugate gradients did not converge in " + count_text(report.iterations, "iteration");
+        remedy = "solver = 'direct', more solver_iterations";
+    }
+}
+
+/// Where the effective stiffness is not positive definite, and what makes it so there.
+std::string Integrator::weakest_part() {
+    const Structure& s = w_.structure;
+    const EffectiveStiffness::Weakest weakest = effective()->weakest_part();
+    if (weakest.node < 0) return {};
+    const std::string at = " at " + s.node_name(weakest.node) + ": ";
+    if (weakest.element < 0) {
+        return at + "what effects add to the stiffness " +
+               (weakest.other < 0 ? std::string("there") : "between it and " + s.node_name(weakest.other)) +
+               " is negative for the motion that is solved for";
+    }
+    const int e = weakest.element;
+    std::string why;
+    if (std::any_of(w_.yielding.begin(), w_.yielding.end(), [&](const Yielding& y) { return y.element == e; }))
+        why = ", which yields,";
+    else if (const double N = w_.force[e][4]; N < 0) why = ", under a compression of " + number_text(-N, 3) + " N,";
+    return at + s.element_name(e) + why + " has a negative stiffness for the motion that is solved for";
 }
 
 }  // namespace hinge

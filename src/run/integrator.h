@@ -119,6 +119,7 @@ protected:
     }
     std::string name_the_culprit() const;
     void fail_to_solve(Step& step, const SolverSettings& solver, const SolveReport& report);
+    std::string weakest_part();
     void move_to_rotated(int first, int end);
 
     Workspace& w_;

@@ -241,6 +241,7 @@ int fields(lua_State* L) {
     else if (key == "energy") push_energy(L, run);
     else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
     else if (key == "loads") push_cases(L, run.structure().model());
+    else if (key == "energy_error_of_state") lua_pushnumber(L, r.state_energy_share);
     else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
     else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
     else if (key == "hash")
@@ -406,11 +407,32 @@ void open_run(lua_State* L) {
                                        {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name, {"kind",    "time",         "factor",       "index",           "planned_steps",
-                                      "verdict", "reason",       "energy",       "worst_remainder", "contacts",
-                                      "stages",  "effects",      "wall_seconds", "fastest",         "dt",
-                                      "hash",    "counts",       "wakings",      "probes",          "instability",
-                                      "limit",   "energy_error", "loads",        "warnings"});
+    name_fields(L, RunBox::lua_name,
+                {"kind",
+                 "time",
+                 "factor",
+                 "index",
+                 "planned_steps",
+                 "verdict",
+                 "reason",
+                 "energy",
+                 "worst_remainder",
+                 "contacts",
+                 "stages",
+                 "effects",
+                 "wall_seconds",
+                 "fastest",
+                 "dt",
+                 "hash",
+                 "counts",
+                 "wakings",
+                 "probes",
+                 "instability",
+                 "limit",
+                 "energy_error",
+                 "energy_error_of_state",
+                 "loads",
+                 "warnings"});
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name", "unit"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

@@ -393,6 +393,8 @@ int dynamic_run(lua_State* L) {
     }
     s.step_control = o.number("step_control", "", Range::not_negative,
                               conserving || (s.automatic && m->options().shift != Shift::whole) ? 0.01 : 0);
+    s.halve_failed =
+        !in_explicit_steps && s.step_control == 0 && !o.has("step_control") && m->options().shift != Shift::whole;
     if (s.step_control > 0 && m->options().shift == Shift::whole)
         throw InputError(
             "model:dynamic: field 'step_control' needs an energy balance that closes, and that of a model with shift = "

@@ -218,7 +218,8 @@ struct RunRecord : Recorded {
         changes;  ///< of state, by effect: the first of each kind is told, the others counted
     bool instability_shown = false;
     std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
-    double last_energy_share = 0;                 ///< the energy error as a part of it
+    double last_energy_share = 0;   ///< the energy error as a part of it; of a balance that no longer closed, that
+    double state_energy_share = 0;  ///< likewise of the state alone, to which such a run went back
 };
 struct RunBox {
     static constexpr const char* lua_name = "hinge.run";

@@ -33,9 +33,10 @@ double abscissa(const Run& run) {
     return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time;
 }
 
-std::string history_row(const RunRecord& r, const Energy& e) {
+std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* lost) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.9g,%.9g", r.run->state().time, r.run->state().factor);
+    std::snprintf(text, sizeof text, "%.9g,%.9g", lost ? lost->time : r.run->state().time,
+                  lost ? lost->factor : r.run->state().factor);
     std::string row = text;
     const auto add = [&](double value) {
         std::snprintf(text, sizeof text, ",%.9g", value);
@@ -44,7 +45,7 @@ std::string history_row(const RunRecord& r, const Energy& e) {
     for (const AccountInfo& account : r.run->accounts())
         if (account.part_of.empty()) add(e[account.name]);
     add(e.error);
-    for (const auto& p : r.probes) add(value_of(*r.run, *p));
+    for (const auto& p : r.probes) add(lost ? std::nan("") : value_of(*r.run, *p));
     return row + '\n';
 }
 
@@ -109,27 +110,36 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     r.past.clear();
 }
 
-/// The energy error beside what the run has turned over.
+/// What a run lost whose energy balance no longer closed, else null.
+const LostBalance* lost_by(const RunRecord& r) {
+    const auto* d = dynamic_cast<const Dynamics*>(r.run.get());
+    return d && d->lost() ? &*d->lost() : nullptr;
+}
+
+/// The energy error as a part of the largest energy: of the state, and of the run, which for a run whose balance no
+/// longer closed is that of the moment at which this was seen, not that of the state to which it went back.
 void weigh_error(RunRecord& r, const Energy& e) {
     if (!r.largest_energy) r.largest_energy.emplace(r.run->structure());
     if (const auto* d = dynamic_cast<const Dynamics*>(r.run.get()))  // it looks between the rows too
         r.largest_energy->set_most(std::max(r.largest_energy->most(), d->largest_energy()));
-    r.last_energy_share = r.largest_energy->share(e, r.run->accounts());
+    r.last_energy_share = r.state_energy_share = r.largest_energy->share(e, r.run->accounts());
+    if (const LostBalance* lost = lost_by(r)) r.last_energy_share = lost->share;
 }
 
 void add_row(const Context& c, RunRecord& r) {
     const Energy e = r.run->energy();
+    const LostBalance* lost = lost_by(r);
     r.initial = e.initial;
-    r.last_energy_error = e.error;
+    r.last_energy_error = lost ? lost->energy.error : e.error;
     weigh_error(r, e);
-    if (!std::isnan(r.worst_energy_error) && !(std::abs(e.error) <= r.worst_energy_error))
-        r.worst_energy_error = std::abs(e.error);  // an error that is not a number stays
-    const long step = r.run->state().step;
+    if (!std::isnan(r.worst_energy_error) && !(std::abs(r.last_energy_error) <= r.worst_energy_error))
+        r.worst_energy_error = std::abs(r.last_energy_error);  // an error that is not a number stays
+    const long step = lost ? lost->step : r.run->state().step;
     if (step < r.row_of) return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
-    keep_row(r, e);
+    keep_row(r, lost ? lost->energy : e, lost);
     if (r.history_path.empty() && (!c.onlooker || r.every == 0)) return;
-    const std::string row = history_row(r, e);
+    const std::string row = history_row(r, lost ? lost->energy : e, lost);
     if (!r.history_path.empty()) r.rows += row;
     if (c.onlooker) c.onlooker->row(r, row);
 }
@@ -360,7 +370,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
                                              (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
                                              ", failed: " + reason_of(r));
-    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0)) add_row(*c, r);
+    if (over && (r.every == 0 || r.run->steps_done() % r.every != 0 || lost_by(r))) add_row(*c, r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);
         r.last_write = now;

@@ -8,10 +8,11 @@ namespace hinge::script {
 double value_of(const Run& run, const Probe& probe);  ///< the probe's quantity now
 double abscissa(const Run& run);                      ///< time, s; in statics the load factor
 const char* unit_of(const Probe& probe);              ///< "m", "rad", "m/s", ..., "N m"
-void keep_row(RunRecord& r, const Energy& energy);    ///< for plots; see KeptRows
-int run_history(lua_State* L);                        ///< core.run_history(run): what has been kept
+void keep_row(RunRecord& r, const Energy& energy, const LostBalance* lost = nullptr);  ///< for plots; see KeptRows
+int run_history(lua_State* L);  ///< core.run_history(run): what has been kept
 
 /// A row of history.csv with these energies, and its line's end.
-std::string history_row(const RunRecord& record, const Energy& energy);
+/// `lost`: of this moment, with probes that are not numbers; null: of the state.
+std::string history_row(const RunRecord& record, const Energy& energy, const LostBalance* lost = nullptr);
 
 }  // namespace hinge::script

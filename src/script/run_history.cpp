@@ -23,19 +23,19 @@ std::vector<std::string> columns_of(const Run& run) {
     return names;
 }
 
-void append_row(std::vector<double>& values, const Run& run, const Energy& e) {
-    values.push_back(run.state().time);
-    values.push_back(run.state().factor);
+void append_row(std::vector<double>& values, const Run& run, const Energy& e, const LostBalance* lost = nullptr) {
+    values.push_back(lost ? lost->time : run.state().time);
+    values.push_back(lost ? lost->factor : run.state().factor);
     for (const AccountInfo& account : run.accounts()) values.push_back(e[account.name]);
     values.push_back(e.error);
 }
 
 }  // namespace
 
-void keep_row(RunRecord& r, const Energy& energy) {
+void keep_row(RunRecord& r, const Energy& energy, const LostBalance* lost) {
     KeptRows& kept = r.kept_rows;
-    if (r.every == 0 || kept.seen++ % kept.stride != 0) return;
-    append_row(kept.values, *r.run, energy);
+    if (r.every == 0 || (kept.seen++ % kept.stride != 0 && !lost)) return;
+    append_row(kept.values, *r.run, energy, lost);
     const std::size_t n = columns_of(*r.run).size(), rows = kept.values.size() / n;
     if (rows < std::size_t(KeptRows::most)) return;
     std::vector<double> half;
@@ -47,7 +47,8 @@ void keep_row(RunRecord& r, const Energy& energy) {
 
 /// core.run_history(run, function): { columns = { names in order }, parts = { names of parts of accounts }, [name] = {
 /// values }
-/// }, the present state last; in the middle of a step the one before it.
+/// }, the present state last; in the middle of a step the one before it. Of a run whose energy balance no longer closed
+/// the last row is that of this moment.
 int run_history(lua_State* L) {
     const auto r =
         run_argument(L, 1, (lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) + std::string(": ") : "") + "the run");
@@ -56,7 +57,9 @@ int run_history(lua_State* L) {
     const std::size_t n = names.size();
     const bool is_new = values.size() < n || values[values.size() - n] != r->run->state().time ||
                         values[values.size() - n + 1] != r->run->state().factor;
-    if (is_new && r->every > 0 && !r->mid_step && r->started) append_row(values, *r->run, r->run->energy());
+    const auto* dynamics = dynamic_cast<const Dynamics*>(r->run.get());
+    const bool lost = dynamics && dynamics->lost();
+    if (is_new && r->every > 0 && !r->mid_step && r->started && !lost) append_row(values, *r->run, r->run->energy());
     lua_newtable(L);
     lua_newtable(L);
     for (std::size_t i = 0; i < n; ++i) {

@@ -72,8 +72,9 @@ void describe_run(Json& j, const RunRecord& r) {
     j["energy"] = energy_json(run);
     j["energy_error"] =
         std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));
+    if (r.state_energy_share != r.last_energy_share) j["energy_error_of_state"] = r.state_energy_share;
     j["worst_remainder"] = r.worst_energy_error;
-    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->settings().step_control > 0)
+    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && (d->settings().step_control > 0 || d->rejected() > 0))
         j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
     if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
         j["fastest_node"] = {

@@ -50,7 +50,8 @@ never:finish()
 equal(never.verdict, "failed", "step_control = 1e-15")
 expect(support.says(never.reason,
   "step ..., t = ... s: the step would lose ... % of the largest energy, its share of step_control is ... %; "
-  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; a larger step_control, ..."),
+  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; step_control = 0.01 holds: tried "
+  .. "from t = ... s to ... s"),
   "reason: %s", never.reason)
 expect(share(never) < 1e-3 and not never:step(), "the state before it, energy error %g", share(never))
 
@@ -131,10 +132,64 @@ do
     options.dt, options.duration, options.record = 2e-3, 0.2, false
     return model:dynamic(options):finish()
   end
-  local alone, controlled = mechanism {}, mechanism { step_control = 0.01 }
-  print(("hinges everywhere: %s; with step control %s, %d taken back, %d steps, dt down to %g s")
-    :format(alone.verdict, controlled.verdict, controlled.counts.rejected_steps, controlled.index, controlled.dt))
+  local kept, alone, controlled = mechanism { step_control = 0 }, mechanism {}, mechanism { step_control = 0.01 }
+  print(("hinges everywhere: all steps kept %s; by default %s, %d taken back, %d steps; with step control %s, %d taken back, %d steps, dt down to %g s")
+    :format(kept.verdict, alone.verdict, alone.counts.rejected_steps, alone.index, controlled.verdict, controlled.counts.rejected_steps, controlled.index, controlled.dt))
   equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
+  -- By default, too, where there are hinges; a run whose steps must all be kept fails, and names what holds.
+  equal(alone.verdict, "completed", "hinges everywhere, by default: " .. alone.reason)
+  expect(alone.counts.rejected_steps > 0 and math.abs(alone.time - 0.2) < 1e-12, "by default %d taken back, ends at %.17g s",
+    alone.counts.rejected_steps, alone.time)
+  expect(math.abs(alone.energy_error) <= 0.02, "by default: energy error %g", alone.energy_error)
+  expect(support.says(kept.reason, "step ..., t = ... s: Newton did not converge in 30 iterations (last correction ... of "
+    .. "the first); step_control = 0.01 holds: tried from t = ... s to ... s"), "all steps kept: %s", kept.reason)
+end
+
+-- While no step fails, what is there by default changes no bit, no time and no step: hinges, contact, fracture.
+do
+  local function same(what, make)
+    local default, kept = make {}, make { step_control = 0 }
+    equal(default.verdict, "completed", what .. ": " .. default.reason)
+    equal(default.counts.rejected_steps, 0, what .. ": steps taken back")
+    equal(default.hash, kept.hash, what .. ": bits")
+    equal(default.time, kept.time, what .. ": time")
+    equal(default.index, kept.index, what .. ": steps")
+    equal(default.dt, kept.dt, what .. ": dt")
+    local text = "halved where one cannot be solved"
+    expect(default.effects[1].because:find(text, 1, true) and not kept.effects[1].because:find(text, 1, true),
+      "%s: the plan says %s", what, default.effects[1].because)
+  end
+  same("impact", function(options)
+    options.dt = 2e-6
+    return (crash(options))
+  end)
+  same("hinges and fracture", function(options)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
+    model:member { a, b, section = bar, material = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 } }
+    model:fix(a)
+    model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
+    model:velocity(b, { 30, 0, 0 })
+    options.dt, options.duration, options.record = 1e-5, 0.01, false
+    return model:dynamic(options):finish()
+  end)
+end
+
+-- A trial of what may hold calls no function of the script: where there is one, the remedy is named untried.
+do
+  local model, calls, latest = hinge.model {}, 0, -1
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = bar, material = steel, group = "bar" }
+  model:velocity("bar", { 0, 0, 0 }, { 0, 0, 314 })
+  model:load { node = b, force = { 0, 0, 1 }, history = function(t) calls, latest = calls + 1, t return 1 end }
+  local fails = model:dynamic { dt = 1e-4, duration = 0.05, iterations = 1, record = false }
+  local seen = 0
+  fails:on_step(function() seen = seen + 1 end)
+  fails:finish()
+  equal(fails.verdict, "failed", "a bar that rotates, with a load by a function")
+  expect(fails.reason:find("; step_control = 0.01 may hold (not tried: it would call functions of the script)", 1, true),
+    "it says: %s", fails.reason)
+  expect(calls <= seen + 6 and latest <= 1e-4 * (seen + 1.5), "%d calls up to %g s in %d steps", calls, latest, seen)
 end
 
 -- dt = "auto" has it by itself, and only that.

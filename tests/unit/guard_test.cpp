@@ -70,3 +70,81 @@ TEST_CASE("guard: a run that gains energy fails, and goes back to where its bala
         CHECK(stable.verdict() == Verdict::completed);
     }
 }
+
+namespace {
+
+Energy balance_of(const AccountList& list, double initial, std::initializer_list<std::pair<const char*, double>> sums) {
+    Accounts accounts;
+    for (const auto& [name, value] : sums) accounts[name] = value;
+    return balance(list, initial, accounts);
+}
+
+const AccountList some_accounts = {
+    {"kinetic", 10, ""}, {"gravity", 20, ""}, {"elastic", 30, ""}, {"plastic", 40, ""}, {"work", 100, ""}};
+
+}  // namespace
+
+TEST_CASE("guard: energy that an error makes is no part of what the error is compared with", "[guard]") {
+    const Swinging scene(false);
+    LargestEnergy largest(*scene.structure);
+    // the largest account while the balance closes, to the bit
+    CHECK(largest.share(balance_of(some_accounts, 1e8, {{"kinetic", 1e8}}), some_accounts) == 0);
+    CHECK(largest.most() == 1e8);
+    CHECK(largest.share(balance_of(some_accounts, 1e8, {{"kinetic", 3e8}, {"gravity", -2e8}}), some_accounts) == 0);
+    CHECK(largest.most() == 3e8);
+    CHECK(largest.share(balance_of(some_accounts, 1e8, {{"plastic", 4e8}, {"gravity", -2e8}, {"work", 1e8}}),
+                        some_accounts) == 0);
+    CHECK(largest.most() == 4e8);
+    // 7e12 J of strain energy from nowhere
+    LargestEnergy other(*scene.structure);
+    const double share = other.share(
+        balance_of(some_accounts, 1.12e8, {{"kinetic", 1e8}, {"gravity", -2e6}, {"elastic", 7e12}, {"work", 1e6}}),
+        some_accounts);
+    CHECK(other.most() == Approx(1.15e8));
+    CHECK(share == Approx(-7e12 / 1.15e8).epsilon(1e-4));
+    // what is said to have been given and arrives nowhere
+    LargestEnergy given(*scene.structure);
+    CHECK(given.share(balance_of(some_accounts, 1e3, {{"kinetic", 1e3}, {"work", 1e9}}), some_accounts) == Approx(1e6));
+    CHECK(given.most() == 1e3);
+}
+
+TEST_CASE("guard: the error at the moment of failure is kept, and a jump between two looks does not pass", "[guard]") {
+    const Swinging scene(false);
+    State state = initial_state(*scene.structure);
+    const double may_grow = Guard::may_grow(0.1, false);
+    CHECK(may_grow == Approx(0.01));
+    CHECK(Guard::may_grow(0.02, false) == Approx(0.01));
+    CHECK(Guard::may_grow(0.001, false) == Approx(0.0005));
+    CHECK(Guard::may_grow(0.1, true) == Approx(0.05));
+    for (const double jump : {-0.03e8, -0.3e8}) {  // below the tolerance, and beyond it
+        INFO("jump " << jump);
+        LargestEnergy largest(*scene.structure);
+        Guard guard(0.1, 1000);
+        state.step = 50, state.time = 0.5;
+        const Energy good = balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + 0.005e8}});
+        REQUIRE(!guard.look(state, good, some_accounts, largest, true, may_grow, ""));
+        CHECK(!guard.lost());
+        const double before = largest.most();
+        state.step = 100, state.time = 1;
+        const Energy bad = balance_of(some_accounts, 1e8, {{"kinetic", 1e8}, {"elastic", 0.005e8 - jump}});
+        const auto why = guard.look(state, bad, some_accounts, largest, true, may_grow, "");
+        REQUIRE(why);
+        INFO(*why);
+        CHECK(why->find(jump < -0.1e8 ? "no longer closes, its error is -30.5 %" : "has grown by 3 %") !=
+              std::string::npos);
+        CHECK(why->find("The state is that of step 50, t = 0.5 s, where it was -0.5 %") != std::string::npos);
+        CHECK(state.step == 50);
+        REQUIRE(guard.lost());
+        CHECK(guard.lost()->step == 100);
+        CHECK(guard.lost()->time == 1);
+        CHECK(guard.lost()->share == Approx((jump - 0.005e8) / 1e8));
+        CHECK(guard.lost()->went_back);
+        CHECK(largest.most() == before);
+    }
+    // the same error, come slowly, passes
+    LargestEnergy largest(*scene.structure);
+    Guard guard(0.1, 1000);
+    for (int i = 1; i <= 9; ++i)
+        CHECK(!guard.look(state, balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts,
+                          largest, true, may_grow, ""));
+}

@@ -484,3 +484,46 @@ TEST_CASE("solver: a pool's sums have the same bits for any number of threads, o
         CHECK(same == 200);
     }
 }
+
+TEST_CASE("solver: a matrix that is not positive definite is said to be so, with the nodes and what makes it so there",
+          "[solver]") {
+    for (const Way& way : ways) {
+        INFO(way.name);
+        Solving s;
+        const int joint = s.frame.corner[2], inside = s.inner(2);
+        // each node's own block stays as it is; where one moves with the other, the force is a multiple of inertia's
+        Mat12 K = Mat12::Zero();
+        const double size = 1e4 * s.structure->elements()[0].mass() / way.k;
+        K.topRightCorner<6, 6>() = K.bottomLeftCorner<6, 6>() = size * Mat6::Identity();
+        Blocks between;
+        between.stiffness(joint, inside, K);
+        auto op = s.fresh(way.keeping, way.k);
+        op->set_blocks(between);
+        op->assemble();
+        std::vector<Vec6> x(s.state.held.size());
+        const SolveReport report = op->solve(right_side(s.state, 5), x, tight());
+        CHECK(!report.converged);
+        CHECK(report.indefinite);
+        CHECK(report.iterations < tight().max_iterations);
+        const EffectiveStiffness::Weakest weakest = op->weakest_part();
+        CHECK((weakest.node == joint || weakest.node == inside));
+        CHECK(weakest.node + weakest.other == joint + inside);
+        CHECK(weakest.element == -1);
+    }
+}
+
+TEST_CASE("solver: M by itself says where it finds no answer", "[solver]") {
+    const Odd frame;
+    const Structure structure(frame.model, MassKind::consistent);
+    State state = initial_state(structure);
+    Mass mass(structure, state);
+    std::vector<Vec6> b = right_side(state, 5), x;
+    CHECK(mass.solve(b, x, state, 1e-13).converged);
+    b[0][0] = std::nan("");
+    CHECK(!mass.solve(b, x, state, 1e-13).converged);
+    std::vector<Vec6> impulse = right_side(state, 6);
+    impulse[0][1] = std::nan("");
+    const std::vector<Vec6> velocity = state.velocity;
+    CHECK(std::isnan(pass_on(state, mass, impulse)));
+    CHECK(state.velocity == velocity);
+}

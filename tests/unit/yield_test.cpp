@@ -89,6 +89,45 @@ TEST_CASE("1e5 random returns, both ends: on the surface, nearest point, never n
     CHECK(none > 1000);
 }
 
+TEST_CASE(
+    "3e5 returns from far outside, of odd elements and loads between nodes: an answer, or the word that there is "
+    "none (1e-8: rounding after 1e7 times the strength)") {
+    Dice dice(7);
+    double off_surface = 0;
+    long answers = 0, none = 0, wrong = 0;
+    for (int trial = 0; trial < 300000; ++trial) {
+        Trial t = random_trial(dice);
+        for (double* w : {&t.w.x, &t.w.y, &t.w.n, &t.w.z}) *w *= std::exp(dice(-18, 18));
+        const double limit[4] = {1 / std::sqrt(t.w.x), 1 / std::sqrt(t.w.y), 1 / std::sqrt(t.w.n),
+                                 1 / std::sqrt(t.w.z)};
+        const double size = std::exp(dice(-1, 16)), loads = trial % 2 ? dice(0, 12) : 0;
+        for (int i = 0; i < 6; ++i) t.p[i] = dice.pick(4) ? size * dice(-1, 1) * limit[i < 4 ? i / 2 : i - 2] : 0;
+        FixedEnd fixed;
+        for (int end : {0, 1})
+            fixed.add(end, loads * dice(-1, 1) * limit[0], loads * dice(-1, 1) * limit[1],
+                      0.2 * loads * dice(-1, 1) * limit[2], 0.2 * loads * dice(-1, 1) * limit[3]);
+        const Vec6 s[2] = {fixed.at(-1), fixed.at(1)}, apart = s[0] - s[1];
+        const Flow flow = return_to_surface(t.p, t.k, t.w, ends, 2, fixed);
+        // N and Mz are the same at both ends but for the loads between them: too far apart, no p serves both
+        const bool possible = t.w.n * apart[4] * apart[4] + t.w.z * apart[5] * apart[5] < 4;
+        double off = 0;
+        for (int i = 0; i < 2; ++i) {
+            const double f = yield_function(Vec6(flow.p + s[i]), ends[i], t.w) - 1;
+            off = largest_of(off, flow.lambda[i] > 0 ? std::abs(f) : f);
+        }
+        if (flow.converged) ++answers, off_surface = largest_of(off_surface, off);
+        else ++none;
+        wrong += flow.converged != possible;
+    }
+    CHECK_FIGURE("distance from the surface of what is said to be an answer", off_surface, 1e-8);
+    CHECK(answers > 200000);
+    CHECK(none > 10000);
+    CHECK(wrong == 0);
+    Trial t = random_trial(dice);
+    t.p << 1e9, 1e9, 0, std::nan(""), 0, 0;
+    CHECK(!return_to_surface(t.p, t.k, t.w, ends, 2).converged);
+}
+
 TEST_CASE("returns of elements with loads between their nodes: the whole forces are on the surface, and the tangent") {
     Dice dice(38);
     double off_surface = 0, beyond = 0, off_normal = 0, off_work = 0, least_dissipation = 0, off_tangent = 0;
