@@ -177,12 +177,16 @@ public:
         lost_ = 0;
     }
 
-    /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer.
+    /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer. What it stored where
+    /// the step ended is lost: look() finds nothing at a node that is gone.
     void broke(const Break& b) override {
         double lost = 0;
         const Element& e = w_.structure.elements()[b.element];
-        for (Point& p : points())
-            if (w_.state.gone[p.node] && !p.left_out) lost += energy(p, look(p, w_.state)), p.left_out = true;
+        for (Point& p : points()) {
+            if (!w_.state.gone[p.node] || p.left_out) continue;
+            lost += energy(p, p.overlap, p.slip);
+            p.left_out = true, p.overlap = -p.radius, p.slip.setZero();
+        }
         w_.state.accumulated["ground_dissipated"] += lost;
         for (int i = 0; i < int(declared().size()); ++i)
             if (meets(i, b.element)) points().push_back(free_end(i, e, b.element, w_.state));
@@ -285,13 +289,16 @@ private:
         t.heat = 0.5 * k * ((t.slip + p.slip).dot(moved) + p.slip.squaredNorm() - t.slip.squaredNorm());
         return t;
     }
-    static double energy(const Point& p, const Touch& t) {
-        const double o = std::max(0.0, t.overlap);
-        return 0.5 * (p.stiffness * o * o + tangential(p) * t.slip.squaredNorm());
+    static double energy(const Point& p, double overlap, const Vec3& slip) {
+        const double o = std::max(0.0, overlap);
+        return 0.5 * (p.stiffness * o * o + tangential(p) * slip.squaredNorm());
     }
     double stored(const State& state) const {
         double sum = 0;
-        for (const Point& p : state.data.find<Points>(ground_effect)->list) sum += energy(p, look(p, state));
+        for (const Point& p : state.data.find<Points>(ground_effect)->list) {
+            const Touch t = look(p, state);
+            sum += energy(p, t.overlap, t.slip);
+        }
         return sum;
     }
     /// Where the next step begins.
