@@ -6,8 +6,11 @@
 // Friction (Coulomb) is a spring e along the plane between the point of the surface that touches and the ground,
 // |k_t e| <= mu k o; where it would be more, the point slides and what is missing is heat.
 //
-// Restitution: a point that comes out of the ground has its normal velocity reduced to that part of itself by an
-// impulse, whatever the length of the step. Points that come out in one step do so together: the impulses share their
+// Restitution: a point that has come out of the ground has its normal velocity reduced to that part of itself by an
+// impulse, whatever the length of the step. Points of one body that come out at nearly the same time get their impulses
+// together: a point that was reduced alone would be pulled up again by the rest of its body, which is still fast, and
+// short steps tell apart what comes out together in long ones. So a point waits for the others of its body that touch,
+// at most as long as a contact of its own takes, pi sqrt(m / k), or until it touches again. The impulses share their
 // sizes as the points' masses and velocities do, and one factor makes the sum of them right.
 #include "effects/ground.h"
 
@@ -33,6 +36,8 @@ constexpr double buried = 0.01;
 constexpr double same_friction = 0.01;
 /// Part of the half depth: a point that is no further from the ground carries when a static run begins.
 constexpr double just_touches = 1e-6;
+/// Restitution waits for other points of the body by this part of the time that a contact of the point alone takes.
+constexpr double most_wait = 1;
 
 /// A point that may touch a plane.
 struct Point {
@@ -44,6 +49,8 @@ struct Point {
     double mass = 0;          ///< half of what meets there, kg
     bool left_out = false;    ///< began below the plane and has not left it yet
     double level = 0;         ///< m: how far it was inside where it began: there it is at rest
+    double waits = 0;         ///< s: restitution, after it came out, waits so long for others of its body; 0: does not
+    Vec3 dragged = Vec3::Zero();  ///< friction over pressure as it came out, along e
 
     // where a step begins
     double overlap = 0;                ///< o, m; negative: apart
@@ -53,8 +60,8 @@ struct Point {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.overlap, s.slip,
-          s.place, s.rotation);
+        a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.waits, s.dragged,
+          s.overlap, s.slip, s.place, s.rotation);
     }
 };
 
@@ -151,19 +158,19 @@ public:
     /// Friction's heat, what the step has missed where a point began or ceased to touch, and restitution.
     void end(const Step& step) override {
         lost_ = 0;
-        bool begins_or_ends = false, comes_out = false;
+        waits_.clear();
+        bool begins_or_ends = false, waits = false;
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
             const Touch& t = touches_[i] = look(p, w_.trial);
             lost_ += t.heat;
-            if ((t.overlap > 0) == (p.overlap > 0)) continue;
-            begins_or_ends = true;
-            comes_out |= p.overlap > 0 && plane(p).restitution.value_or(1) < 1;
+            begins_or_ends |= (t.overlap > 0) != (p.overlap > 0);
+            waits |= p.waits > 0 || comes_out(p, t);
         }
-        if (!begins_or_ends) return;
+        if (!begins_or_ends && !waits) return;
         taken_.assign(touches_.size(), 0);
-        add_missed(step.dt);
-        if (comes_out) restitute();
+        if (begins_or_ends) add_missed(step.dt);
+        if (waits && find_due(step.dt)) restitute();
         take_from_friction();
     }
     void add_up(const Step&, Accounts& sums) const override {
@@ -173,8 +180,17 @@ public:
         sums["ground_dissipated"] += lost;
     }
     void keep(const Step&) override {
-        for (std::size_t i = 0; i < points().size(); ++i) take(points()[i], look(points()[i], w_.trial), w_.trial);
+        for (std::size_t i = 0; i < points().size(); ++i) {
+            Point& p = points()[i];
+            const Touch t = look(p, w_.trial);
+            if (!waits_.empty()) {
+                if (comes_out(p, t)) p.dragged = friction_part(p, p.overlap, p.slip);
+                p.waits = waits_[i];
+            }
+            take(p, t, w_.trial);
+        }
         lost_ = 0;
+        waits_.clear();
     }
 
     /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer. What it stored where
@@ -185,19 +201,22 @@ public:
         for (Point& p : points()) {
             if (!w_.state.gone[p.node] || p.left_out) continue;
             lost += energy(p, p.overlap, p.slip);
-            p.left_out = true, p.overlap = -p.radius, p.slip.setZero();
+            p.left_out = true, p.overlap = -p.radius, p.slip.setZero(), p.waits = 0;
         }
         w_.state.accumulated["ground_dissipated"] += lost;
         for (int i = 0; i < int(declared().size()); ++i)
             if (meets(i, b.element)) points().push_back(free_end(i, e, b.element, w_.state));
     }
 
-    void take_back() override { lost_ = 0; }
+    void take_back() override { lost_ = 0, waits_.clear(); }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Point& p : points())
-            if (bodies.of_node[p.node] >= 0 && look(p, w_.state).overlap > 0) rests[bodies.of_node[p.node]] = 0;
+            if (bodies.of_node[p.node] >= 0 && (p.waits > 0 || look(p, w_.state).overlap > 0))
+                rests[bodies.of_node[p.node]] = 0;
     }
-    bool calm() const override { return has_ == 0; }
+    bool calm() const override {
+        return has_ == 0 && std::none_of(points().begin(), points().end(), [](const Point& p) { return p.waits > 0; });
+    }
     bool sleeps() const override { return true; }
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override { return w_.structure.node_name(points()[first_].node) + " on the ground"; }
@@ -389,19 +408,56 @@ private:
         for (double& taken : taken_) taken *= x;
     }
 
-    /// Of the points that come out, the normal velocity is to be what restitution leaves of it.
+    bool comes_out(const Point& p, const Touch& t) const {
+        return p.overlap > 0 && !(t.overlap > 0) && plane(p).restitution.value_or(1) < 1;
+    }
+    /// Friction over pressure, along e.
+    static Vec3 friction_part(const Point& p, double overlap, const Vec3& slip) {
+        return tangential(p) / (p.stiffness * overlap) * slip;
+    }
+
+    /// Which points get their restitution now, and how long the others go on waiting; whether one does. A point is due
+    /// with all others of its body: when none of them touches any longer, when one has waited for long enough, or when
+    /// one touches again.
+    bool find_due(double dt) {
+        const Bodies bodies = find_bodies(w_.structure, w_.state);
+        std::vector<char> touches(bodies.count, 0), over(bodies.count, 0);
+        waits_.assign(touches_.size(), 0);
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i];
+            const int body = bodies.of_node[p.node];
+            if (body < 0 || is_held(p)) continue;
+            const bool in = t.overlap > 0;
+            touches[body] |= in;
+            if (p.waits > 0) waits_[i] = std::max(p.waits - dt, 0.0), over[body] |= in || waits_[i] == 0;
+            else if (comes_out(p, t)) waits_[i] = most_wait * M_PI * std::sqrt(p.mass / p.stiffness);
+        }
+        due_.assign(touches_.size(), 0);
+        bool any = false;
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const int body = bodies.of_node[p.node];
+            if (!(p.waits > 0 || waits_[i] > 0) || body < 0 || (touches[body] && !over[body])) continue;
+            due_[i] = 1, waits_[i] = 0, any = true;
+        }
+        return any;
+    }
+
+    /// Of the points that are due, the normal velocity is to be what restitution leaves of it. One that still moves
+    /// into the ground has not come back from it; one that waited may have turned round, and has less of either.
     void restitute() {
         impulse_.assign(w_.trial.velocity.size(), Vec6::Zero());
         restituted_.assign(touches_.size(), 0);
         double wanted = 0;  // impulse . velocity, afterwards
         for (std::size_t i = 0; i < touches_.size(); ++i) {
+            if (!due_[i]) continue;
             const Point& p = points()[i];
             const Touch& t = touches_[i];
             const double left = plane(p).restitution.value_or(1);
-            if (!(p.overlap > 0) || t.overlap > 0 || left == 1) continue;
             const Vec6& v = w_.trial.velocity[p.node];
             const double speed = plane(p).normal.dot(v.head<3>() + Vec3(v.tail<3>()).cross(t.arm));
-            if (!(speed > 0)) continue;
+            if (!(speed > 0) && !(p.waits > 0)) continue;
             const double size = -(1 - left) * p.mass * speed;
             add_impulse(p, t, size);
             restituted_[i] = size;
@@ -424,11 +480,13 @@ private:
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
             const Touch& t = touches_[i];
-            const bool before = p.overlap > 0;
-            const Vec3& slip = before ? p.slip : t.slip;
-            if (taken_[i] == 0 || slip.isZero(0)) continue;
-            const double pressed = p.stiffness * (before ? p.overlap : t.overlap);
-            const Vec3 f = -taken_[i] * tangential(p) / pressed * slip;
+            if (taken_[i] == 0) continue;
+            const Vec3 part = p.overlap > 0   ? friction_part(p, p.overlap, p.slip)
+                              : p.waits > 0   ? p.dragged
+                              : t.overlap > 0 ? friction_part(p, t.overlap, t.slip)
+                                              : Vec3(Vec3::Zero());
+            if (part.isZero(0)) continue;
+            const Vec3 f = -taken_[i] * part;
             impulse_[p.node].head<3>() += f;
             impulse_[p.node].tail<3>() += surface(p, t.arm).cross(f);
             slid = true;
@@ -443,10 +501,12 @@ private:
     std::vector<Vec6> impulse_;   ///< N s, N m s
     /// Of the normal impulse of each point, by restitution, and with what the step missed, N s.
     std::vector<double> restituted_, taken_;
-    int has_ = 0, had_ = 0;  ///< points that touch, at the last add_forces and the one before
-    int first_ = 0;          ///< of those, the first
-    double lost_ = 0;        ///< J, by friction and restitution in this step
-    double at_start_ = 0;    ///< J
+    std::vector<double> waits_;  ///< s: Point::waits where the step ends; empty where no point waits
+    std::vector<char> due_;      ///< points that get their restitution in this step
+    int has_ = 0, had_ = 0;      ///< points that touch, at the last add_forces and the one before
+    int first_ = 0;              ///< of those, the first
+    double lost_ = 0;            ///< J, by friction and restitution in this step
+    double at_start_ = 0;        ///< J
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

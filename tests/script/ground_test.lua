@@ -223,8 +223,36 @@ do
       equal(other.hash, whole.hash, name .. ": bits after a checkpoint")
       equal(other.energy.ground, whole.energy.ground, name .. ": energy after a checkpoint")
     end
-    near(error_of(whole, whole.energy.initial), 0, name == "step control" and 1e-3 or 5e-3, name .. ": balance")
+    -- friction turns the nodes of the bar suddenly, which these steps are too long for: 1, 2 and 0.01 % measured
+    near(error_of(whole, whole.energy.initial), 0, name == "step control" and 1e-3 or 0.03, name .. ": balance")
     expect(whole.energy.ground_dissipated > 0.01 * whole.energy.initial, "%s: dissipated", name)
+  end
+  for _, o in ipairs { { dt = 1e-5 }, { integrator = "explicit", dt = 2.5e-6 } } do -- 0.012 and 0.009 % measured
+    local run = tumbling(o)
+    run:finish()
+    near(error_of(run, run.energy.initial), 0, 5e-4, (o.integrator or "newmark") .. ": balance in short steps")
+  end
+end
+
+-- A bar lands flat while it slides. Friction bends it, so its nodes come out of the ground one after the other, which
+-- short steps tell apart: restitution is that of the bar in steps of any length. What friction made it vibrate by pushes
+-- it up again where it lies on the ground: with e = 0 it leaves with up to 1.6 % of the speed of landing.
+for _, elements in ipairs { 2, 4, 8 } do
+  for _, e in ipairs { 0.5, 0 } do
+    for _, o in ipairs { { dt = 1e-5 }, { dt = 2e-6 }, { integrator = "explicit", dt = 2e-6 } } do
+      local name = ("slides as it lands, %d elements, %s, dt = %g, e = %g"):format(elements, o.integrator or "newmark",
+        o.dt, e)
+      local model = hinge.model { elements_per_member = elements }
+      local a, b = model:node { 0, 0, side / 2 + 3e-3 }, model:node { 1, 0, side / 2 + 3e-3 }
+      model:member { a, b, section = bar, material = steel, group = "bar" }
+      model:ground { friction = 0.2, restitution = e }
+      model:velocity("bar", { 1, 0, -3 })
+      local run = model:dynamic(with(o, { duration = 6e-3, record = false }))
+      run:finish()
+      equal(run.verdict, "completed", name .. ": " .. run.reason)
+      near(run:momentum().linear[3] / mass / 3, e, e == 0 and 0.02 or 1e-3, name .. ": speed over that of landing")
+      near(error_of(run, run.energy.initial), 0, 2e-3, name .. ": energy balance")
+    end
   end
 end
 
