@@ -1,4 +1,5 @@
-// Rigid half spaces that members fall on. Where a node, or the free end of a broken element, comes closer to the plane
+// Rigid half spaces that members fall on, as points on springs: for planes that are given a stiffness or a restitution.
+// Where a node, or the free end of a broken element, comes closer to the plane
 // than the half depth h of its members, it is pushed back:
 //
 //   U = k/2 o^2 where o > 0, else 0:   o = h - n . (x - point)
@@ -6,14 +7,18 @@
 // Friction (Coulomb) is a spring e along the plane between the point of the surface that touches and the ground,
 // |k_t e| <= mu k o; where it would be more, the point slides and what is missing is heat.
 //
-// Restitution: a point that comes out of the ground has its normal velocity reduced to that part of itself by an
-// impulse, whatever the length of the step. Points that come out in one step do so together: the impulses share their
+// Restitution: a point that has come out of the ground has its normal velocity reduced to that part of itself by an
+// impulse, whatever the length of the step. Points of one body that come out at nearly the same time get their impulses
+// together: a point that was reduced alone would be pulled up again by the rest of its body, which is still fast, and
+// short steps tell apart what comes out together in long ones. So a point waits for the others of its body that touch,
+// at most as long as a contact of its own takes, pi sqrt(m / k), or until it touches again. The impulses share their
 // sizes as the points' masses and velocities do, and one factor makes the sum of them right.
 #include "effects/ground.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "contact/ground_friction.h"
 #include "core/rotation.h"
 #include "effects/kinds.h"
 
@@ -33,6 +38,8 @@ constexpr double buried = 0.01;
 constexpr double same_friction = 0.01;
 /// Part of the half depth: a point that is no further from the ground carries when a static run begins.
 constexpr double just_touches = 1e-6;
+/// Restitution waits for other points of the body by this part of the time that a contact of the point alone takes.
+constexpr double most_wait = 1;
 
 /// A point that may touch a plane.
 struct Point {
@@ -44,6 +51,8 @@ struct Point {
     double mass = 0;          ///< half of what meets there, kg
     bool left_out = false;    ///< began below the plane and has not left it yet
     double level = 0;         ///< m: how far it was inside where it began: there it is at rest
+    double waits = 0;         ///< s: restitution, after it came out, waits so long for others of its body; 0: does not
+    Vec3 dragged = Vec3::Zero();  ///< friction over pressure as it came out, along e
 
     // where a step begins
     double overlap = 0;                ///< o, m; negative: apart
@@ -53,8 +62,8 @@ struct Point {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.overlap, s.slip,
-          s.place, s.rotation);
+        a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.waits, s.dragged,
+          s.overlap, s.slip, s.place, s.rotation);
     }
 };
 
@@ -151,19 +160,19 @@ public:
     /// Friction's heat, what the step has missed where a point began or ceased to touch, and restitution.
     void end(const Step& step) override {
         lost_ = 0;
-        bool begins_or_ends = false, comes_out = false;
+        waits_.clear();
+        bool begins_or_ends = false, waits = false;
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
             const Touch& t = touches_[i] = look(p, w_.trial);
             lost_ += t.heat;
-            if ((t.overlap > 0) == (p.overlap > 0)) continue;
-            begins_or_ends = true;
-            comes_out |= p.overlap > 0 && plane(p).restitution.value_or(1) < 1;
+            begins_or_ends |= (t.overlap > 0) != (p.overlap > 0);
+            waits |= p.waits > 0 || comes_out(p, t);
         }
-        if (!begins_or_ends) return;
+        if (!begins_or_ends && !waits) return;
         taken_.assign(touches_.size(), 0);
-        add_missed(step.dt);
-        if (comes_out) restitute();
+        if (begins_or_ends) add_missed(step.dt);
+        if (waits && find_due(step.dt)) restitute();
         take_from_friction();
     }
     void add_up(const Step&, Accounts& sums) const override {
@@ -173,27 +182,44 @@ public:
         sums["ground_dissipated"] += lost;
     }
     void keep(const Step&) override {
-        for (std::size_t i = 0; i < points().size(); ++i) take(points()[i], look(points()[i], w_.trial), w_.trial);
+        for (std::size_t i = 0; i < points().size(); ++i) {
+            Point& p = points()[i];
+            const Touch t = look(p, w_.trial);
+            if (!waits_.empty()) {
+                if (comes_out(p, t)) p.dragged = friction_part(p, p.overlap, p.slip);
+                p.waits = waits_[i];
+            }
+            take(p, t, w_.trial);
+        }
         lost_ = 0;
+        waits_.clear();
     }
 
-    /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer.
+    /// The free end of what breaks is where it is, at rest; a node that is gone presses no longer. What it stored where
+    /// the step ended is lost: look() finds nothing at a node that is gone.
     void broke(const Break& b) override {
         double lost = 0;
         const Element& e = w_.structure.elements()[b.element];
-        for (Point& p : points())
-            if (w_.state.gone[p.node] && !p.left_out) lost += energy(p, look(p, w_.state)), p.left_out = true;
+        for (Point& p : points()) {
+            if (!w_.state.gone[p.node] || p.left_out) continue;
+            lost += energy(p, p.overlap, p.slip);
+            p.left_out = true, p.overlap = -p.radius, p.slip.setZero(), p.waits = 0;
+        }
         w_.state.accumulated["ground_dissipated"] += lost;
         for (int i = 0; i < int(declared().size()); ++i)
-            if (meets(i, b.element)) points().push_back(free_end(i, e, b.element, w_.state));
+            if (!declared()[i].is_layer() && meets(i, b.element))
+                points().push_back(free_end(i, e, b.element, w_.state));
     }
 
-    void take_back() override { lost_ = 0; }
+    void take_back() override { lost_ = 0, waits_.clear(); }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Point& p : points())
-            if (bodies.of_node[p.node] >= 0 && look(p, w_.state).overlap > 0) rests[bodies.of_node[p.node]] = 0;
+            if (bodies.of_node[p.node] >= 0 && (p.waits > 0 || look(p, w_.state).overlap > 0))
+                rests[bodies.of_node[p.node]] = 0;
     }
-    bool calm() const override { return has_ == 0; }
+    bool calm() const override {
+        return has_ == 0 && std::none_of(points().begin(), points().end(), [](const Point& p) { return p.waits > 0; });
+    }
     bool sleeps() const override { return true; }
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override { return w_.structure.node_name(points()[first_].node) + " on the ground"; }
@@ -276,22 +302,21 @@ private:
         moved -= moved.dot(n) * n;
         // of a step in which it comes to touch, the part that is left then
         const double part = p.overlap > 0 ? 1 : t.overlap > 0 ? t.overlap / (t.overlap - p.overlap) : 0;
-        const double k = tangential(p), most = mu * p.stiffness * std::max(0.0, t.overlap) / k;
-        const Vec3 trial = p.slip + part * moved;
-        const double length = trial.norm();
-        t.slides = length > most;
-        t.slip = t.slides ? Vec3(most / length * trial) : trial;
-        // the step moved the surface against the mean of the forces at its two ends
-        t.heat = 0.5 * k * ((t.slip + p.slip).dot(moved) + p.slip.squaredNorm() - t.slip.squaredNorm());
+        const contact::Friction f =
+            contact::friction(p.slip, moved, part, tangential(p), mu * p.stiffness * std::max(0.0, t.overlap));
+        t.slip = f.slip, t.slides = f.slides, t.heat = f.heat;
         return t;
     }
-    static double energy(const Point& p, const Touch& t) {
-        const double o = std::max(0.0, t.overlap);
-        return 0.5 * (p.stiffness * o * o + tangential(p) * t.slip.squaredNorm());
+    static double energy(const Point& p, double overlap, const Vec3& slip) {
+        const double o = std::max(0.0, overlap);
+        return 0.5 * (p.stiffness * o * o + tangential(p) * slip.squaredNorm());
     }
     double stored(const State& state) const {
         double sum = 0;
-        for (const Point& p : state.data.find<Points>(ground_effect)->list) sum += energy(p, look(p, state));
+        for (const Point& p : state.data.find<Points>(ground_effect)->list) {
+            const Touch t = look(p, state);
+            sum += energy(p, t.overlap, t.slip);
+        }
         return sum;
     }
     /// Where the next step begins.
@@ -334,6 +359,7 @@ private:
         Points points;
         points.planes = int(declared().size()), points.nodes = int(s.position().size());
         for (int i = 0; i < points.planes; ++i) {
+            if (declared()[i].is_layer()) continue;
             for (int n = 0; n < points.nodes; ++n) {
                 Point p;
                 p.plane = i, p.node = n;
@@ -382,19 +408,56 @@ private:
         for (double& taken : taken_) taken *= x;
     }
 
-    /// Of the points that come out, the normal velocity is to be what restitution leaves of it.
+    bool comes_out(const Point& p, const Touch& t) const {
+        return p.overlap > 0 && !(t.overlap > 0) && plane(p).restitution.value_or(1) < 1;
+    }
+    /// Friction over pressure, along e.
+    static Vec3 friction_part(const Point& p, double overlap, const Vec3& slip) {
+        return tangential(p) / (p.stiffness * overlap) * slip;
+    }
+
+    /// Which points get their restitution now, and how long the others go on waiting; whether one does. A point is due
+    /// with all others of its body: when none of them touches any longer, when one has waited for long enough, or when
+    /// one touches again.
+    bool find_due(double dt) {
+        const Bodies bodies = find_bodies(w_.structure, w_.state);
+        std::vector<char> touches(bodies.count, 0), over(bodies.count, 0);
+        waits_.assign(touches_.size(), 0);
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const Touch& t = touches_[i];
+            const int body = bodies.of_node[p.node];
+            if (body < 0 || is_held(p)) continue;
+            const bool in = t.overlap > 0;
+            touches[body] |= in;
+            if (p.waits > 0) waits_[i] = std::max(p.waits - dt, 0.0), over[body] |= in || waits_[i] == 0;
+            else if (comes_out(p, t)) waits_[i] = most_wait * M_PI * std::sqrt(p.mass / p.stiffness);
+        }
+        due_.assign(touches_.size(), 0);
+        bool any = false;
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Point& p = points()[i];
+            const int body = bodies.of_node[p.node];
+            if (!(p.waits > 0 || waits_[i] > 0) || body < 0 || (touches[body] && !over[body])) continue;
+            due_[i] = 1, waits_[i] = 0, any = true;
+        }
+        return any;
+    }
+
+    /// Of the points that are due, the normal velocity is to be what restitution leaves of it. One that still moves
+    /// into the ground has not come back from it; one that waited may have turned round, and has less of either.
     void restitute() {
         impulse_.assign(w_.trial.velocity.size(), Vec6::Zero());
         restituted_.assign(touches_.size(), 0);
         double wanted = 0;  // impulse . velocity, afterwards
         for (std::size_t i = 0; i < touches_.size(); ++i) {
+            if (!due_[i]) continue;
             const Point& p = points()[i];
             const Touch& t = touches_[i];
             const double left = plane(p).restitution.value_or(1);
-            if (!(p.overlap > 0) || t.overlap > 0 || left == 1) continue;
             const Vec6& v = w_.trial.velocity[p.node];
             const double speed = plane(p).normal.dot(v.head<3>() + Vec3(v.tail<3>()).cross(t.arm));
-            if (!(speed > 0)) continue;
+            if (!(speed > 0) && !(p.waits > 0)) continue;
             const double size = -(1 - left) * p.mass * speed;
             add_impulse(p, t, size);
             restituted_[i] = size;
@@ -417,11 +480,13 @@ private:
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
             const Touch& t = touches_[i];
-            const bool before = p.overlap > 0;
-            const Vec3& slip = before ? p.slip : t.slip;
-            if (taken_[i] == 0 || slip.isZero(0)) continue;
-            const double pressed = p.stiffness * (before ? p.overlap : t.overlap);
-            const Vec3 f = -taken_[i] * tangential(p) / pressed * slip;
+            if (taken_[i] == 0) continue;
+            const Vec3 part = p.overlap > 0   ? friction_part(p, p.overlap, p.slip)
+                              : p.waits > 0   ? p.dragged
+                              : t.overlap > 0 ? friction_part(p, t.overlap, t.slip)
+                                              : Vec3(Vec3::Zero());
+            if (part.isZero(0)) continue;
+            const Vec3 f = -taken_[i] * part;
             impulse_[p.node].head<3>() += f;
             impulse_[p.node].tail<3>() += surface(p, t.arm).cross(f);
             slid = true;
@@ -436,10 +501,12 @@ private:
     std::vector<Vec6> impulse_;   ///< N s, N m s
     /// Of the normal impulse of each point, by restitution, and with what the step missed, N s.
     std::vector<double> restituted_, taken_;
-    int has_ = 0, had_ = 0;  ///< points that touch, at the last add_forces and the one before
-    int first_ = 0;          ///< of those, the first
-    double lost_ = 0;        ///< J, by friction and restitution in this step
-    double at_start_ = 0;    ///< J
+    std::vector<double> waits_;  ///< s: Point::waits where the step ends; empty where no point waits
+    std::vector<char> due_;      ///< points that get their restitution in this step
+    int has_ = 0, had_ = 0;      ///< points that touch, at the last add_forces and the one before
+    int first_ = 0;              ///< of those, the first
+    double lost_ = 0;            ///< J, by friction and restitution in this step
+    double at_start_ = 0;        ///< J
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
@@ -453,19 +520,21 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind ground_kind() {
-    return {ground_effect,
-            {{"ground", 75, "stored where members press on the ground, and lost there"},
-             {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
-             {"ground_dissipated", 77, "lost to friction and restitution on the ground", "ground"}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().declared<GroundPlane>(ground_effect).empty()) {
-                    w.state.data.erase(ground_effect);
-                    return nullptr;
-                }
-                return std::make_unique<Ground>(w, host);
-            },
-            true};
+    return {
+        ground_effect,
+        {{"ground", 75, "stored where members press on the ground, and lost there"},
+         {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
+         {"ground_dissipated", 77, "lost to the ground's damping, and to friction and restitution on it", "ground"}},
+        plan,
+        [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
+            if (std::all_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {
+                w.state.data.erase(ground_effect);
+                return nullptr;
+            }
+            return std::make_unique<Ground>(w, host);
+        },
+        true};
 }
 
 }  // namespace hinge

@@ -67,6 +67,7 @@ private:
     std::vector<Yielding> hinges_;         ///< of the last step, with the displacement predictor
     std::unordered_map<int, Mat6> built_;  ///< D_p in the effective stiffness, of the elements that have it there
     double first_change_ = 0, last_change_ = 0, damping_ = 1;
+    double unseen_ = 0;             ///< m: root of the sum of squares of corrections that are the coordinates' rounding
     double jump_ = 0, motion_ = 0;  ///< of the last step: dt |da| / |v|; sum of m v^2
 };
 
