@@ -597,11 +597,17 @@ function model:move(options) end
 ---@param load_case? hinge.case|string the load case that it belongs to; default: none
 function model:gravity(acceleration, load_case) end
 
----Gives an initial velocity to a node, or to a member or a group as a rigid body. If several calls give a velocity to a
----node, the last one counts. Statics does not change velocities. A run that continues another run (`from`) begins with
----the velocities at the end of that run. The exceptions are targets whose velocity was declared after that run was
----made: they begin with it, as a rigid body in their present position. So a velocity may be given before or after
----statics. Fixed degrees of freedom stay at rest. It is an error if the target has no others.
+---Gives an initial velocity to a node alone, or to a member or a group as a rigid body. A member between two joints
+---that were given a velocity, by one call or by several, moves with them over its whole length, in proportion between
+---the two. The inner nodes of a member with a velocity at one end alone begin at rest. The kinetic energy of a node
+---alone is that of its point masses and of the part of the elements that is at the node (density * area * length of an
+---element / 3, for each one): it becomes smaller with shorter elements. So give a node that is struck the mass that
+---strikes it (model:mass), or give the velocity to a member. `hinge plan` and `hinge check` print the kinetic energy
+---that a run begins with, and warn of such a node. If several calls give a velocity to a node, the last one counts.
+---Statics does not change velocities. A run that continues another run (`from`) begins with the velocities at the end
+---of that run. The exceptions are targets whose velocity was declared after that run was made: they begin with it, as
+---a rigid body in their present position. So a velocity may be given before or after statics. Fixed degrees of freedom
+---stay at rest. It is an error if the target has no others.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 }) -- m/s
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()

@@ -1,0 +1,101 @@
+-- What moves: velocities of single nodes and of members.
+--
+-- Run: lua5.4 tests/script/motion_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "motion"
+local expect, equal, near = checks.expect, checks.equal, checks.near
+local hinge_on = support.scenes(arg[1])
+
+local steel = hinge.material { E = 200e9, nu = 0.3, density = 8000 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local per_length, L = 8000 * 0.05 ^ 2, 2 -- kg/m, m
+
+-- Velocities ----------------------------------------------------------------------------------------------------------
+
+local function cantilever(elements)
+  local model = hinge.model { elements_per_member = elements }
+  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  model:fix(foot)
+  return model, tip, model:member { foot, tip, section = bar, material = steel, group = "arm" }, foot
+end
+for _, elements in ipairs { 2, 8 } do
+  local what = elements .. " elements: "
+  local model, tip, member = cantilever(elements)
+  model:mass { node = tip, mass = 50 }
+  model:velocity(tip, { 0, 0, 2 })
+  local run = model:dynamic { dt = 1e-5, duration = 1e-5 }
+  near(run.energy.kinetic, 0.5 * 4 * (50 + per_length * L / elements / 3), 1e-9, what .. "a node alone")
+  model:velocity(member, { 0, 0, 2 }) -- the foot is held
+  run = model:dynamic { dt = 1e-5, duration = 1e-5 }
+  near(run.energy.kinetic, 0.5 * 4 * (50 + per_length * L * (1 - 2 / 3 / elements)), 1e-9, what .. "the member")
+end
+do -- the same peak for any number of elements, as a mass on a spring has it: m v^2 = k u^2
+  local peak = {}
+  for _, elements in ipairs { 2, 8 } do
+    local model, tip = cantilever(elements)
+    model:mass { node = tip, mass = 500 }
+    model:velocity(tip, { 0, 0, 1 })
+    local run = model:dynamic { dt = 1e-4, duration = 0.12 }
+    local z = run:probe { node = tip, "uz" }
+    run:finish()
+    peak[elements] = z.max
+  end
+  near(peak[2], peak[8], 0.01 * peak[8], "peak of a struck cantilever")
+end
+do -- both ends by two calls move the member, and so does its group; given to one joint of two members: that joint
+  local function kinetic(give)
+    local model = hinge.model { elements_per_member = 4 }
+    local a, b, c = model:node { 0, 0, 0 }, model:node { L, 0, 0 }, model:node { 2 * L, 0, 0 }
+    for _, ends in ipairs { { a, b }, { b, c } } do
+      model:member { ends[1], ends[2], section = bar, material = steel, group = ends[1] == a and "one" or "two" }
+    end
+    give(model, a, b, c)
+    return model:dynamic { dt = 1e-5, duration = 1e-5 }.energy.kinetic
+  end
+  local m, share = per_length * L, per_length * L / 4 / 3
+  near(kinetic(function(model, a, b) model:velocity(a, { 0, 1, 0 }) model:velocity(b, { 0, 1, 0 }) end),
+    0.5 * (m + share), 1e-9, "both ends, one by one")
+  near(kinetic(function(model) model:velocity("one", { 0, 1, 0 }) end), 0.5 * (m + share), 1e-9, "a group")
+  near(kinetic(function(model, _, b) model:velocity(b, { 0, 1, 0 }) end), 0.5 * 2 * share, 1e-9, "a joint")
+end
+do -- after statics likewise
+  local model, tip = cantilever(4)
+  model:load { node = tip, force = { 0, 0, 1 } }
+  local rest = model:static { steps = 1 }:finish()
+  model:velocity(tip, { 0, 0, 2 })
+  near(model:dynamic { from = rest, dt = 1e-5, duration = 1e-5 }.energy.kinetic, 0.5 * 4 * per_length * L / 4 / 3,
+    1e-6, "after statics")
+end
+
+-- A scene in the program; $more: what it declares, $run: how it runs.
+local scene = [[
+local hinge = require "hinge"
+local model = hinge.model {}
+local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+local c, d = model:node { 0, 5, 0 }, model:node { 2, 5, 0 }
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 355e6 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+model:fix(a)
+model:member { a, b, section = bar, material = steel, group = "held" }
+model:member { c, d, section = bar, material = steel, group = "free" }
+%s
+model:dynamic { dt = 1e-4, duration = 1e-3 }:finish()
+]]
+local function check(more, verb)
+  local status, printed, complaint = hinge_on(verb or "check", scene:format(more))
+  equal(status, 0, more .. complaint)
+  return printed .. complaint
+end
+local alone = "is given to that node alone and brings "
+expect(check("model:velocity(b, { 0, 0, 3 })"):find(alone, 1, true), "a node without mass")
+expect(check("model:velocity(b, { 0, 0, 3 })", "run"):find(alone, 1, true), "a node without mass, at the run")
+expect(not check("model:mass { node = b, mass = 100 }\nmodel:velocity(b, { 0, 0, 3 })"):find(alone, 1, true),
+  "a node with mass")
+expect(not check("model:velocity('free', { 0, 0, 3 })"):find(alone, 1, true), "a group")
+local told = check("model:velocity('free', { 0, 0, 3 })", "plan"):match "begins with (%S+) J of kinetic energy"
+near(tonumber(told) or 0 / 0, 0.5 * 7850 * 0.05 ^ 2 * 2 * 9, 0.1, "the plan tells of the energy")
+expect(not check("", "plan"):find("begins with", 1, true), "nothing moves")
+
+checks.done()
