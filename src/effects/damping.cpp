@@ -12,6 +12,7 @@
 
 #include <map>
 
+#include "effects/connectors.h"
 #include "effects/kinds.h"
 #include "effects/point_mass.h"
 #include "state/hinges.h"
@@ -184,6 +185,29 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 }
 
 }  // namespace
+
+Bodies joined_bodies(const Structure& structure, const State& state) {
+    Bodies bodies = find_bodies(structure, state);
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect)) {
+        if (c.a < 0 || c.b < 0) continue;
+        const int keep = bodies.of_node[c.a], gone = bodies.of_node[c.b];
+        if (keep == gone || keep < 0 || gone < 0) continue;
+        for (int& body : bodies.of_node)
+            if (body == gone) body = keep;
+    }
+    return bodies;
+}
+
+std::vector<char> held_bodies(const Structure& structure, const State& state, const Bodies& bodies) {
+    std::vector<char> held(bodies.count, 0);
+    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
+        if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
+        for (const auto& [by, what] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}})
+            if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.elements_at(by).empty()))
+                held[bodies.of_node[what]] = 1;
+    return held;
+}
 
 EffectKind damping_kind() {
     return {damping_effect,

@@ -442,6 +442,7 @@ int dynamic_run(lua_State* L) {
                                      start.time, s.duration, automatic ? 0 : s.dt))
         doubts.push_back(std::move(w));
     for (Warning& w : massless_loads(*structure, where(L))) doubts.push_back(std::move(w));
+    for (Warning& w : damped_free_bodies(*structure, start)) doubts.push_back(std::move(w));
     for (Warning& w :
          lone_velocities(*structure, start, before ? &before->run->structure().model() : nullptr, where(L)))
         doubts.push_back(std::move(w));

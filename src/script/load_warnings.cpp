@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "effects/connectors.h"
+#include "effects/damping.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
 #include "state/breaking.h"
@@ -357,6 +358,46 @@ std::vector<Warning> lone_velocities(const Structure& s, const State& start, con
                         "give the velocity to a member or a group to move members as a whole, or give the node the "
                         "mass that strikes (model:mass)",
                         line});
+    }
+    return list;
+}
+
+std::vector<Warning> damped_free_bodies(const Structure& s, const State& start) {
+    const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
+    if (std::none_of(declared.begin(), declared.end(), [](const Damping& d) { return d.alpha > 0; })) return {};
+    const Bodies bodies = joined_bodies(s, start);
+    const std::vector<char> held = held_bodies(s, start, bodies);
+    std::vector<int> by(s.elements().size(), -1);  // the declaration that an element is damped by
+    // A group of free bodies alone was named on purpose, such as debris that is to stop rolling.
+    std::vector<char> meant(declared.size());
+    for (std::size_t d = 0; d < declared.size(); ++d) meant[d] = declared[d].group >= 0;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        for (std::size_t d = 0; d < declared.size(); ++d)
+            if (declared[d].group < 0 || s.in_group(int(i), declared[d].group)) by[i] = int(d);
+        const int body = bodies.of_node[s.elements()[i].node[0]];
+        if (by[i] >= 0 && body >= 0 && held[body]) meant[by[i]] = 0;
+    }
+    std::vector<Warning> list;
+    std::vector<char> told(bodies.count, 0);
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        const int body = bodies.of_node[s.elements()[i].node[0]];
+        if (by[i] < 0 || meant[by[i]] || start.broken[i] || body < 0 || held[body] || told[body]) continue;
+        const double alpha = declared[by[i]].alpha;
+        if (!(alpha > 0)) continue;
+        told[body] = 1;
+        if (!list.empty()) {
+            ++list[0].more;
+            continue;
+        }
+        const int member = s.elements()[i].member;
+        const auto& groups = s.model().members()[member].groups;
+        list.push_back({"the body of member " + std::to_string(member + 1) +
+                            (groups.empty() ? "" : " (" + s.model().groups()[groups[0]] + ")") +
+                            " is held by no support, and alpha = " + digits(alpha, 3) +
+                            " 1/s of model:damping slows it down in flight, by " +
+                            digits(100 * (1 - std::exp(-0.1 * alpha)), 2) + " % in 0.1 s",
+                        "damp only the groups that supports hold (group =), or give its group alpha = 0",
+                        s.model().asked_at(damping_effect)});
     }
     return list;
 }

@@ -27,6 +27,10 @@ std::vector<Warning> massless_loads(const Structure& structure, const std::strin
 std::vector<Warning> lone_velocities(const Structure& structure, const State& start, const Model* before,
                                      const std::string& line);
 
+/// Of a dynamic run: bodies that no support holds, directly or through connectors, and that alpha of model:damping
+/// damps.
+std::vector<Warning> damped_free_bodies(const Structure& structure, const State& start);
+
 /// Load cases that a run takes and that hold nothing.
 std::vector<Warning> empty_cases(const ScriptModel& declared, const LoadChoice& choice, const std::string& line);
 

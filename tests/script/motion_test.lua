@@ -1,4 +1,5 @@
--- What moves: velocities of single nodes and of members.
+-- What moves and what is damped: velocities of single nodes and of members, and free bodies that alpha
+-- slows down.
 --
 -- Run: lua5.4 tests/script/motion_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -97,5 +98,22 @@ expect(not check("model:velocity('free', { 0, 0, 3 })"):find(alone, 1, true), "a
 local told = check("model:velocity('free', { 0, 0, 3 })", "plan"):match "begins with (%S+) J of kinetic energy"
 near(tonumber(told) or 0 / 0, 0.5 * 7850 * 0.05 ^ 2 * 2 * 9, 0.1, "the plan tells of the energy")
 expect(not check("", "plan"):find("begins with", 1, true), "nothing moves")
+
+-- Free bodies that alpha slows down -----------------------------------------------------------------------------------
+local slows = "is held by no support, and alpha = 2 1/s of model:damping slows it down in flight, by 18 % in 0.1 s"
+for _, verb in ipairs { "check", "run" } do
+  local said = check("model:damping { alpha = 2, beta = 1e-4 }", verb)
+  expect(said:find("the body of member 2 (free) " .. slows, 1, true), "%s: %s", verb, said)
+end
+for what, more in pairs {
+  ["by group"] = "model:damping { alpha = 2, group = 'held' }",
+  ["left out"] = "model:damping { alpha = 2 }\nmodel:damping { alpha = 0, group = 'free' }",
+  ["meant"] = "model:damping { alpha = 2, group = 'free' }",
+  ["beta alone"] = "model:damping { alpha = 0, beta = 1e-4 }",
+  ["held by a connector"] = "model:damping { alpha = 2 }\nmodel:connector { b, d, stiffness = { x = 1e5 } }",
+  ["held by the ground"] = "model:damping { alpha = 2 }\nmodel:connector { d, ground = true, stiffness = { x = 1e5 } }",
+} do
+  expect(not check(more):find(slows, 1, true), "quiet: %s", what)
+end
 
 checks.done()
