@@ -848,14 +848,21 @@ function connector:broken(run) end
 
 ---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
 ---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps
----the velocity in space, flying and rotating as a whole too; beta the rates of the element's own deformation, so no
----rigid motion, and keeps the elastic stiffness where an element yields. A point mass (model:mass), its rotary inertia
----and its offset with it, has the alpha of the members at its node; where they differ, as by groups, their mean. A
----broken element is damped no more, nor is the mass left of it, and it no longer counts in that mean: a point mass
----whose members have all broken off flies undamped. Of several calls the last one that applies to a member's groups
----counts, so that alpha = 0 with a group leaves it undamped. The energy that it dissipates is in run.energy.damping.
----With explicit steps beta shortens the longest stable step (dt = "auto" includes this); Newmark's method takes
----predictor "displacement" where damping is as strong as that. It does not act in statics.
+---the velocity relative to the supports: along x, y and z each relative to the mean velocity of those supports of the
+---same body that are held in that direction (whole elements and connectors join a body; a support that does not move
+---counts with zero). So a structure that moves with its ground is not damped. Where supports move differently that
+---mean is a simplification: the rest of their motion is damped. The work of the moving supports on alpha is part of
+---run.energy.work. A body without supports, also one that has broken off, is damped by its velocity in space, in
+---flight and rotation as a whole too. `hinge check` and `hinge run` warn of bodies that are free from the start,
+---unless alpha is given with a group of such bodies only; give alpha with a group, or beta alone, where parts may
+---break off and fly. beta damps the rates of the element's own deformation, so no rigid motion, and keeps the elastic
+---stiffness where an element yields. A point mass (model:mass), its rotary inertia and its offset with it, has the
+---alpha of the members at its node; where they differ, as by groups, their mean. A broken element is damped no more,
+---nor is the mass left of it, and it no longer counts in that mean: a point mass whose members have all broken off
+---flies undamped. Of several calls the last one that applies to a member's groups counts, so that alpha = 0 with a
+---group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
+---the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
+---is as strong as that. It does not act in statics.
 ---```lua
 ---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
 ---```

@@ -1,5 +1,5 @@
--- What moves and what is damped: velocities of single nodes and of members, and free bodies that alpha
--- slows down.
+-- What moves and what is damped: velocities of single nodes and of members, alpha relative to supports that move, and
+-- free bodies that alpha slows down.
 --
 -- Run: lua5.4 tests/script/motion_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -114,6 +114,68 @@ for what, more in pairs {
   ["held by the ground"] = "model:damping { alpha = 2 }\nmodel:connector { d, ground = true, stiffness = { x = 1e5 } }",
 } do
   expect(not check(more):find(slows, 1, true), "quiet: %s", what)
+end
+
+-- alpha relative to supports that move --------------------------------------------------------------------------------
+-- A mass on a post whose ground is accelerated, and leaves a velocity: it answers as it does in the axes of the ground,
+-- under the weight -m a.
+local function shaken(o)
+  local model = hinge.model { elements_per_member = 2, weight = "nodes" }
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
+  model:fix(foot)
+  model:member { foot, top, section = bar, material = steel }
+  model:mass { node = top, mass = 200 }
+  local a = o.acceleration
+  if o.moves then
+    model:move { node = foot, x = function(t) return 0.5 * a * t * t + (o.speed or 0) * t end }
+  else
+    model:gravity { -a, 0, 0 }
+  end
+  model:damping { alpha = o.alpha }
+  local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-4, duration = 0.25,
+    integrator = o.integrator, rho_infinity = o.rho_infinity }
+  run:finish()
+  equal(run.verdict, "completed", "shaken: " .. run.reason)
+  return run, run:displacement(top) - run:displacement(foot)
+end
+for _, o in ipairs { { integrator = "newmark" }, { integrator = "explicit" }, { rho_infinity = 0.8 } } do
+  local what = (o.integrator or "rho_infinity = 0.8") .. ": "
+  o.alpha, o.acceleration, o.speed, o.moves = 5, 3, 0, true
+  local moving, u = shaken(o)
+  o.moves = false
+  local still, wanted = shaken(o)
+  near(u, wanted, 2e-3 * math.abs(wanted), what .. "as in the axes of the ground")
+  near(moving.energy.damping, still.energy.damping, 0.02 * still.energy.damping, what .. "energy damped")
+  expect(still.energy.damping > 0.01, what .. "something is damped")
+  expect(math.abs(moving.energy.remainder) < 1e-4 * moving.energy.work, "%senergy error %g of %g J", what,
+    moving.energy.remainder, moving.energy.work)
+end
+do -- supports that move apart: relative to their mean, along each direction by those held in it
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+  model:fix(a)
+  model:fix(b, "xyz")
+  model:member { a, b, section = bar, material = steel }
+  model:move { node = b, z = function(t) return 0.01 * (1 - math.cos(50 * t)) end }
+  model:damping { alpha = 5 }
+  local run = model:dynamic { dt = 2e-5, duration = 0.2 }
+  run:finish()
+  expect(math.abs(run.energy.remainder) < 1e-3 * run.energy.damping, "supports that move apart: energy error %g of %g",
+    run.energy.remainder, run.energy.damping)
+end
+do -- a body without supports beside moving ones is damped by its velocity in space
+  local model = hinge.model {}
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
+  local c, d = model:node { 5, 0, 0 }, model:node { 6, 0, 0 }
+  model:fix(foot)
+  model:member { foot, top, section = bar, material = steel }
+  model:member { c, d, section = bar, material = steel, group = "free" }
+  model:velocity("free", { 20, 0, 0 })
+  model:move { node = foot, x = function(t) return t end }
+  model:damping { alpha = 1 }
+  local run = model:dynamic { dt = 1e-4, duration = 0.2 }
+  run:finish()
+  near(run:velocity(c), 20 * math.exp(-0.2), 1e-3, "in flight")
 end
 
 checks.done()
