@@ -597,11 +597,17 @@ function model:move(options) end
 ---@param load_case? hinge.case|string the load case that it belongs to; default: none
 function model:gravity(acceleration, load_case) end
 
----Gives an initial velocity to a node, or to a member or a group as a rigid body. If several calls give a velocity to a
----node, the last one counts. Statics does not change velocities. A run that continues another run (`from`) begins with
----the velocities at the end of that run. The exceptions are targets whose velocity was declared after that run was
----made: they begin with it, as a rigid body in their present position. So a velocity may be given before or after
----statics. Fixed degrees of freedom stay at rest. It is an error if the target has no others.
+---Gives an initial velocity to a node alone, or to a member or a group as a rigid body. A member between two joints
+---that were given a velocity, by one call or by several, moves with them over its whole length, in proportion between
+---the two. The inner nodes of a member with a velocity at one end alone begin at rest. The kinetic energy of a node
+---alone is that of its point masses and of the part of the elements that is at the node (density * area * length of an
+---element / 3, for each one): it becomes smaller with shorter elements. So give a node that is struck the mass that
+---strikes it (model:mass), or give the velocity to a member. `hinge plan` and `hinge check` print the kinetic energy
+---that a run begins with, and warn of such a node. If several calls give a velocity to a node, the last one counts.
+---Statics does not change velocities. A run that continues another run (`from`) begins with the velocities at the end
+---of that run. The exceptions are targets whose velocity was declared after that run was made: they begin with it, as
+---a rigid body in their present position. So a velocity may be given before or after statics. Fixed degrees of freedom
+---stay at rest. It is an error if the target has no others.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 }) -- m/s
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
@@ -842,14 +848,21 @@ function connector:broken(run) end
 
 ---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
 ---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps
----the velocity in space, flying and rotating as a whole too; beta the rates of the element's own deformation, so no
----rigid motion, and keeps the elastic stiffness where an element yields. A point mass (model:mass), its rotary inertia
----and its offset with it, has the alpha of the members at its node; where they differ, as by groups, their mean. A
----broken element is damped no more, nor is the mass left of it, and it no longer counts in that mean: a point mass
----whose members have all broken off flies undamped. Of several calls the last one that applies to a member's groups
----counts, so that alpha = 0 with a group leaves it undamped. The energy that it dissipates is in run.energy.damping.
----With explicit steps beta shortens the longest stable step (dt = "auto" includes this); Newmark's method takes
----predictor "displacement" where damping is as strong as that. It does not act in statics.
+---the velocity relative to the supports: along x, y and z each relative to the mean velocity of those supports of the
+---same body that are held in that direction (whole elements and connectors join a body; a support that does not move
+---counts with zero). So a structure that moves with its ground is not damped. Where supports move differently that
+---mean is a simplification: the rest of their motion is damped. The work of the moving supports on alpha is part of
+---run.energy.work. A body without supports, also one that has broken off, is damped by its velocity in space, in
+---flight and rotation as a whole too. `hinge check` and `hinge run` warn of bodies that are free from the start,
+---unless alpha is given with a group of such bodies only; give alpha with a group, or beta alone, where parts may
+---break off and fly. beta damps the rates of the element's own deformation, so no rigid motion, and keeps the elastic
+---stiffness where an element yields. A point mass (model:mass), its rotary inertia and its offset with it, has the
+---alpha of the members at its node; where they differ, as by groups, their mean. A broken element is damped no more,
+---nor is the mass left of it, and it no longer counts in that mean: a point mass whose members have all broken off
+---flies undamped. Of several calls the last one that applies to a member's groups counts, so that alpha = 0 with a
+---group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
+---the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
+---is as strong as that. It does not act in statics.
 ---```lua
 ---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
 ---```

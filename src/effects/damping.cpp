@@ -3,8 +3,15 @@
 // dissipate.
 //
 // The part of beta takes the rates of the element's own deformation: rotating and flying as a whole is not damped by
-// it, however fast. The part of alpha takes the nodes' velocities in space, as Rayleigh's does. A yielding element
-// keeps its elastic K here; a broken one is not damped at all, nor is the mass that is left of it.
+// it, however fast. A yielding element keeps its elastic K here; a broken one is not damped at all, nor is the mass
+// that is left of it.
+//
+// The part of alpha takes the nodes' velocities relative to the supports of their body (whole elements and connectors
+// join it): along x, y and z each the mean velocity of those of its supports that are held in that direction, zero
+// where there are none and of supports that do not move. So a building that moves with its ground is not damped. A body
+// without supports is damped by its velocity in space. The velocities of rotation are those in space: supports do not
+// rotate. The dashpots stand on the moving supports, so these do work on them: force times the way of the supports is
+// in the account of work, force times the way relative to them in that of damping.
 //
 // A point mass has the alpha of the elements at its node that are whole, the mean where they differ, and none once all
 // are broken. Its part of C is a block of its node.
@@ -12,6 +19,7 @@
 
 #include <map>
 
+#include "effects/connectors.h"
 #include "effects/kinds.h"
 #include "effects/point_mass.h"
 #include "state/hinges.h"
@@ -39,6 +47,22 @@ std::vector<ElementDamping> damping_of_elements(const Structure& structure) {
     return of;
 }
 
+/// Which supports a body is damped relative to, along x, y and z each.
+struct Footing {
+    std::vector<int> supports[3];
+
+    /// The mean over them of what `of` (a node, a direction) says; 0 without supports.
+    template <class Of>
+    Vec3 mean(Of of) const {
+        Vec3 all = Vec3::Zero();
+        for (int c : {0, 1, 2}) {
+            for (const int node : supports[c]) all[c] += of(node, c);
+            if (!supports[c].empty()) all[c] /= double(supports[c].size());
+        }
+        return all;
+    }
+};
+
 class RayleighDamping : public Effect {
 public:
     RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
@@ -57,6 +81,7 @@ public:
                 }
         for (const auto& [node, mass] : masses)
             masses_.push_back({node, mass}), built_.push_back(w.state.rotation[node]);
+        find_footings();
     }
 
     bool damps_elements() const override { return true; }
@@ -74,6 +99,8 @@ public:
         for (const auto& [node, mass] : masses_)
             blocks.damping(node, Mat6(alpha_at(node) * offset_mass_in_space(mass, at.rotation[node])));
     }
+    void all_broke() override { find_footings(); }
+    void take_back() override { find_footings(); }
     void broke(const Break& b) override {
         for (const AtNode& m : masses_)
             for (const int node : w_.structure.elements()[b.element].node)
@@ -88,13 +115,20 @@ public:
 
     /// By the trapezium rule, like the work of loads.
     void add_up(const Step&, Accounts& sums) const override {
-        double work = 0;
+        std::vector<Vec3> ways(footings_.size());  // of the supports of each body
+        for (std::size_t i = 0; i < ways.size(); ++i)
+            ways[i] = footings_[i].mean(
+                [&](int n, int c) { return w_.trial.displacement[n][c] - w_.state.displacement[n][c]; });
+        double work = 0, by_supports = 0;
         for (std::size_t n = 0; n < now_.size(); ++n) {
             const Vec6 mean = 0.5 * (before_[n] + now_[n]);
             work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
                     mean.tail<3>().dot(w_.rotation_step[n]);
+            if (const int body = footings_.empty() ? -1 : bodies_.of_node[n]; body >= 0)
+                by_supports += mean.head<3>().dot(ways[body]);
         }
-        sums["damping"] += work;
+        sums["damping"] += work - by_supports;
+        if (by_supports != 0) sums["work"] -= by_supports;
     }
 
     void keep(const Step&) override { before_ = now_; }
@@ -103,6 +137,7 @@ public:
     void save(Writer& to) const override { to(before_, built_); }
     void restore(Reader& from) override { from(before_, built_); }
     bool restored(std::span<const State* const>) override {
+        find_footings();
         return before_.size() == now_.size() && built_.size() == masses_.size();
     }
 
@@ -111,6 +146,26 @@ private:
         int node;
         OffsetMass mass;  ///< of its point masses
     };
+
+    /// Where supports move; none where all are at rest.
+    void find_footings() {
+        footings_.clear();
+        if (w_.structure.model().motions().empty()) return;
+        bodies_ = joined_bodies(w_.structure, w_.state);
+        footings_.resize(bodies_.count);
+        for (std::size_t n = 0; n < bodies_.of_node.size(); ++n)
+            for (int c : {0, 1, 2})
+                if (bodies_.of_node[n] >= 0 && w_.structure.fixed()[n] >> c & 1)
+                    footings_[bodies_.of_node[n]].supports[c].push_back(int(n));
+        velocities_.resize(footings_.size());
+    }
+    /// Of the supports that a node is damped relative to.
+    Vec6 velocity_relative(int node) const {
+        Vec6 v = w_.trial.velocity[node];
+        if (const int body = footings_.empty() ? -1 : bodies_.of_node[node]; body >= 0)
+            v.head<3>() -= velocities_[body];
+        return v;
+    }
 
     bool rests(int node) const { return !w_.resting.empty() && w_.resting[node] >= 0; }
 
@@ -136,6 +191,8 @@ private:
 
     /// C v at the trial pose, N and N m of each node.
     void find_forces() {
+        for (std::size_t i = 0; i < footings_.size(); ++i)
+            velocities_[i] = footings_[i].mean([&](int n, int c) { return w_.trial.velocity[n][c]; });
         w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
             for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i]);
         });
@@ -146,7 +203,7 @@ private:
         for (const auto& [node, mass] : masses_)
             if (!rests(node))
                 now_[node] +=
-                    alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * w_.trial.velocity[node]);
+                    alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * velocity_relative(node));
     }
 
     /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
@@ -157,7 +214,11 @@ private:
         const PlacedElement place = place_element(w_.structure, index, w_.trial);
         Vec12 v, force = Vec12::Zero();
         v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
-        if (c.of_mass != 0) force = c.of_mass * (w_.structure.inertia(index).matrix(axes_of(place)) * v);
+        if (c.of_mass != 0) {
+            Vec12 relative;
+            relative << velocity_relative(e.node[0]), velocity_relative(e.node[1]);
+            force = c.of_mass * (w_.structure.inertia(index).matrix(axes_of(place)) * relative);
+        }
         if (c.of_stiffness != 0) {
             const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
             const Vec6 rate = to_nodes.transpose() * v;
@@ -171,6 +232,9 @@ private:
     std::vector<Vec12> of_element_;  ///< of those
     std::vector<AtNode> masses_;
     std::vector<Quat> built_;         ///< of those: orientation that they have in the effective stiffness
+    Bodies bodies_;                   ///< where supports move
+    std::vector<Footing> footings_;   ///< of those bodies; empty where no support moves
+    std::vector<Vec3> velocities_;    ///< m/s, of the supports of each body at the trial pose
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
 };
 
@@ -184,6 +248,29 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 }
 
 }  // namespace
+
+Bodies joined_bodies(const Structure& structure, const State& state) {
+    Bodies bodies = find_bodies(structure, state);
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect)) {
+        if (c.a < 0 || c.b < 0) continue;
+        const int keep = bodies.of_node[c.a], gone = bodies.of_node[c.b];
+        if (keep == gone || keep < 0 || gone < 0) continue;
+        for (int& body : bodies.of_node)
+            if (body == gone) body = keep;
+    }
+    return bodies;
+}
+
+std::vector<char> held_bodies(const Structure& structure, const State& state, const Bodies& bodies) {
+    std::vector<char> held(bodies.count, 0);
+    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
+        if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
+        for (const auto& [by, what] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}})
+            if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.elements_at(by).empty()))
+                held[bodies.of_node[what]] = 1;
+    return held;
+}
 
 EffectKind damping_kind() {
     return {damping_effect,

@@ -104,17 +104,17 @@ void Model::set_gravity(const Vec3& g, int load_case) {
 }
 
 void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
-    check_open();
-    must_be_finite(linear, "velocity", "m/s");
-    must_be_finite(angular, "angular velocity", "rad/s");
-    velocities_[node] << linear, angular;
+    set_velocities({{node}, linear, angular});
 }
 
 void Model::set_velocities(GivenVelocity given) {
+    check_open();
+    must_be_finite(given.linear, "velocity", "m/s");
+    must_be_finite(given.angular, "angular velocity", "rad/s");
     Vec3 centre = Vec3::Zero();
     for (int n : given.nodes) centre += nodes_[n].position / double(given.nodes.size());
     for (int n : given.nodes) {
-        set_velocity(n, given.linear + given.angular.cross(nodes_[n].position - centre), given.angular);
+        velocities_[n] << given.linear + given.angular.cross(nodes_[n].position - centre), given.angular;
         velocity_given_[n] = int(given_velocities_.size());
     }
     given_velocities_.push_back(std::move(given));

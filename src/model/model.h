@@ -197,6 +197,11 @@ public:
     void set_velocities(GivenVelocity given);
     /// Of each node the place in given_velocities of the last one that it was given; -1: none.
     const std::vector<int>& velocity_given() const { return velocity_given_; }
+    /// Whether both ends of a member were given a velocity: then its inner nodes have one too, in proportion. Where
+    /// only one end was, that node moves alone.
+    bool moves_as_a_whole(const MemberData& member) const {
+        return velocity_given_[member.node[0]] >= 0 && velocity_given_[member.node[1]] >= 0;
+    }
     const std::vector<GivenVelocity>& given_velocities() const { return given_velocities_; }
     int add_case(const std::string& name);
     int find_case(const std::string& name) const;  ///< -1 when there is none

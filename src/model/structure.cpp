@@ -127,7 +127,8 @@ std::vector<Vec6> Structure::initial_velocity() const {
     for (const MemberData& member : model_->members())
         for (int i = 1; i < member.elements; ++i) {
             const double t = double(i) / member.elements;
-            v.push_back((1 - t) * v[member.node[0]] + t * v[member.node[1]]);
+            if (model_->moves_as_a_whole(member)) v.push_back((1 - t) * v[member.node[0]] + t * v[member.node[1]]);
+            else v.push_back(Vec6::Zero());
         }
     return v;
 }

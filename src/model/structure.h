@@ -48,7 +48,9 @@ public:
     const std::vector<Vec3>& position() const { return position_; }    ///< m, at the start
     const std::vector<std::uint8_t>& fixed() const { return fixed_; }  ///< six bits a node
     const std::vector<Element>& elements() const { return elements_; }
-    std::vector<Vec6> initial_velocity() const;  ///< of each node as declared, inside members in proportion; m/s, rad/s
+    /// Of each node as declared; inside members in proportion where both their ends were given one, else zero; m/s,
+    /// rad/s.
+    std::vector<Vec6> initial_velocity() const;
     std::span<const int> elements_at(int node) const {
         return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])};
     }  ///< rising

@@ -86,7 +86,7 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
     for (const MemberData& member : m.members())
         for (int i = 1; i < member.elements; ++i, ++inner) {
             const double t = double(i) / member.elements;
-            anew[inner] = anew[member.node[0]] || anew[member.node[1]];
+            anew[inner] = anew[member.node[0]] && anew[member.node[1]];
             if (anew[inner]) velocity[inner] = (1 - t) * velocity[member.node[0]] + t * velocity[member.node[1]];
         }
     for (std::size_t n = 0; n < velocity.size(); ++n)
@@ -444,6 +444,10 @@ int dynamic_run(lua_State* L) {
                                      start.time, s.duration, automatic ? 0 : s.dt))
         doubts.push_back(std::move(w));
     for (Warning& w : massless_loads(*structure, where(L))) doubts.push_back(std::move(w));
+    for (Warning& w : damped_free_bodies(*structure, start)) doubts.push_back(std::move(w));
+    for (Warning& w :
+         lone_velocities(*structure, start, before ? &before->run->structure().model() : nullptr, where(L)))
+        doubts.push_back(std::move(w));
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));

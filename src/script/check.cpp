@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "model/warnings.h"
 #include "script/load_warnings.h"
+#include "script/plan.h"
 #include "state/bodies.h"
 #include "algebra/modes.h"
 
@@ -206,7 +207,8 @@ std::string checked_run(const RunRecord& record) {
     return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
            count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +
            count(s.position().size(), "node") + ", " + std::to_string(s.free_dofs()) +
-           (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom" + ", " + digits(mass, 6) + " kg\n";
+           (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom" + ", " + digits(mass, 6) + " kg\n" +
+           kinetic_at_start(*record.run);
 }
 
 std::string checked_model(const RunRecord& record) {

@@ -6,8 +6,10 @@
 
 #include "core/text.h"
 #include "effects/connectors.h"
+#include "effects/damping.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
+#include "state/breaking.h"
 
 namespace hinge::script {
 namespace {
@@ -43,6 +45,9 @@ constexpr double much_yield = 5;
 
 /// Loads along gravity over the weight of all mass, in dynamics: beyond it, floors are loads and not mass.
 constexpr double much_load = 3;
+
+/// Of the kinetic energy of a node that is given a velocity alone, by the mass of the elements there.
+constexpr double much_of_elements = 0.1;
 
 struct Worst {
     double value = 0;
@@ -312,6 +317,89 @@ std::vector<Warning> massless_loads(const Structure& s, const std::string& line)
                  " times the weight of the model's " + digits(mass, 3) +
                  " kg; loads have no inertia, so what falls under them falls faster than free",
              "give floors as mass: a density that holds them, or model:mass", line}};
+}
+
+std::vector<Warning> lone_velocities(const Structure& s, const State& start, const Model* before,
+                                     const std::string& line) {
+    const Model& model = s.model();
+    const auto given = [&](int node) {
+        const int now = model.velocity_given()[node];
+        return now >= 0 && (!before || now != before->velocity_given()[node]);
+    };
+    std::vector<char> alone(model.nodes().size(), 0);
+    for (std::size_t n = 0; n < alone.size(); ++n) alone[n] = given(int(n)) && !start.velocity[n].isZero(0);
+    for (const MemberData& m : model.members())
+        if (given(m.node[0]) && given(m.node[1])) alone[m.node[0]] = alone[m.node[1]] = 0;
+    std::vector<double> masses(alone.size(), 0);  // J
+    for (const PointMass& m : model.declared<PointMass>(point_mass_effect))
+        masses[m.node] += 0.5 * m.mass * start.velocity[m.node].head<3>().squaredNorm();
+    std::vector<Warning> list;
+    State only;
+    for (std::size_t n = 0; n < alone.size(); ++n) {
+        if (!alone[n]) continue;
+        if (only.velocity.empty()) {
+            only = start;
+            for (Vec6& v : only.velocity) v.setZero();
+        }
+        only.velocity[n] = start.velocity[n];
+        double elements = 0;
+        for (const int e : s.elements_at(int(n)))
+            if (!start.broken[e]) elements += kinetic_energy(s, only, e, axes_of(place_element(s, e, only)));
+        only.velocity[n].setZero();
+        if (!(elements > much_of_elements * (elements + masses[n]))) continue;
+        if (!list.empty()) {
+            ++list[0].more;
+            continue;
+        }
+        list.push_back({"the velocity of " + s.node_name(int(n)) + " is given to that node alone and brings " +
+                            digits(elements + masses[n], 3) + " J, " + digits(elements, 3) +
+                            " J of them by the part of its elements' mass that is at the node, which depends on how "
+                            "short the elements are",
+                        "give the velocity to a member or a group to move members as a whole, or give the node the "
+                        "mass that strikes (model:mass)",
+                        line});
+    }
+    return list;
+}
+
+std::vector<Warning> damped_free_bodies(const Structure& s, const State& start) {
+    const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
+    if (std::none_of(declared.begin(), declared.end(), [](const Damping& d) { return d.alpha > 0; })) return {};
+    const Bodies bodies = joined_bodies(s, start);
+    const std::vector<char> held = held_bodies(s, start, bodies);
+    std::vector<int> by(s.elements().size(), -1);  // the declaration that an element is damped by
+    // A group of free bodies alone was named on purpose, such as debris that is to stop rolling.
+    std::vector<char> meant(declared.size());
+    for (std::size_t d = 0; d < declared.size(); ++d) meant[d] = declared[d].group >= 0;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        for (std::size_t d = 0; d < declared.size(); ++d)
+            if (declared[d].group < 0 || s.in_group(int(i), declared[d].group)) by[i] = int(d);
+        const int body = bodies.of_node[s.elements()[i].node[0]];
+        if (by[i] >= 0 && body >= 0 && held[body]) meant[by[i]] = 0;
+    }
+    std::vector<Warning> list;
+    std::vector<char> told(bodies.count, 0);
+    for (std::size_t i = 0; i < by.size(); ++i) {
+        const int body = bodies.of_node[s.elements()[i].node[0]];
+        if (by[i] < 0 || meant[by[i]] || start.broken[i] || body < 0 || held[body] || told[body]) continue;
+        const double alpha = declared[by[i]].alpha;
+        if (!(alpha > 0)) continue;
+        told[body] = 1;
+        if (!list.empty()) {
+            ++list[0].more;
+            continue;
+        }
+        const int member = s.elements()[i].member;
+        const auto& groups = s.model().members()[member].groups;
+        list.push_back({"the body of member " + std::to_string(member + 1) +
+                            (groups.empty() ? "" : " (" + s.model().groups()[groups[0]] + ")") +
+                            " is held by no support, and alpha = " + digits(alpha, 3) +
+                            " 1/s of model:damping slows it down in flight, by " +
+                            digits(100 * (1 - std::exp(-0.1 * alpha)), 2) + " % in 0.1 s",
+                        "damp only the groups that supports hold (group =), or give its group alpha = 0",
+                        s.model().asked_at(damping_effect)});
+    }
+    return list;
 }
 
 std::vector<Warning> empty_cases(const ScriptModel& m, const LoadChoice& choice, const std::string& line) {

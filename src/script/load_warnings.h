@@ -22,6 +22,15 @@ std::vector<Warning> idle_histories(const Model& model, const Model* before, dou
 /// Of a dynamic run: loads that weigh many times what the model's mass does. They have no inertia of their own.
 std::vector<Warning> massless_loads(const Structure& structure, const std::string& line);
 
+/// Of a dynamic run: velocities of single nodes whose kinetic energy is mostly that of the elements beside them, so
+/// that it depends on how short these are. `before` as in idle_histories.
+std::vector<Warning> lone_velocities(const Structure& structure, const State& start, const Model* before,
+                                     const std::string& line);
+
+/// Of a dynamic run: bodies that no support holds, directly or through connectors, and that alpha of model:damping
+/// damps.
+std::vector<Warning> damped_free_bodies(const Structure& structure, const State& start);
+
 /// Load cases that a run takes and that hold nothing.
 std::vector<Warning> empty_cases(const ScriptModel& declared, const LoadChoice& choice, const std::string& line);
 

@@ -15,6 +15,11 @@ std::vector<PlanLine> effects_of(const RunRecord& record) {
     return list;
 }
 
+std::string kinetic_at_start(const Run& run) {
+    const double kinetic = std::string_view(run.kind()) == "dynamic" ? run.energy()["kinetic"] : 0;
+    return kinetic > 0 ? "  begins with " + number_text(kinetic, 4) + " J of kinetic energy\n" : "";
+}
+
 std::string plan_of(const RunRecord& record) {
     const Run& run = *record.run;
     const Structure& s = run.structure();
@@ -22,7 +27,7 @@ std::string plan_of(const RunRecord& record) {
                        ": " + count_text(long(s.model().members().size()), "member") + ", " +
                        count_text(long(s.elements().size()), "element") + ", " + std::to_string(s.free_dofs()) +
                        (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom, " +
-                       count_text(run.planned_steps(), "step") + "\n";
+                       count_text(run.planned_steps(), "step") + "\n" + kinetic_at_start(run);
     const std::vector<PlanLine> list = effects_of(record);
     std::size_t name = 0, why = 0;
     for (const PlanLine& e : list) name = std::max(name, e.name.size()), why = std::max(why, e.because.size());
