@@ -63,7 +63,6 @@ struct Flow {
     bool converged = true;        ///< false: no forces keep all sections within the surface, or none was found
     /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
-    bool converged = true;  ///< false: the iteration that looked for the flow has ended without an answer
     bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
 
     template <class Self, class A>
