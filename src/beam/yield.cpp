@@ -203,7 +203,7 @@ double falling_root(Function F_and_slope, double start) {
 }
 
 /// The multiplier of one end as the root of f there, with that of the other end found for each value: both functions
-/// fall all the way, so that there is no step that must be judged by g.
+/// fall all the way, so that no step must be compared by g.
 void BothEnds::one_in_the_other(double* lambda) const {
     const auto inner = [&](double l1) {
         const double none[2] = {0, l1};

@@ -130,7 +130,7 @@ local said, of_state = tonumber(text:match '"energy_error": ([%d.e+-]+)'),
   tonumber(text:match '"energy_error_of_state": ([%d.e+-]+)')
 checks.expect(said and math.abs(said) > 0.005 and of_state and math.abs(of_state) < math.abs(said),
   "summary.json: energy_error %s, of the state %s", said, of_state)
-checks.near(values[#values] / initial, said, 0.05 * math.abs(said), "the last row's remainder")
+checks.near(values[#values] / initial, said, 0.05 * math.abs(said), "the energy error of the last row")
 os.remove(script)
 os.execute("rm -r " .. support.quote(folder))
 

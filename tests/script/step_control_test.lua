@@ -133,16 +133,20 @@ do
     return model:dynamic(options):finish()
   end
   local kept, alone, controlled = mechanism { step_control = 0 }, mechanism {}, mechanism { step_control = 0.01 }
-  print(("hinges everywhere: all steps kept %s; by default %s, %d taken back, %d steps; with step control %s, %d taken back, %d steps, dt down to %g s")
-    :format(kept.verdict, alone.verdict, alone.counts.rejected_steps, alone.index, controlled.verdict, controlled.counts.rejected_steps, controlled.index, controlled.dt))
+  local function said(r)
+    return ("%s, %d taken back, %d steps, dt %g s"):format(r.verdict, r.counts.rejected_steps, r.index, r.dt)
+  end
+  print(("hinges everywhere: all steps kept %s; by default %s; with step control %s")
+    :format(said(kept), said(alone), said(controlled)))
   equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
   -- By default, too, where there are hinges; a run whose steps must all be kept fails, and names what holds.
   equal(alone.verdict, "completed", "hinges everywhere, by default: " .. alone.reason)
-  expect(alone.counts.rejected_steps > 0 and math.abs(alone.time - 0.2) < 1e-12, "by default %d taken back, ends at %.17g s",
-    alone.counts.rejected_steps, alone.time)
+  expect(alone.counts.rejected_steps > 0 and math.abs(alone.time - 0.2) < 1e-12,
+    "by default %d taken back, ends at %.17g s", alone.counts.rejected_steps, alone.time)
   expect(math.abs(alone.energy_error) <= 0.02, "by default: energy error %g", alone.energy_error)
-  expect(support.says(kept.reason, "step ..., t = ... s: Newton did not converge in 30 iterations (last correction ... of "
-    .. "the first); step_control = 0.01 holds: tried from t = ... s to ... s"), "all steps kept: %s", kept.reason)
+  expect(support.says(kept.reason, "step ..., t = ... s: Newton did not converge in 30 iterations (last correction "
+    .. "... of the first); step_control = 0.01 holds: tried from t = ... s to ... s"),
+    "all steps kept: %s", kept.reason)
 end
 
 -- While no step fails, what is there by default changes no bit, no time and no step: hinges, contact, fracture.
@@ -187,8 +191,8 @@ do
   fails:on_step(function() seen = seen + 1 end)
   fails:finish()
   equal(fails.verdict, "failed", "a bar that rotates, with a load by a function")
-  expect(fails.reason:find("; step_control = 0.01 may hold (not tried: it would call functions of the script)", 1, true),
-    "it says: %s", fails.reason)
+  expect(fails.reason:find("; step_control = 0.01 may hold (not tried: it would call functions of the script)", 1,
+    true), "it says: %s", fails.reason)
   expect(calls <= seen + 6 and latest <= 1e-4 * (seen + 1.5), "%d calls up to %g s in %d steps", calls, latest, seen)
 end
 
