@@ -533,6 +533,7 @@ void Dynamics::look_at_pairs() {
     if (verdict_ == Verdict::running && steps_done() % std::clamp(steps / looks, 1L, most_between) != 0) return;
     const std::string where = "at t = " + number_text(state_.time, 4) + " s";
     warn(pairs_.beyond_euler(*structure_, state_, where));
+    if (!explicit_steps() && !settings_.conserving) warn(spin_.look(*structure_, state_, dt()));
     // F on a middle node, and what loads between nodes pass on to it: the jump that they make in the shear forces
     const auto load_on = [this](int node) -> Vec3 {
         double jump[2] = {0, 0};

@@ -8,6 +8,7 @@
 #include "run/energy_watch.h"
 #include "run/integrator.h"
 #include "run/settings.h"
+#include "run/spinning.h"
 
 namespace hinge {
 
@@ -104,6 +105,7 @@ private:
     bool meets_ = false, breaks_or_parts_ = false;  ///< what effects of this scene do in a step
     const char* decides_ = nullptr;
     bool may_take_back_ = false;  ///< a step may fail and be undone
+    FastSpin spin_;
     Step step_;
     bool anew_ = false;      ///< the next step begins with the acceleration found anew
     bool rejected_ = false;  ///< the step failed in a way that a shorter one may mend

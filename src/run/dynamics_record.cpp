@@ -47,8 +47,8 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.size_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.force, s.w_.supported, s.w_.yielding,
-      s.w_.weighted, s.anew_, s.sleepers_);
+    a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.force, s.w_.supported,
+      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_);
     if constexpr (A::reading) s.guard_.make_room(s.state_);
     a(s.guard_);
     for (const auto& e : s.effects_)

@@ -1,5 +1,5 @@
--- What moves and what is damped: velocities of single nodes and of members, alpha relative to supports that move, and
--- free bodies that alpha slows down.
+-- What moves and what is damped: velocities of single nodes and of members, alpha relative to supports that move, free
+-- bodies that alpha slows down, and free bodies that spin too fast for Newmark's method.
 --
 -- Run: lua5.4 tests/script/motion_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -176,6 +176,27 @@ do -- a body without supports beside moving ones is damped by its velocity in sp
   local run = model:dynamic { dt = 1e-4, duration = 0.2 }
   run:finish()
   near(run:velocity(c), 20 * math.exp(-0.2), 1e-3, "in flight")
+end
+
+-- Spin ----------------------------------------------------------------------------------------------------------------
+local function spinning(o)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+  model:member { a, b, section = bar, material = steel, group = "bar" }
+  model:velocity("bar", { 1, 0, 0 }, o.spin)
+  local run = model:dynamic { dt = o.dt, duration = o.duration or 1, integrator = o.integrator, record = false }
+  run:finish()
+  equal(run.verdict, "completed", "spinning: " .. run.reason)
+  local said
+  for _, w in ipairs(run.warnings) do said = said or w:find('integrator = "energy-momentum"', 1, true) and w end
+  return said
+end
+local said = spinning { spin = { 0, 0, 30 }, dt = 1e-3, duration = 1.2 }
+expect(said and said:find "^the free body of member 1 spins at [23]%d%.?%d* rad/s at t = ", "fast: %s", said)
+for what, o in pairs { ["short steps"] = { spin = { 0, 0, 60 }, dt = 1e-4, duration = 0.3 },
+  ["slow"] = { spin = { 0, 0, 3 }, dt = 1e-3 }, ["about its axis"] = { spin = { 60, 0, 0 }, dt = 1e-3, duration = 0.3 },
+  ["energy-momentum"] = { spin = { 0, 0, 60 }, dt = 1e-3, integrator = "energy-momentum", duration = 0.3 } } do
+  equal(spinning(o), nil, what)
 end
 
 checks.done()
