@@ -1126,7 +1126,9 @@ function model:dynamic(options) end
 ---@field reason string
 ---what the model cannot show, or what the run may have missed, each once. A member of two elements that is compressed
 ---beyond Euler's load between clamped ends (dynamics; in statics that is an instability). Moments of loads along such a
----member that are more than 5 % too small for its compression (p_delta = "member"). Four elements show both. A step of
+---member that are more than 5 % too small for its compression (p_delta = "member"): beyond 0.6 of that load, and with
+---weight = "nodes" also below. Four elements show both. A free body that spins so fast for the steps of Newmark's
+---method that its angle is lost: integrator = "energy-momentum" keeps it. A step of
 ---static load that moves the structure more than 30 times as far as the same load did at first. Dynamics checks this
 ---every 100 steps, or 20 times in a short run, and at the end. `hinge run` prints the warnings; they are in
 ---summary.json

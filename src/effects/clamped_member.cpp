@@ -1,7 +1,9 @@
 #include "effects/clamped_member.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "beam/beam_column.h"
 #include "beam/tangent.h"
 
 namespace hinge {
@@ -87,6 +89,47 @@ void MemberEnds::add_section_forces(int element, int end, double length, const V
     const Vec3 there = moment_at(element, end, m), sum = (m[0] + m[1]) / length;
     forces.Mx += there.x(), forces.My += there.y();
     forces.Qx += sum.y(), forces.Qy -= sum.x();
+}
+
+PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>& force) : l_(0), p_{0, 0} {
+    const Element& e = s.elements()[first];
+    if (!s.p_delta() || e.partner != first + 1 || first + 1 >= int(force.size())) return;
+    l_ = e.length;
+    const double N = 0.5 * (force[first][4] + force[first + 1][4]), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
+    if (!std::isfinite(N)) return;  // a step that has failed
+    constexpr double none = 0.02, all = 0.04;
+    for (int plane : {0, 1}) {
+        const double p = std::min(-N * l_ * l_ / EI[plane], beam::pair_most);
+        const double part = std::clamp((std::abs(p) - none) / (all - none), 0.0, 1.0);
+        p_[plane] = p * part * part * (3 - 2 * part);
+    }
+}
+
+double PressedPair::of_spread(int end, int plane, const double (&q)[2]) const {
+    const double p = p_[plane];
+    if (p == 0) return 0;
+    const double A = beam::pair_numbers(p).A,
+                 by_p = p < beam::pair_least ? (1 - A) / p : (231 - 6 * p) / (3465 + p * (p - 189));  // (1 - A) / p
+    const double even = (1 / A - 1) / 3, rising = by_p - 1.0 / 15;
+    const double mean = 0.5 * (q[0] + q[1]), half = 0.5 * (q[1] - q[0]);
+    return sign[plane] * l_ * l_ * ((end == 0 ? mean : -mean) * even - half * rising);
+}
+
+double PressedPair::of_force(int end, int plane, double x) const {
+    const double p = p_[plane];
+    if (p == 0) return 0;
+    const double u = std::sqrt(std::abs(p));
+    double symmetric, antisymmetric;
+    if (p > 0) {
+        symmetric = (std::cos(u * x) - std::cos(u)) / (u * std::sin(u));
+        antisymmetric = (std::sin(u * x) - x * std::sin(u)) / (u * std::cos(u) - std::sin(u));
+    } else {
+        symmetric = (std::cosh(u) - std::cosh(u * x)) / (u * std::sinh(u));
+        antisymmetric = (std::sinh(u * x) - x * std::sinh(u)) / (u * std::cosh(u) - std::sinh(u));
+    }
+    symmetric -= 0.5 * (1 - x * x);
+    antisymmetric -= 0.5 * x * (x * x - 1);
+    return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
 }
 
 Vec3 direction_of(const Structure& s, int element, const Places& at) {

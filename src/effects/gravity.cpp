@@ -45,7 +45,7 @@ public:
     void add_forces(double, std::vector<Vec6>& resisting) override {
         const std::vector<int>& joints = members_.joints();
         if (!w_.kind.dynamic || joints.empty()) return;
-        if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, now_);
+        if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, w_.force, now_);
         for (std::size_t i = 0; i < joints.size(); ++i)
             if (w_.resting.empty() || w_.resting[joints[i]] < 0) resisting[joints[i]].tail<3>() -= now_[i];
     }
@@ -53,10 +53,10 @@ public:
 
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
     void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
-        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, false, all);
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), false, all);
     }
     void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
-        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, true, all);
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), true, all);
     }
 
     /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.
@@ -66,14 +66,14 @@ public:
         for (const Yielding& y : w_.yielding) {
             if (!members_.has(w_.structure.elements()[y.element].member)) continue;
             const auto on_flow = [&](const Vec3& g) {
-                return work_on_flow(y, members_.fixed_end(w_.structure, g, w_.trial, y.element));
+                return work_on_flow(y, members_.fixed_end(w_.structure, g, w_.trial, force_of_yield(), y.element));
             };
             const double whole = on_flow(g_);
             sums["gravity"] -= whole;
             if (!w_.kind.dynamic) sums["work"] += on_flow(g_at(w_.factor)) - whole;  // what is not there yet
         }
         std::vector<Vec3> end;
-        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, end);
+        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, w_.force, end);
         double work = 0;
         for (std::size_t i = 0; i < joints.size(); ++i)
             work += (w_.kind.dynamic ? Vec3(0.5 * (now_[i] + before_[i])) : end[i]).dot(w_.rotation_step[joints[i]]);
@@ -111,15 +111,17 @@ private:
                                 : members_.ends(m).whole(w_.state))
                 list.push_back(m);
         members_.choose(w_.structure, list);
-        members_.find_moments(w_.structure, g_, w_.state, now_);
+        members_.find_moments(w_.structure, g_, w_.state, w_.state.force, now_);
         before_ = now_;
     }
     void add_corrections(const Vec3& g, const Places& at, std::vector<Vec6>& external) const {
         std::vector<Vec3> moments;
-        members_.find_moments(w_.structure, g, at, moments);
+        members_.find_moments(w_.structure, g, at, w_.force, moments);
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];
     }
 
+    /// p of which yield takes N: in dynamics where the last step ended, in statics of the last iteration.
+    const std::vector<Vec6>& force_of_yield() const { return w_.kind.dynamic ? w_.state.force : w_.force; }
     /// What acts; `factor`: the load factor of statics.
     Vec3 g_at(double factor) const {
         const Vec3 held = w_.structure.model().held_gravity();

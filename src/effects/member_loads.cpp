@@ -5,7 +5,8 @@
 //
 // Large displacement: forces that are given in space keep their direction. The correction is that of the load's
 // components in the axes that the member has now (chord from end to end) and rotates with them. The part of the load on
-// a broken element goes with it.
+// a broken element goes with it. With p_delta = "member" each pair of elements also gets what its axial force changes
+// in its fixed-end moments (PressedPair).
 #include "effects/member_loads.h"
 
 #include <cmath>
@@ -167,6 +168,8 @@ public:
             const MemberEnds::Chord chord = l.ends.chord(w_.structure, w_.state);
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
             l.ends.add_section_forces(element, end, chord.span.norm(), m, forces);
+            const Pressed by_N = pressed(l, pair_of(l, element), factor, w_.state, w_.state.force);
+            if (by_N.counts) by_N.pair.add_section_forces(element, end, by_N.chord.span.norm(), by_N.m, forces);
         }
     }
 
@@ -253,6 +256,8 @@ private:
         /// The correction's moment at each end about x and about y is linear in the load's components across: of the
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
+        Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero();  ///< N/m at the member's ends; N
+        double at = -1;                                                       ///< of the point load
         double factor = 1, kept_factor = 1;
         bool held = false, may_jump = false;
         StepFactor over = {};  ///< where its history may jump within a step
@@ -269,6 +274,9 @@ private:
         l.held = load.held;
         l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
+        if (load.spread())
+            for (int of : {0, 1}) l.spread[of] = force_per_length(load, of, e.chord.normalized());
+        else l.at = load.at, l.point = load.force[0];
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
@@ -327,6 +335,47 @@ private:
                        own = twists ? Vec3(side * factor * (to_element * share.moment[end])) : Vec3(Vec3::Zero());
             to.add(end, there.x() + own.x(), there.y() + own.y(), side * factor * along.dot(share.force[end]), own.z());
         }
+        if (!l.ends.whole(w_.state)) return;
+        const Pressed by_N = pressed(l, pair_of(l, element), factor, at, w_.kind.dynamic ? w_.state.force : w_.force);
+        for (int end = 0; end < 2 && by_N.counts; ++end) {
+            const Vec3 there = by_N.pair.moment_at(element, end, by_N.m);
+            to.add(end, there.x(), there.y(), 0, 0);
+        }
+    }
+
+    /// What N changes in the moments at a pair's two ends, in its axes.
+    struct Pressed {
+        bool counts = false;
+        MemberEnds pair;
+        MemberEnds::Chord chord = {};
+        Vec3 m[2] = {Vec3::Zero(), Vec3::Zero()};
+    };
+    int pair_of(const Loaded& l, int element) const { return l.ends.first + (element - l.ends.first) / 2 * 2; }
+    /// `first`: of the pair's elements; `force`: p of all elements, of which N is taken.
+    Pressed pressed(const Loaded& l, int first, double factor, const Places& at, const std::vector<Vec6>& force) const {
+        Pressed is{false, {first, 2}};
+        if (!w_.structure.p_delta() || first + 1 >= l.ends.first + l.ends.count) return is;
+        const PressedPair by_N(w_.structure, first, force);
+        if (!by_N.counts()) return is;
+        const int n = l.ends.count;
+        const double begin = double(first - l.ends.first) / n, end = begin + 2.0 / n;
+        const bool loaded = l.at < 0 || (l.at > begin && l.at < end);
+        if (!loaded) return is;
+        is.counts = true;
+        is.chord = is.pair.chord(w_.structure, at);
+        const auto across = [&](const Vec3& f, int plane) {
+            return factor * (l.local ? f[1 - plane] : is.chord.axes.col(1 - plane).dot(f));
+        };
+        for (int plane : {0, 1}) {
+            const double q[2] = {across((1 - begin) * l.spread[0] + begin * l.spread[1], plane),
+                                 across((1 - end) * l.spread[0] + end * l.spread[1], plane)};
+            const double P = across(l.point, plane), x = (l.at - begin) * n - 1;
+            for (int of : {0, 1})
+                is.m[of][plane] = l.at < 0 ? by_N.of_spread(of, plane, q)
+                                  : P == 0 ? 0.0
+                                           : P * by_N.of_force(of, plane, x);
+        }
+        return is;
     }
 
     /// The correction at an end, in the member's axes; `axes`: those.
@@ -364,6 +413,13 @@ private:
         Vec3 m[2];
         for (int end : {0, 1}) m[end] = factor * (chord.axes * end_moment(l, end, chord.axes));
         l.ends.pass_on(w_.structure, chord.span, m, add);
+        const bool of_state = &at.displacement == &w_.state.displacement;
+        for (int i = 0; i < l.ends.count; i += 2) {
+            const Pressed by_N = pressed(l, l.ends.first + i, factor, at, of_state ? w_.state.force : w_.force);
+            if (!by_N.counts) continue;
+            for (int end : {0, 1}) m[end] = by_N.chord.axes * by_N.m[end];
+            by_N.pair.pass_on(w_.structure, by_N.chord.span, m, add);
+        }
     }
 
     /// On each of nodes_, now.

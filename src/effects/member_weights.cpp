@@ -124,7 +124,27 @@ Lanes MemberWeights::find_span(const Block& b, bool large, const Places& at, Lan
     return square_root(dot(span, span));
 }
 
-void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, std::vector<Vec3>& out) const {
+Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
+                                int member) const {
+    Vec3 sum = Vec3::Zero();
+    const MemberEnds& ends = ends_[member];
+    if (!s.p_delta()) return sum;
+    Vec3 local = Vec3::Zero();
+    bool placed = false;
+    for (int i = 0; i < ends.count; i += 2) {
+        const PressedPair pair(s, ends.first + i, force);
+        if (!pair.counts()) continue;
+        if (!placed) local = ends.axes(s, at).transpose() * g, placed = true;
+        for (int plane : {0, 1}) {
+            const double q = s.elements()[ends.first].rigidity.rhoA * local[1 - plane];
+            sum[plane] += pair.of_spread(0, plane, {q, q});
+        }
+    }
+    return 2.0 / ends.count * sum;
+}
+
+void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
+                                 std::vector<Vec3>& out) const {
     out.assign(joints_.size(), Vec3::Zero());
     for (const Block& b : blocks_) {
         Lanes span[3];
@@ -133,6 +153,13 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places
                             k * (g.x() * span[1] - g.y() * span[0])};
         for (int i = 0; i < b.count; ++i) {
             const Vec3 of(m[0][i], m[1][i], m[2][i]);
+            out[b.joint[0][i]] += of;
+            out[b.joint[1][i]] -= of;
+        }
+        for (int i = 0; i < b.count && s.p_delta(); ++i) {
+            const Vec3 more = moment_by_N(s, g, at, force, b.member[i]);
+            if (more.isZero(0)) continue;
+            const Vec3 of = ends_[b.member[i]].axes(s, at) * more;
             out[b.joint[0][i]] += of;
             out[b.joint[1][i]] -= of;
         }
@@ -163,17 +190,20 @@ void MemberWeights::find_local(const Structure& s, const Block& b, const Vec3& g
     if (any_not_below(-size, -0.1)) one_by_one(size);  // ends that point apart
 }
 
-beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at, int element) const {
+beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at,
+                                        const std::vector<Vec6>& force, int element) const {
     const int member = s.elements()[element].member;
     const MemberEnds& ends = ends_[member];
     const Vec3 local = ends.axes(s, at).transpose() * g;
     beam::FixedEnd part = kinds_[kind_[member]].by_gravity[element - ends.first];
     for (int i : {0, 1}) part.moment[i] *= local.y(), part.moment[2 + i] *= local.x(), part.N[i] *= local.z();
+    const Vec3 more = moment_by_N(s, g, at, force, member);
+    for (int end : {0, 1}) part.add(end, more.x(), more.y(), 0, 0);
     return part;
 }
 
-void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at, bool anew,
-                                   std::vector<beam::FixedEnd>& all) const {
+void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at,
+                                   const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const {
     static_assert(sizeof(beam::FixedEnd) == sizeof(Lanes));
     if (anew)
         for (const int i : others_) all[i] = {};
@@ -194,6 +224,11 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
                     const Lanes part = by_gravity[k] * of[i];
                     to[k] = anew ? part : to[k] + part;
                 }
+                if (!s.p_delta()) continue;
+                const Vec3 more = moment_by_N(s, g, at, force, b.member[i]);
+                if (more.isZero(0)) continue;
+                for (int k = 0; k < ends.count; ++k)
+                    for (int at_end : {0, 1}) all[ends.first + k].add(at_end, more.x(), more.y(), 0, 0);
             }
         }
     });
@@ -212,6 +247,8 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     forces.Mx += bow * gy, forces.My -= bow * gx;
     const Vec3 first(kind.c * gy, -kind.c * gx, 0), m[2] = {first, -first};
     ends.add_section_forces(element, end, chord.span.norm(), m, forces);
+    const Vec3 more = moment_by_N(s, g, state, state.force, member);
+    forces.Mx += more.x(), forces.My += more.y();
 }
 
 std::vector<char> carried_members(const Structure& s, const State& state, const MemberWeights& weights, const Vec3& g) {

@@ -29,11 +29,14 @@ public:
     bool has(int member) const { return member < int(chosen_.size()) && chosen_[member]; }
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
-    void find_moments(const Structure& structure, const Vec3& g, const Places& at, std::vector<Vec3>& moments) const;
+    /// `force`: p of all elements, of which N is taken (PressedPair).
+    void find_moments(const Structure& structure, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
+                      std::vector<Vec3>& moments) const;
     /// Of all elements. `anew`: what `all` has does not count.
-    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at, bool anew,
-                        std::vector<beam::FixedEnd>& all) const;
-    beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Places& at, int element) const;
+    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at,
+                        const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const;
+    beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Places& at,
+                             const std::vector<Vec6>& force, int element) const;
     void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
                             SectionForces& forces) const;
 
@@ -56,6 +59,10 @@ private:
     Lanes find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const;
     void find_local(const Structure& s, const Block& b, const Vec3& g, const Places& at, Lanes (&local)[3]) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
+    /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
+    /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel.
+    Vec3 moment_by_N(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
+                     int member) const;
 
     std::vector<Kind> kinds_;
     std::vector<int> kind_;         ///< of each member

@@ -4,18 +4,27 @@
 #include <cmath>
 #include <numbers>
 
+#include "beam/beam_column.h"
 #include "core/text.h"
 #include "state/pose.h"
 
 namespace hinge {
 namespace {
 
-/// Of a clamped beam's end moment under loads along it, in parts of what P L / 8 of a load P in its middle would be:
-/// what compression adds is so many times n / (1 - n), n = N / N_clamped. 0.82 within 1 % up to n = 0.75, with P; a
-/// uniform load of the same P on the middle node has 1.1 times that.
+/// Where weight acts at the nodes alone (weight = "nodes") nothing follows N. Of a clamped beam's end moment under
+/// loads along it, in parts of what P L / 8 of a load P in its middle would be: what compression adds is so many times
+/// n / (1 - n), n = N / N_clamped. 0.82 within 1 % up to n = 0.75, with P; a uniform load of the same P on the middle
+/// node has 1.1 times that.
 constexpr double by_compression = 0.82;
 constexpr double most_missed = 0.05;  ///< of a pair's largest moment, that goes unsaid
 constexpr double negligible = 1e-3;   ///< of N i: a moment that adds less than 0.2 % to the stress by N
+
+/// With weight = "members" the fixed-end moments follow N as far as this p (effects/clamped_member.h). What an even
+/// load q has beyond that, of q L^2/12: 3 (1 - u cot u) / u^2, u^2 = p.
+double of_even_load(double p) {
+    const double u = std::sqrt(p);
+    return 3 * (1 - u / std::tan(u)) / p;
+}
 
 std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
 
@@ -53,11 +62,14 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
                                                        const std::function<Eigen::Vector2d(int)>& largest_moment,
                                                        const std::string& where) {
     if (moments_told_ || !structure.p_delta()) return {};
+    constexpr double clamped = std::numbers::pi * std::numbers::pi;
+    const bool at_nodes = structure.model().options().weight == Weight::nodes;
+    const double least = at_nodes ? most_missed : beam::pair_most / clamped;
     double worst = most_missed;
     int at = -1;
     for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
         const PairCompression by = pressed(structure, state, state.force, int(i));
-        if (!(by.most() > most_missed) || by.most() >= 1) continue;
+        if (!(by.most() > least) || by.most() >= 1) continue;
         const Element& e = structure.elements()[i];
         const Vec3 load = load_on(e.node[1]);
         if (load.isZero(0)) continue;
@@ -65,7 +77,10 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
         const Eigen::Vector2d has = largest_moment(int(i)).cwiseMax(largest_moment(int(i) + 1));
         for (int plane : {0, 1}) {  // bending about x is by loads along y
             const double n = by.part[plane], EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;
-            const double lacks = by_compression * n / (1 - n) * std::abs(axes.col(1 - plane).dot(load)) * e.length / 4;
+            if (n <= least) continue;
+            const double by_N = at_nodes ? by_compression * n / (1 - n) / 4
+                                         : (of_even_load(clamped * n) - of_even_load(beam::pair_most)) / 3;
+            const double lacks = by_N * std::abs(axes.col(1 - plane).dot(load)) * e.length;
             if (!(lacks > negligible * by.force * std::sqrt(EI / e.rigidity.EA))) continue;
             if (const double part = lacks / (has[plane] + lacks); part > worst) worst = part, at = int(i);
         }
