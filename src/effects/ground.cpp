@@ -1,4 +1,5 @@
-// Rigid half spaces that members fall on. Where a node, or the free end of a broken element, comes closer to the plane
+// Rigid half spaces that members fall on, as points on springs: for planes that are given a stiffness or a restitution.
+// Where a node, or the free end of a broken element, comes closer to the plane
 // than the half depth h of its members, it is pushed back:
 //
 //   U = k/2 o^2 where o > 0, else 0:   o = h - n . (x - point)
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/ground_friction.h"
 #include "core/rotation.h"
 #include "effects/kinds.h"
 
@@ -205,7 +207,8 @@ public:
         }
         w_.state.accumulated["ground_dissipated"] += lost;
         for (int i = 0; i < int(declared().size()); ++i)
-            if (meets(i, b.element)) points().push_back(free_end(i, e, b.element, w_.state));
+            if (!declared()[i].is_layer() && meets(i, b.element))
+                points().push_back(free_end(i, e, b.element, w_.state));
     }
 
     void take_back() override { lost_ = 0, waits_.clear(); }
@@ -299,13 +302,9 @@ private:
         moved -= moved.dot(n) * n;
         // of a step in which it comes to touch, the part that is left then
         const double part = p.overlap > 0 ? 1 : t.overlap > 0 ? t.overlap / (t.overlap - p.overlap) : 0;
-        const double k = tangential(p), most = mu * p.stiffness * std::max(0.0, t.overlap) / k;
-        const Vec3 trial = p.slip + part * moved;
-        const double length = trial.norm();
-        t.slides = length > most;
-        t.slip = t.slides ? Vec3(most / length * trial) : trial;
-        // the step moved the surface against the mean of the forces at its two ends
-        t.heat = 0.5 * k * ((t.slip + p.slip).dot(moved) + p.slip.squaredNorm() - t.slip.squaredNorm());
+        const contact::Friction f =
+            contact::friction(p.slip, moved, part, tangential(p), mu * p.stiffness * std::max(0.0, t.overlap));
+        t.slip = f.slip, t.slides = f.slides, t.heat = f.heat;
         return t;
     }
     static double energy(const Point& p, double overlap, const Vec3& slip) {
@@ -360,6 +359,7 @@ private:
         Points points;
         points.planes = int(declared().size()), points.nodes = int(s.position().size());
         for (int i = 0; i < points.planes; ++i) {
+            if (declared()[i].is_layer()) continue;
             for (int n = 0; n < points.nodes; ++n) {
                 Point p;
                 p.plane = i, p.node = n;
@@ -520,19 +520,21 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind ground_kind() {
-    return {ground_effect,
-            {{"ground", 75, "stored where members press on the ground, and lost there"},
-             {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
-             {"ground_dissipated", 77, "lost to friction and restitution on the ground", "ground"}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().declared<GroundPlane>(ground_effect).empty()) {
-                    w.state.data.erase(ground_effect);
-                    return nullptr;
-                }
-                return std::make_unique<Ground>(w, host);
-            },
-            true};
+    return {
+        ground_effect,
+        {{"ground", 75, "stored where members press on the ground, and lost there"},
+         {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
+         {"ground_dissipated", 77, "lost to the ground's damping, and to friction and restitution on it", "ground"}},
+        plan,
+        [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
+            if (std::all_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {
+                w.state.data.erase(ground_effect);
+                return nullptr;
+            }
+            return std::make_unique<Ground>(w, host);
+        },
+        true};
 }
 
 }  // namespace hinge

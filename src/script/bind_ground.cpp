@@ -8,7 +8,7 @@ namespace hinge::script {
 int declare_ground(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:ground").value;
     Options o(L, 2, "model:ground", true);
-    o.expect({"point", "normal", "friction", "stiffness", "restitution", "group"});
+    o.expect({"point", "normal", "friction", "stiffness", "restitution", "layer_stiffness", "layer_damping", "group"});
     GroundPlane plane;
     plane.point = o.triple("point", "m").value_or(plane.point);
     if (const auto normal = o.triple("normal", "")) {
@@ -23,6 +23,11 @@ int declare_ground(lua_State* L) {
     if (plane.restitution && *plane.restitution > 1)
         o.complain("restitution", show(*plane.restitution),
                    "must be between 0 and 1: the part of the normal velocity that a point comes back with");
+    plane.layer_stiffness = o.number("layer_stiffness", "N/m^3", Range::positive, plane.layer_stiffness);
+    plane.layer_damping = o.number("layer_damping", "N s/m^3", Range::not_negative, plane.layer_damping);
+    for (const char* field : {"layer_stiffness", "layer_damping"})
+        if (!plane.is_layer() && o.has(field))
+            o.complain(field, "given", "belongs to a layer; 'stiffness' and 'restitution' ask for points on springs");
     if (o.push_field("group") != LUA_TNIL) plane.group = group_argument(L, -1, "model:ground: field 'group'", *m);
     lua_pop(L, 1);
     for (const GroundPlane& p : m->declared<GroundPlane>(ground_effect))

@@ -1,0 +1,29 @@
+// Coulomb friction of a point on the ground.
+#pragma once
+
+#include "core/types.h"
+
+namespace hinge::contact {
+
+/// Friction of a point where a step ends: the stretch of its spring, and the work that sliding lost.
+struct Friction {
+    Vec3 slip = Vec3::Zero();  ///< e, m
+    bool slides = false;
+    double heat = 0;  ///< J, since the step began
+};
+
+/// Friction is a spring e of stiffness k, N/m, along the plane; its force k e is `most_force`, N, at most. A step that
+/// begins with a stretch of `before` moves the surface by `moved`, m, of which `part` counts: the part after it
+/// touched. Heat: the surface moved against the mean of the forces at the step's two ends, less what the spring stores.
+inline Friction friction(const Vec3& before, const Vec3& moved, double part, double k, double most_force) {
+    Friction f;
+    const double most = most_force / k;
+    const Vec3 trial = before + part * moved;
+    const double length = trial.norm();
+    f.slides = length > most;
+    f.slip = f.slides ? Vec3(most / length * trial) : trial;
+    f.heat = 0.5 * k * ((f.slip + before).dot(moved) + before.squaredNorm() - f.slip.squaredNorm());
+    return f;
+}
+
+}  // namespace hinge::contact
