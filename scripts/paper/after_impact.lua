@@ -42,7 +42,8 @@ return hinge.scenario {
     if p.quick then p = impact.with(p, { duration = 0.05 }) end
     local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
     local frame, plane = impact.add(model, p)
-    model:ground { point = { 0, 0, -0.2 }, friction = 0.4 } -- just below the feet, which stay fixed
+    -- just below the feet, which stay fixed; elastic points, which the figures of README.md are of
+    model:ground { point = { 0, 0, -0.2 }, friction = 0.4, restitution = 1 }
     local roof = {}
     for i = 0, 4 do for j = 0, 4 do roof[#roof + 1] = frame.node(i, j, 10) end end
     local rest = model:static { hold = plane }:finish()
