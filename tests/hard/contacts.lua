@@ -47,6 +47,22 @@ add("end on, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 1.06, 0, 0 }, { 2.06, 0,
 add("parallel, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0.08 }, { 1, 0, 0.08 }, { 0, 0, -20 }, { rule = "gap" })
 add("coincident, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 5 }, { rule = "gap" })
 
+scenes[#scenes + 1] = { "columns land on the ground at all angles and break", energy_error = 2e-2, dt = 2e-5,
+  steps = 10000,
+  make = function(hinge)
+    local model = hinge.model {}
+    for i = 0, 8 do
+      local angle = math.rad(11.25 * i)
+      parts.row(model, { 0, i, 0.1 }, { 2 * math.sin(angle), i, 0.1 + 2 * math.cos(angle) },
+        { members = 2, group = "column", material = parts.steel { yield_stress = 250e6 } })
+    end
+    model:velocity("column", { 2, 0, -8 })
+    model:gravity { 0, 0, -9.80665 }
+    model:fracture { curvature_x = 0.05, curvature_y = 0.05, axial_strain = 0.1 }
+    model:ground { friction = 0.5 }
+    return model
+  end }
+
 -- Their sizes are such that nothing falls out of the bin. At its end the debris lies: see `rests`.
 scenes[#scenes + 1] = { "500 bars pile up in a bin and come to rest", energy_error = 2e-2, dt = 5e-4, steps = 3200,
   slow = true, long = true,

@@ -350,6 +350,7 @@ do
   local folder = support.temporary_folder()
   for name, options in pairs { newmark = {}, explicit = { integrator = "explicit", dt = "auto" },
     ["step control"] = { dt = 2e-4, step_control = 1e-4 }, ["newmark, layer"] = { layer = true },
+    ["step control, layer"] = { layer = true, dt = 2e-4, step_control = 1e-4 },
     ["explicit, layer"] = { layer = true, integrator = "explicit", dt = "auto" } } do
     local whole, other = tumbling(options), nil
     local awake = 0
