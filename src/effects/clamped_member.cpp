@@ -105,14 +105,27 @@ PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>&
     }
 }
 
+namespace {
+
+/// (1 - A) / p, for A of beam/beam_column.h.
+double fall_of_A(double p) {
+    return p < beam::pair_least ? (1 - beam::pair_numbers(p).A) / p : (231 - 6 * p) / (3465 + p * (p - 189));
+}
+
+}  // namespace
+
+double PressedPair::of_even(int plane, double q) const {
+    const double p = p_[plane];
+    if (p == 0) return 0;
+    const double fall = fall_of_A(p) * p;  // 1 / A - 1 = fall / (1 - fall)
+    return sign[plane] * l_ * l_ / 3 * q * fall / (1 - fall);
+}
+
 double PressedPair::of_spread(int end, int plane, const double (&q)[2]) const {
     const double p = p_[plane];
     if (p == 0) return 0;
-    const double A = beam::pair_numbers(p).A,
-                 by_p = p < beam::pair_least ? (1 - A) / p : (231 - 6 * p) / (3465 + p * (p - 189));  // (1 - A) / p
-    const double even = (1 / A - 1) / 3, rising = by_p - 1.0 / 15;
-    const double mean = 0.5 * (q[0] + q[1]), half = 0.5 * (q[1] - q[0]);
-    return sign[plane] * l_ * l_ * ((end == 0 ? mean : -mean) * even - half * rising);
+    const double mean = 0.5 * (q[0] + q[1]), half = 0.5 * (q[1] - q[0]), even = of_even(plane, mean);
+    return (end == 0 ? even : -even) - sign[plane] * l_ * l_ * half * (fall_of_A(p) - 1.0 / 15);
 }
 
 double PressedPair::of_force(int end, int plane, double x) const {

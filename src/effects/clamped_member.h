@@ -102,6 +102,8 @@ public:
     /// The change at an end (0, 1) about the axis of the plane (0: x, 1: y), N m: by a load per length, q[0] at the
     /// first and q[1] at the second end, N/m, linear between, along y (plane 0) or x.
     double of_spread(int end, int plane, const double (&q)[2]) const;
+    /// The same at the first end by an even load, N/m; the opposite at the second.
+    double of_even(int plane, double q) const;
     /// By a unit force there, m; x: -1 to 1 over the pair.
     double of_force(int end, int plane, double x) const;
 

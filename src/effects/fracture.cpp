@@ -77,7 +77,8 @@ bool now_within_reach(const FractureRule& rule, const Element& e, const Vec6& pl
     constexpr double near = 2, fall = 0.21, slope = 0.28;  // |dS/dp| up to p = 2
     const auto larger = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
     const double N = std::min(force[4], of_partner[4]), pressed = std::max(0.0, -N) * e.length * e.length;
-    ElasticBound bound = {{0, 0}, larger(force[4], of_partner[4]) / e.rigidity.EA, most_shear(e)};
+    const double shear = std::isfinite(rule.shear_strain) ? most_shear(e) : 0;
+    ElasticBound bound = {{0, 0}, larger(force[4], of_partner[4]) / e.rigidity.EA, shear};
     for (int plane : {0, 1}) {
         const double EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy, p = pressed / EI;
         if (!(p <= near)) return true;

@@ -124,21 +124,15 @@ Lanes MemberWeights::find_span(const Block& b, bool large, const Places& at, Lan
     return square_root(dot(span, span));
 }
 
-Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
+Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force,
                                 int member) const {
     Vec3 sum = Vec3::Zero();
     const MemberEnds& ends = ends_[member];
     if (!s.p_delta()) return sum;
-    Vec3 local = Vec3::Zero();
-    bool placed = false;
+    const double mass = s.elements()[ends.first].rigidity.rhoA;
     for (int i = 0; i < ends.count; i += 2) {
         const PressedPair pair(s, ends.first + i, force);
-        if (!pair.counts()) continue;
-        if (!placed) local = ends.axes(s, at).transpose() * g, placed = true;
-        for (int plane : {0, 1}) {
-            const double q = s.elements()[ends.first].rigidity.rhoA * local[1 - plane];
-            sum[plane] += pair.of_spread(0, plane, {q, q});
-        }
+        for (int plane : {0, 1}) sum[plane] += pair.of_even(plane, mass * local[1 - plane]);
     }
     return 2.0 / ends.count * sum;
 }
@@ -156,37 +150,40 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places
             out[b.joint[0][i]] += of;
             out[b.joint[1][i]] -= of;
         }
-        for (int i = 0; i < b.count && s.p_delta(); ++i) {
-            const Vec3 more = moment_by_N(s, g, at, force, b.member[i]);
+        if (!s.p_delta()) continue;
+        Lanes axes[3][3];
+        find_axes(s, b, at, axes);
+        const Lanes local[3] = {dot(axes[0], g), dot(axes[1], g), dot(axes[2], g)};
+        for (int i = 0; i < b.count; ++i) {
+            const Vec3 more = moment_by_N(s, {local[0][i], local[1][i], local[2][i]}, force, b.member[i]);
             if (more.isZero(0)) continue;
-            const Vec3 of = ends_[b.member[i]].axes(s, at) * more;
+            const auto axis = [&](int c) { return Vec3(axes[c][0][i], axes[c][1][i], axes[c][2][i]); };
+            const Vec3 of = more.x() * axis(0) + more.y() * axis(1);
             out[b.joint[0][i]] += of;
             out[b.joint[1][i]] -= of;
         }
     }
 }
 
-/// Gravity in the members' axes, as by MemberEnds::axes and to the same bits.
-void MemberWeights::find_local(const Structure& s, const Block& b, const Vec3& g, const Places& at,
-                               Lanes (&local)[3]) const {
+void MemberWeights::find_axes(const Structure& s, const Block& b, const Places& at, Lanes (&axes)[3][3]) const {
     const auto one_by_one = [&](const Lanes& size) {
         for (int i = 0; i < lane_count; ++i) {
             if (size[i] > 0.1) continue;
-            const Vec3 of = ends_[b.member[i]].axes(s, at).transpose() * g;
-            for (int c : {0, 1, 2}) local[c][i] = of[c];
+            const Mat3 of = ends_[b.member[i]].axes(s, at);
+            for (int axis : {0, 1, 2})
+                for (int c : {0, 1, 2}) axes[axis][c][i] = of(c, axis);
         }
     };
     if (!s.large()) return one_by_one(Lanes{});
-    Lanes z[3], y[3] = {};
+    Lanes(&x)[3] = axes[0], (&y)[3] = axes[1], (&z)[3] = axes[2];
     const Lanes length = find_span(b, true, at, z);
-    for (Lanes& c : z) c /= length;
+    for (int c : {0, 1, 2}) z[c] /= length, y[c] = Lanes{};
     for (int end : {0, 1}) add_rotated(at.rotation, b.node[end], b.y, y);
     const Lanes along = dot(z, y);
     for (int c : {0, 1, 2}) y[c] -= along * z[c];
     const Lanes size = square_root(dot(y, y));
     for (Lanes& c : y) c /= size;
-    const Lanes x[3] = {y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0]};
-    local[0] = dot(x, g), local[1] = dot(y, g), local[2] = dot(z, g);
+    for (int c : {0, 1, 2}) x[c] = y[(c + 1) % 3] * z[(c + 2) % 3] - y[(c + 2) % 3] * z[(c + 1) % 3];
     if (any_not_below(-size, -0.1)) one_by_one(size);  // ends that point apart
 }
 
@@ -197,7 +194,7 @@ beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const
     const Vec3 local = ends.axes(s, at).transpose() * g;
     beam::FixedEnd part = kinds_[kind_[member]].by_gravity[element - ends.first];
     for (int i : {0, 1}) part.moment[i] *= local.y(), part.moment[2 + i] *= local.x(), part.N[i] *= local.z();
-    const Vec3 more = moment_by_N(s, g, at, force, member);
+    const Vec3 more = moment_by_N(s, local, force, member);
     for (int end : {0, 1}) part.add(end, more.x(), more.y(), 0, 0);
     return part;
 }
@@ -210,8 +207,9 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
     pool.share(int(blocks_.size()), 16, [&](int first, int end, int) {
         for (int block = first; block < end; ++block) {
             const Block& b = blocks_[block];
-            Lanes local[3];
-            find_local(s, b, g, at, local);
+            Lanes axes[3][3];
+            find_axes(s, b, at, axes);
+            const Lanes local[3] = {dot(axes[0], g), dot(axes[1], g), dot(axes[2], g)};
             const Lanes components[lane_count] = {local[1], local[1], local[0], local[0], local[2], local[2], {}, {}};
             Lanes of[lane_count];  // each member's own, in the places of FixedEnd
             transpose(components, of);
@@ -225,7 +223,7 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
                     to[k] = anew ? part : to[k] + part;
                 }
                 if (!s.p_delta()) continue;
-                const Vec3 more = moment_by_N(s, g, at, force, b.member[i]);
+                const Vec3 more = moment_by_N(s, {local[0][i], local[1][i], local[2][i]}, force, b.member[i]);
                 if (more.isZero(0)) continue;
                 for (int k = 0; k < ends.count; ++k)
                     for (int at_end : {0, 1}) all[ends.first + k].add(at_end, more.x(), more.y(), 0, 0);
@@ -247,7 +245,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     forces.Mx += bow * gy, forces.My -= bow * gx;
     const Vec3 first(kind.c * gy, -kind.c * gx, 0), m[2] = {first, -first};
     ends.add_section_forces(element, end, chord.span.norm(), m, forces);
-    const Vec3 more = moment_by_N(s, g, state, state.force, member);
+    const Vec3 more = moment_by_N(s, ends.axes(s, state).transpose() * g, state.force, member);
     forces.Mx += more.x(), forces.My += more.y();
 }
 

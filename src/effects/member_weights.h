@@ -57,12 +57,13 @@ private:
         Lanes c;        ///< kg m
     };
     Lanes find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const;
-    void find_local(const Structure& s, const Block& b, const Vec3& g, const Places& at, Lanes (&local)[3]) const;
+    /// The axes x, y, z of its members in space, as by MemberEnds::axes and to the same bits.
+    void find_axes(const Structure& s, const Block& b, const Places& at, Lanes (&axes)[3][3]) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
     /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
-    /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel.
-    Vec3 moment_by_N(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
-                     int member) const;
+    /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel. `local`:
+    /// gravity in these axes.
+    Vec3 moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, int member) const;
 
     std::vector<Kind> kinds_;
     std::vector<int> kind_;         ///< of each member
