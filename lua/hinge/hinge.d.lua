@@ -1051,8 +1051,7 @@ function model:dynamic(options) end
 ---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
 ---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
----verdict "failed". It also ends if the error grows between two checks by more than a tenth of energy_tolerance, or 1 %
----where that is more (never more than half of it). Default 0.02. It is 0.1 with explicit steps, and where forces begin
+---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance. Default 0.02. It is 0.1 with explicit steps, and where forces begin
 ---or end suddenly (contact, ground, fracture, connectors that break, loads that are functions of the state). It is 0
 ---with shift = "whole", whose energy balance cannot close. 0: no check. The error is checked every 100 steps, or 20
 ---times in a short run, and at the end. The state of a failed run is that of the last check at which the balance closed
@@ -1067,8 +1066,8 @@ function model:dynamic(options) end
 ---a step that was undone. After steps with small errors the step becomes longer again, up to dt. This costs a quarter
 ---of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method. Default otherwise,
 ---with newmark, if members can yield or forces can begin or end suddenly (see energy_tolerance): only a step that fails
----is undone and tried again in this way, that is, one that cannot be solved, or in which the error grows by more than a
----quarter of energy_tolerance as the motion changes abruptly. This costs next to nothing, and changes no bit of a run
+---is undone and tried again in this way, that is, one that cannot be solved, or in which the error jumps: it grows by
+---more than a tenth of energy_tolerance (1 % where that is more, but never half of it) as the motion changes abruptly. This costs next to nothing, and changes no bit of a run
 ---in which no step fails. 0: every step is kept, and a step that cannot be solved ends the run. It is an error with
 ---shift = "whole", whose energy balance cannot close
 ---@field step_control? number

@@ -9,7 +9,9 @@ namespace hinge {
 class CentralDifferences : public Integrator {
 public:
     CentralDifferences(Workspace& w, KeptMass& mass, Stages& stages)
-        : Integrator(w, mass, stages), accelerate_(stages.add("accelerate", "inertia")) {}
+        : Integrator(w, mass, stages), accelerate_(stages.add("accelerate", "inertia")) {
+        w.sweep.set_return_tolerance(one_solution);
+    }
 
     void predict(const Step& step) override;
     void solve(Step& step) override {

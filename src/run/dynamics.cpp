@@ -524,7 +524,7 @@ void Dynamics::refuse_jump() {
     size_.count_easy(true);
     motion_ = motion_of_trial();
     error_.reset();
-    const double most = largest_energy_.most(), allowed = Guard::may_grow(tolerance(), false) * most;
+    const double most = largest_energy_.most(), allowed = Guard::may_jump(tolerance()) * most;
     if (!(allowed > 0)) return;
     double flow = 0;
     for (const Yielding& y : w_.yielding) flow += std::abs(y.flow.dissipation);
@@ -541,7 +541,7 @@ void Dynamics::refuse_jump() {
     char what[160];
     std::snprintf(what, sizeof what,
                   "the error of the energy balance would grow by %.3g %% of the largest energy, more than %.3g %%",
-                  100 * std::abs(grown) / most, 100 * Guard::may_grow(tolerance(), false));
+                  100 * std::abs(grown) / most, 100 * Guard::may_jump(tolerance()));
     step_.failure = what;
 }
 
@@ -600,8 +600,7 @@ void Dynamics::guard() {
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
     std::optional<std::string> lost;
     if (due)
-        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running,
-                           Guard::may_grow(tolerance(), explicit_steps()), what);
+        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running, Guard::may_grow(tolerance()), what);
     if (due && !lost) known_error_ = guard_.error();
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite

@@ -45,6 +45,9 @@ private:
     std::vector<char> is_stale_;
 };
 
+/// Return tolerance of the sweep where a step is solved once (Sweep::set_return_tolerance).
+inline constexpr double one_solution = 1e-4;
+
 class Integrator {
 public:
     Integrator(Workspace& w, KeptMass& mass, Stages& stages) : w_(w), mass_(mass), stages_(stages) {}

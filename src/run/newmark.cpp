@@ -87,6 +87,7 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
         iterations_ = newton ? 30 : 1;
         if (newton) tolerance_ = std::max(tolerance_, 1e-6);
     }
+    if (iterations_ == 1) w.sweep.set_return_tolerance(one_solution);
     if (can_yield) yield_stage_ = stages.add("yield", "plasticity");
     stiffness_stage_ = stages.add("stiffness", "inertia");
     solve_stage_ = stages.add("solve", "inertia");

@@ -79,9 +79,6 @@ constexpr double bending_counts = 1.0 / 64;
 /// Blocks that one thread takes at a time.
 constexpr int piece = 64;
 
-/// On the plastic deformation of a pair (pair_return.h). Its forces follow from what is left elastic, whatever this is.
-constexpr double pair_tolerance = 1e-4;
-
 Sweep::Sweep(const Structure& structure, ThreadPool& pool, bool inertia)
     : structure_(structure), pool_(pool), inertia_(inertia) {}
 
@@ -363,7 +360,7 @@ void Sweep::keep_twist(State& state) const {
     beam::Flow flow[2];
     const beam::FixedEnd* fixed = fixed_ends_.empty() ? beam::no_fixed_ends : &fixed_ends_[element + i];
     const bool converged = beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic,
-                                                   surface, flow, pair_tolerance, fixed);
+                                                   surface, flow, return_tolerance_, fixed);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];

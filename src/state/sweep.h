@@ -66,6 +66,11 @@ public:
     /// Marks where the element is at `pose` as what its stiffness was built for.
     void mark_built(int element, const State& state, const Pose& pose);
 
+    /// How far the plastic flow of pairs is found (pair_return.h), as a part of the elastic deformation. Newton's
+    /// method needs forces without steps, 1e-9, the default. Where a step is solved once 1e-4 is enough: the forces
+    /// follow from what is left elastic, whatever this is.
+    void set_return_tolerance(double tolerance) { return_tolerance_ = tolerance; }
+
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
 
@@ -119,6 +124,7 @@ private:
     std::vector<int> rotated_;
     std::vector<int> wound_;
     int folded_ = -1, unreturned_ = -1;
+    double return_tolerance_ = 1e-9;
     double rotation_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;

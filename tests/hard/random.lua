@@ -32,6 +32,8 @@ package.path = folder .. "/?.lua;" .. package.path
 local hinge = require "hinge"
 local core = require "hinge.core"
 local scenes = require "random_scenes"
+package.path = folder .. "/../script/?.lua;" .. package.path
+local largest_of = require("support").largest_of
 
 -- What `check` asks for, as parts of all scenes. The 200 fast ones gave these numbers when they were written here, less
 -- two scenes for other processors: raise them with the engine, never lower them. None may be refused or crash.
@@ -52,7 +54,7 @@ if options.guard == "off" then changed.energy_tolerance = 0 end
 local function one_line(text) return (tostring(text):gsub("%s*\n%s*", " ")) end
 
 -- Energy supplied up to now: what was there, work done on it, and what gravity released.
-local function supply(energy) return energy.initial + math.max(0, energy.work) + math.max(0, -energy.gravity) end
+local function supply(energy) return energy.initial + largest_of(0, energy.work) + largest_of(0, -energy.gravity) end
 
 -- Largest error of the samples { time, error, supplied so far }, as a part of the energy supplied up to then; and
 -- its time. Where little was supplied yet, a twentieth of what was supplied while the balance closed counts.
@@ -60,11 +62,11 @@ local function worst_of(samples)
   local sound = 0
   for _, p in ipairs(samples) do
     if not (math.abs(p[2]) <= p[3]) then break end
-    sound = math.max(sound, p[3])
+    sound = largest_of(sound, p[3])
   end
   local worst, at = 0, 0
   for _, p in ipairs(samples) do
-    local share = math.abs(p[2]) / math.max(p[3], 0.05 * sound, 1e-9)
+    local share = math.abs(p[2]) / largest_of(p[3], 0.05 * sound, 1e-9)
     if share ~= share then share = math.huge end
     if share > worst then worst, at = share, p[1] end
   end
@@ -170,7 +172,7 @@ local function summary(rows)
     for i, limit in ipairs { 1e-3, 1e-2, 1e-1 } do
       if not (row.worst <= limit) then group.over[i] = group.over[i] + 1 end
     end
-    if row.worst > group.largest then group.largest = row.worst end
+    group.largest = largest_of(group.largest, row.worst)
     if row.verdict == "completed" then
       group.completed = group.completed + 1
       if not (row.worst <= 1e-2) then group.silent = group.silent + 1 end
@@ -238,14 +240,14 @@ if options.seed then
   local scene = scenes.scene(options.seed, options.as)
   local out = run_scene(scene, changed)
   print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
-  local every, names = math.max(1, #out.history // 40), { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
+  local every, names = largest_of(1, #out.history // 40), { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
     "fracture", "contact", "ground", "connectors", "damping", "numerical" }
   local head = { ("%12s %11s"):format("time", "error %") }
   for _, name in ipairs(names) do head[#head + 1] = ("%11s"):format(name) end
   print(table.concat(head, " "))
   local before, jumped = 0, nil
   for i, p in ipairs(out.history) do
-    local share = p[2] / math.max(p[3], 1e-9)
+    local share = p[2] / largest_of(p[3], 1e-9)
     local jump = math.abs(share - before) > 0.01
     jumped = jumped or jump and p[1]
     if i % every == 0 or i == #out.history or jump and i < 400 then

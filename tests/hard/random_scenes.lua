@@ -106,7 +106,7 @@ local function member(s, a, b, o)
   local count = s.per_member
   s.elements = s.elements + count
   local wave = m.length / count / math.sqrt(o.material.E / o.material.density)
-  s.wave = math.min(s.wave or wave, wave)
+  if not (s.wave and s.wave <= wave) then s.wave = wave end
   return m
 end
 
@@ -345,7 +345,8 @@ local function fracture(s, group)
     local most = d.log(0.01, 0.2)
     rule.keep = { "damage" }
     function rule.rule(now)
-      now.damage = math.max(now.damage, math.sqrt(now.hinge_rotation_x ^ 2 + now.hinge_rotation_y ^ 2) / most)
+      local damage = math.sqrt(now.hinge_rotation_x ^ 2 + now.hinge_rotation_y ^ 2) / most
+      if not (damage <= now.damage) then now.damage = damage end
       return now.damage >= 1
     end
   else
@@ -709,7 +710,7 @@ make.fall = function(s)
   local radius = math.min(of.width, of.depth) / 2
   for i, p in ipairs(points) do
     points[i] = rotated(p)
-    low = math.min(low, points[i][3])
+    if not (points[i][3] >= low) then low = points[i][3] end
   end
   for i, p in ipairs(points) do points[i] = model:node { p[1], p[2], p[3] - low + radius * 1.02 + 0.005 } end
   for i, pair in ipairs(pairs_of) do

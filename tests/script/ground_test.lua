@@ -196,9 +196,9 @@ local function landed(m, area, v, s, d)
   while t < 0.5 do
     local push = area * (s * x + d * v)
     if push <= 0 and v < 0 then return deepest, -v end
-    v = v + dt * (g - math.max(0, push) / m)
+    v = v + dt * (g - (push > 0 and push or 0) / m)
     x, t = x + dt * v, t + dt
-    deepest = math.max(deepest, x)
+    deepest = support.largest_of(deepest, x)
   end
   return deepest, 0
 end

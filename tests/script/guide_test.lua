@@ -72,6 +72,7 @@ else
   expect(count > 10, "README.md of the guide lists %d pages", count)
   -- "…" stands for anything on its line, or for lines, and for nothing else.
   expect(pages.matches("a …\n…\nb\n", "a 1\nx\ny\nb\n") and pages.matches("a\n…\nb\n", "a\nb\n"), "… matches")
+  expect(pages.matches("a  0.0  0\n", "a -0.0 -0\n") and not pages.matches(" 0.01\n", "-0.01\n"), "-0.0 is 0.0")
   expect(not pages.matches("a …\nb\n", "a 1\nx\nb\n") and not pages.matches("a 1\n", "a 2\n"), "… matches too much")
 end
 checks.done()

@@ -126,11 +126,11 @@ function look.two_beam_impact(r, printed)
   equal(#r.ended, 1, "runs that failed")
   local e = r.ended[1] or { run = "none", reason = "" }
   equal(e.run, "gap, beta 0.4, dt 40 us", "the run that failed")
-  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the energy balance no longer closes", "its reason: %s", e.reason)
+  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the error of the energy balance has grown by", "its reason: %s", e.reason)
   expect(e.time > 0 and e.time < 0.03, "its time: %s", e.time)
   local figures = pick(r.over_dt, { rule = "gap", beta = 0.4 })
   near(figures.dt_us[2], 40, 1e-9, "its step")
-  expect(figures.percent[2] > 10, "its energy error is %s %%, and the guard ends it above 10", figures.percent[2])
+  expect(figures.percent[2] > 5, "its energy error is %s %%, and the guard ends it above 5", figures.percent[2])
   expect(printed:find "\n  40 +[%d.]+  +[%d.]+%*  +[%d.]+  +[%d.]+\n", "the table does not mark it:\n%s", printed)
   local note = "\nnote: 1 of 39 runs failed, marked * in the tables\n  gap, beta 0.4, dt 40 us: step "
   expect(printed:find(note, 1, true), "the list at the end:\n%s", printed)

@@ -111,11 +111,11 @@ TEST_CASE("guard: energy that an error makes is no part of what the error is com
 TEST_CASE("guard: the error at the moment of failure is kept, and a jump between two looks does not pass", "[guard]") {
     const Swinging scene(false);
     State state = initial_state(*scene.structure);
-    const double may_grow = Guard::may_grow(0.1, false);
+    const double may_grow = Guard::may_grow(0.02);
     CHECK(may_grow == Approx(0.01));
-    CHECK(Guard::may_grow(0.02, false) == Approx(0.01));
-    CHECK(Guard::may_grow(0.001, false) == Approx(0.0005));
-    CHECK(Guard::may_grow(0.1, true) == Approx(0.05));
+    CHECK(Guard::may_jump(0.1) == Approx(0.01));
+    CHECK(Guard::may_jump(0.02) == Approx(0.01));
+    CHECK(Guard::may_jump(0.001) == Approx(0.0005));
     for (const double jump : {-0.03e8, -0.3e8}) {  // below the tolerance, and beyond it
         INFO("jump " << jump);
         LargestEnergy largest(*scene.structure);

@@ -5,7 +5,8 @@
 using namespace hinge;
 using namespace hinge::test;
 
-TEST_CASE("model: nodes inside a member start with velocities in proportion to those of its two ends", "[model]") {
+TEST_CASE("model: nodes inside a member whose both ends were given a velocity start in proportion to these",
+          "[model]") {
     Frame frame;
     frame.elements = 4;
     const Vec3 from(1, 2, 3), to(3, 1, 2);
@@ -24,8 +25,7 @@ TEST_CASE("model: nodes inside a member start with velocities in proportion to t
         CHECK((structure->position()[3 + i] - (from + t * (to - from))).norm() < 1e-14);
         CHECK((v[3 + i].head<3>() - (va + t * (vb - va))).norm() < 1e-14);
         CHECK((v[3 + i].tail<3>() - (wa + t * (wb - wa))).norm() < 1e-14);
-        CHECK((v[6 + i].head<3>() - t * va).norm() < 1e-14);  // from the third node, which is at rest
-        CHECK((v[6 + i].tail<3>() - t * wa).norm() < 1e-14);
+        CHECK(v[6 + i].isZero(0));  // the third node was given none
     }
 }
 
