@@ -1051,14 +1051,15 @@ function model:dynamic(options) end
 ---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
 ---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
----verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance. Default 0.02. It is 0.1 with explicit steps, and where forces begin
----or end suddenly (contact, ground, fracture, connectors that break, loads that are functions of the state). It is 0
----with shift = "whole", whose energy balance cannot close. 0: no check. The error is checked every 100 steps, or 20
----times in a short run, and at the end. The state of a failed run is that of the last check at which the balance closed
----(models of up to 200 000 elements); run.energy_error and the last row of history.csv are those of the check that
----failed. run.reason ends with a setting that held from that state to 20 steps beyond the failure, in a short trial
----that calls no function of the script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If the
----model has such functions, it names a setting that was not tried
+---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance. Default
+---0.02. It is 0.1 with explicit steps, and where forces begin or end suddenly (contact, ground, fracture, connectors
+---that break, loads that are functions of the state). It is 0 with shift = "whole", whose energy balance cannot close.
+---0: no check. The error is checked every 100 steps, or 20 times in a short run, and at the end. The state of a failed
+---run is that of the last check at which the balance closed (models of up to 200 000 elements); run.energy_error and
+---the last row of history.csv are those of the check that failed. run.reason ends with a setting that held from that
+---state to 20 steps beyond the failure, in a short trial that calls no function of the script and recovers the forces
+---of at most 1.5 million elements, some 1 to 3 s. If the model has such functions, it names a setting that was not
+---tried
 ---@field energy_tolerance? number
 ---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
 ---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
@@ -1067,9 +1068,9 @@ function model:dynamic(options) end
 ---of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method. Default otherwise,
 ---with newmark, if members can yield or forces can begin or end suddenly (see energy_tolerance): only a step that fails
 ---is undone and tried again in this way, that is, one that cannot be solved, or in which the error jumps: it grows by
----more than a tenth of energy_tolerance (1 % where that is more, but never half of it) as the motion changes abruptly. This costs next to nothing, and changes no bit of a run
----in which no step fails. 0: every step is kept, and a step that cannot be solved ends the run. It is an error with
----shift = "whole", whose energy balance cannot close
+---more than a tenth of energy_tolerance (1 % where that is more, but never half of it) as the motion changes abruptly.
+---This costs next to nothing, and changes no bit of a run in which no step fails. 0: every step is kept, and a step
+---that cannot be solved ends the run. It is an error with shift = "whole", whose energy balance cannot close
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
 ---threads that share the work of a step; default 1; results are the same to the bit for any number

@@ -11,8 +11,8 @@
 --         at other angles, offsets and speeds
 --         energy error        0.3 %      1.01 %
 --         energy lost         0          0         9 to 89 %
---         The energy error falls with the square of the step. With surface and beta 1/4 it is 70 times less. One of
---         109 runs fails, after 20.7 ms: gap elements with beta 0.4 at 40 us, half their period (* in the table)
+--         The energy error falls with the square of the step. With surface and beta 1/4 it is 70 times less. Two of
+--         109 runs fail: gap elements with beta 0.4 at 20 and 40 us, a quarter and half of their period (*)
 --         fig14_*.png: energies over time; fig15.png: snapshots; energy_error_over_dt.png
 --
 -- The paper's figure 13 is lost. Sizes, distance and material are *reconstructed*; they are parameters.

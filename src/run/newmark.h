@@ -49,6 +49,7 @@ private:
     void mark_yielding();
     void renew_effective_stiffness();
     void solve_for_change(Step& step);
+    bool rotates_unseen(double to_u) const;
 
     const DynamicSettings& settings_;
     const EffectList* effects_ = nullptr;

@@ -240,7 +240,8 @@ if options.seed then
   local scene = scenes.scene(options.seed, options.as)
   local out = run_scene(scene, changed)
   print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
-  local every, names = largest_of(1, #out.history // 40), { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
+  local every = math.max(1, #out.history // 40)
+  local names = { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
     "fracture", "contact", "ground", "connectors", "damping", "numerical" }
   local head = { ("%12s %11s"):format("time", "error %") }
   for _, name in ipairs(names) do head[#head + 1] = ("%11s"):format(name) end

@@ -126,7 +126,8 @@ function look.two_beam_impact(r, printed)
   equal(#r.ended, 1, "runs that failed")
   local e = r.ended[1] or { run = "none", reason = "" }
   equal(e.run, "gap, beta 0.4, dt 40 us", "the run that failed")
-  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the error of the energy balance has grown by", "its reason: %s", e.reason)
+  expect(e.reason:find "^step %d+, t = 0%.0%d+ s: the error of the energy balance has grown by", "its reason: %s",
+    e.reason)
   expect(e.time > 0 and e.time < 0.03, "its time: %s", e.time)
   local figures = pick(r.over_dt, { rule = "gap", beta = 0.4 })
   near(figures.dt_us[2], 40, 1e-9, "its step")
