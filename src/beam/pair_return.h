@@ -36,7 +36,7 @@ inline const FixedEnd no_fixed_ends[2];
 ///   w          their yield surfaces; both ends can yield
 ///   fixed_end  of the two elements: what loads between the nodes add at the ends
 ///   tolerance  on the last change of the plastic deformation, over the elastic one, in the energy norm
-/// False where the iteration has not come to that tolerance: the flow then still keeps 0 <= D(x) <= U(d) - U(d - x).
+/// False where the iteration has not come to that tolerance: the step is then to be taken back.
 bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
                        const YieldSurface* const (&w)[2], Flow (&flow)[2], double tolerance = 1e-4,
                        const FixedEnd* fixed_end = no_fixed_ends);

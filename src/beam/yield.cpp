@@ -97,8 +97,6 @@ public:
     }
 
 private:
-    static constexpr double enough =
-        1e-8;  ///< of f; rounding leaves some 1e-11 after a trial of 1e4 times the strength
     struct At {
         Vec6 p;
         double f[2], g;
