@@ -97,12 +97,7 @@ PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>&
     l_ = e.length;
     const double N = 0.5 * (force[first][4] + force[first + 1][4]), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
     if (!std::isfinite(N)) return;  // a step that has failed
-    constexpr double none = 0.02, all = 0.04;
-    for (int plane : {0, 1}) {
-        const double p = std::min(-N * l_ * l_ / EI[plane], beam::pair_most);
-        const double part = std::clamp((std::abs(p) - none) / (all - none), 0.0, 1.0);
-        p_[plane] = p * part * part * (3 - 2 * part);
-    }
+    for (int plane : {0, 1}) p_[plane] = counted(-N * l_ * l_ / EI[plane]);
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "beam/beam_column.h"
 #include "effects/effect.h"
 
 namespace hinge {
@@ -80,6 +81,18 @@ struct MemberEnds {
     /// What such moments, in the member's axes, are in the forces of a section at an end (0, 1) of an element.
     void add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const;
 };
+
+/// p of PressedPair as far as it counts.
+template <class Real>
+[[gnu::always_inline]] inline Real counted(Real p) {
+    const auto c = [&](double v) { return spread(v, p); };
+    constexpr double none = 0.02, all = 0.04;
+    p = p > c(beam::pair_most) ? c(beam::pair_most) : p;
+    Real part = ((p < c(0) ? -p : p) - c(none)) / c(all - none);
+    part = part < c(0) ? c(0) : part;
+    part = part > c(1) ? c(1) : part;
+    return p * part * part * (c(3) - c(2) * part);
+}
 
 /// What the axial force N of a pair of elements changes in its fixed-end moments (p_delta = "member"; nothing in all
 /// other models). Between clamped ends the exact beam-column under a load has other end moments than the beam without

@@ -45,7 +45,8 @@ public:
     void add_forces(double, std::vector<Vec6>& resisting) override {
         const std::vector<int>& joints = members_.joints();
         if (!w_.kind.dynamic || joints.empty()) return;
-        if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, w_.force, now_);
+        if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, w_.force, placed_, now_);
+        placed_ = false;
         for (std::size_t i = 0; i < joints.size(); ++i)
             if (w_.resting.empty() || w_.resting[joints[i]] < 0) resisting[joints[i]].tail<3>() -= now_[i];
     }
@@ -54,9 +55,11 @@ public:
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
     void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), false, all);
+        placed_ = true;
     }
     void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), true, all);
+        placed_ = true;
     }
 
     /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.
@@ -73,7 +76,7 @@ public:
             if (!w_.kind.dynamic) sums["work"] += on_flow(g_at(w_.factor)) - whole;  // what is not there yet
         }
         std::vector<Vec3> end;
-        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, w_.force, end);
+        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, w_.force, false, end);
         double work = 0;
         for (std::size_t i = 0; i < joints.size(); ++i)
             work += (w_.kind.dynamic ? Vec3(0.5 * (now_[i] + before_[i])) : end[i]).dot(w_.rotation_step[joints[i]]);
@@ -111,12 +114,13 @@ private:
                                 : members_.ends(m).whole(w_.state))
                 list.push_back(m);
         members_.choose(w_.structure, list);
-        members_.find_moments(w_.structure, g_, w_.state, w_.state.force, now_);
+        placed_ = false;
+        members_.find_moments(w_.structure, g_, w_.state, w_.state.force, false, now_);
         before_ = now_;
     }
     void add_corrections(const Vec3& g, const Places& at, std::vector<Vec6>& external) const {
         std::vector<Vec3> moments;
-        members_.find_moments(w_.structure, g, at, w_.force, moments);
+        members_.find_moments(w_.structure, g, at, w_.force, false, moments);
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];
     }
 
@@ -145,6 +149,8 @@ private:
     MemberWeights members_;  ///< none with weight = "nodes"
     /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.
     std::vector<Vec3> before_, now_;
+    /// The fixed ends have been found where forces are asked for next.
+    mutable bool placed_ = false;
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

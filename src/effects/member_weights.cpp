@@ -108,7 +108,14 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         const Vec3 y = a.axes * Vec3::UnitY();
         for (int c : {0, 1, 2}) block.span[c][i] = span[c], block.y[c][i] = y[c];
         block.c[i] = kinds_[kind_[m]].c;
+        block.first[i] = ends.first;
+        block.pairs[i] = s.p_delta() && a.partner == ends.first + 1 ? ends.count / 2 : 0;
+        block.most_pairs = std::max(i == 0 ? 0 : block.most_pairs, block.pairs[i]);
+        block.flexible[0][i] = a.length * a.length / a.rigidity.EIx;
+        block.flexible[1][i] = a.length * a.length / a.rigidity.EIy;
+        block.a_pair[i] = a.rigidity.rhoA * a.length * a.length / 3 / std::max(1, block.pairs[i]);
     }
+    axes_.assign(s.p_delta() ? blocks_.size() : 0, {});
     for (int i = 0; i < int(s.elements().size()); ++i)
         if (!chosen_[s.elements()[i].member]) others_.push_back(i);
 }
@@ -137,45 +144,72 @@ Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& local, const std
     return 2.0 / ends.count * sum;
 }
 
+bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, Lanes (&of)[2]) const {
+    of[0] = of[1] = Lanes{};
+    bool any = false;
+    for (int k = 0; k < b.most_pairs && !force.empty(); ++k) {
+        Lanes N = {};
+        for (int i = 0; i < lane_count; ++i) {
+            if (k >= b.pairs[i]) continue;
+            const Vec6* p = &force[b.first[i] + 2 * k];
+            N[i] = 0.5 * (p[0][4] + p[1][4]);
+        }
+        N = N - N == 0 ? N : Lanes{};  // a step that has failed
+        for (int plane : {0, 1}) {
+            const Lanes p = counted(-b.flexible[plane] * N);
+            if (!any_true(p != 0)) continue;
+            any = true;
+            of[plane] += b.a_pair * (1 / beam::pair_numbers(p).A - 1);
+        }
+    }
+    of[0] = -of[0];
+    return any;
+}
+
 void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
-                                 std::vector<Vec3>& out) const {
+                                 bool placed, std::vector<Vec3>& out) const {
     out.assign(joints_.size(), Vec3::Zero());
-    for (const Block& b : blocks_) {
-        Lanes span[3];
-        const Lanes k = b.c / find_span(b, s.large(), at, span);
-        const Lanes m[3] = {k * (g.y() * span[2] - g.z() * span[1]), k * (g.z() * span[0] - g.x() * span[2]),
-                            k * (g.x() * span[1] - g.y() * span[0])};
+    const auto put = [&](const Block& b, const Lanes(&m)[3]) {
         for (int i = 0; i < b.count; ++i) {
             const Vec3 of(m[0][i], m[1][i], m[2][i]);
             out[b.joint[0][i]] += of;
             out[b.joint[1][i]] -= of;
         }
-        if (!s.p_delta()) continue;
-        Lanes axes[3][3];
-        find_axes(s, b, at, axes);
-        const Lanes local[3] = {dot(axes[0], g), dot(axes[1], g), dot(axes[2], g)};
-        for (int i = 0; i < b.count; ++i) {
-            const Vec3 more = moment_by_N(s, {local[0][i], local[1][i], local[2][i]}, force, b.member[i]);
-            if (more.isZero(0)) continue;
-            const auto axis = [&](int c) { return Vec3(axes[c][0][i], axes[c][1][i], axes[c][2][i]); };
-            const Vec3 of = more.x() * axis(0) + more.y() * axis(1);
-            out[b.joint[0][i]] += of;
-            out[b.joint[1][i]] -= of;
+    };
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+        const Block& b = blocks_[i];
+        if (b.most_pairs == 0) {
+            Lanes span[3];
+            const Lanes k = b.c / find_span(b, s.large(), at, span);
+            put(b, {k * (g.y() * span[2] - g.z() * span[1]), k * (g.z() * span[0] - g.x() * span[2]),
+                    k * (g.x() * span[1] - g.y() * span[0])});
+            continue;
         }
+        if (!placed) find_axes(s, b, at, axes_[i]);
+        const auto& [x, y, z] = axes_[i].axis;
+        Lanes local[3], by_N[2];
+        axes_[i].to_members(g, local);
+        find_by_N(b, force, by_N);
+        const Lanes mx = (b.c + by_N[0]) * local[1], my = (by_N[1] - b.c) * local[0];
+        put(b, {mx * x[0] + my * y[0], mx * x[1] + my * y[1], mx * x[2] + my * y[2]});
     }
 }
 
-void MemberWeights::find_axes(const Structure& s, const Block& b, const Places& at, Lanes (&axes)[3][3]) const {
+void MemberWeights::Axes::to_members(const Vec3& v, Lanes (&components)[3]) const {
+    for (int c : {0, 1, 2}) components[c] = dot(axis[c], v);
+}
+
+void MemberWeights::find_axes(const Structure& s, const Block& b, const Places& at, Axes& axes) const {
     const auto one_by_one = [&](const Lanes& size) {
         for (int i = 0; i < lane_count; ++i) {
             if (size[i] > 0.1) continue;
             const Mat3 of = ends_[b.member[i]].axes(s, at);
             for (int axis : {0, 1, 2})
-                for (int c : {0, 1, 2}) axes[axis][c][i] = of(c, axis);
+                for (int c : {0, 1, 2}) axes.axis[axis][c][i] = of(c, axis);
         }
     };
     if (!s.large()) return one_by_one(Lanes{});
-    Lanes(&x)[3] = axes[0], (&y)[3] = axes[1], (&z)[3] = axes[2];
+    auto& [x, y, z] = axes.axis;
     const Lanes length = find_span(b, true, at, z);
     for (int c : {0, 1, 2}) z[c] /= length, y[c] = Lanes{};
     for (int end : {0, 1}) add_rotated(at.rotation, b.node[end], b.y, y);
@@ -207,26 +241,30 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
     pool.share(int(blocks_.size()), 16, [&](int first, int end, int) {
         for (int block = first; block < end; ++block) {
             const Block& b = blocks_[block];
-            Lanes axes[3][3];
+            Axes here;
+            Axes& axes = axes_.empty() ? here : axes_[block];
             find_axes(s, b, at, axes);
-            const Lanes local[3] = {dot(axes[0], g), dot(axes[1], g), dot(axes[2], g)};
+            Lanes local[3], by_N[2];
+            axes.to_members(g, local);
             const Lanes components[lane_count] = {local[1], local[1], local[0], local[0], local[2], local[2], {}, {}};
-            Lanes of[lane_count];  // each member's own, in the places of FixedEnd
+            Lanes of[lane_count], more[lane_count];  // each member's own, in the places of FixedEnd
             transpose(components, of);
+            const bool pressed = find_by_N(b, force, by_N);
+            if (pressed) {
+                const Lanes mx = by_N[0] * local[1], my = by_N[1] * local[0];
+                const Lanes parts[lane_count] = {-mx, mx, -my, my};
+                transpose(parts, more);
+            }
             for (int i = 0; i < b.count; ++i) {
                 const MemberEnds& ends = ends_[b.member[i]];
                 const Kind& kind = kinds_[kind_[b.member[i]]];
                 const LanesAnywhere* by_gravity = reinterpret_cast<const LanesAnywhere*>(kind.by_gravity.data());
                 LanesAnywhere* to = reinterpret_cast<LanesAnywhere*>(&all[ends.first]);
                 for (int k = 0; k < ends.count; ++k) {
-                    const Lanes part = by_gravity[k] * of[i];
+                    Lanes part = by_gravity[k] * of[i];
+                    if (pressed) part += more[i];
                     to[k] = anew ? part : to[k] + part;
                 }
-                if (!s.p_delta()) continue;
-                const Vec3 more = moment_by_N(s, {local[0][i], local[1][i], local[2][i]}, force, b.member[i]);
-                if (more.isZero(0)) continue;
-                for (int k = 0; k < ends.count; ++k)
-                    for (int at_end : {0, 1}) all[ends.first + k].add(at_end, more.x(), more.y(), 0, 0);
             }
         }
     });

@@ -29,9 +29,10 @@ public:
     bool has(int member) const { return member < int(chosen_.size()) && chosen_[member]; }
     const std::vector<int>& joints() const { return joints_; }  ///< their end nodes
     /// The moment on each of the joints, N m, in space.
-    /// `force`: p of all elements, of which N is taken (PressedPair).
+    /// `force`: p of all elements, of which N is taken (PressedPair). `placed`: the members are where add_fixed_ends
+    /// has been told last.
     void find_moments(const Structure& structure, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
-                      std::vector<Vec3>& moments) const;
+                      bool placed, std::vector<Vec3>& moments) const;
     /// Of all elements. `anew`: what `all` has does not count.
     void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Places& at,
                         const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const;
@@ -55,22 +56,34 @@ private:
         Lanes span[3];  ///< from the first to the second end at the start, m
         Lanes y[3];     ///< axis at the start
         Lanes c;        ///< kg m
+        // what N changes (PressedPair)
+        int first[lane_count], pairs[lane_count], most_pairs;  ///< elements; pairs of each, and the most of them
+        Lanes flexible[2];                                     ///< l^2/EI in the two planes, l: one element, 1/N
+        Lanes a_pair;                                          ///< rho A l^2 / 3, divided by the number of pairs, kg m
+    };
+    /// The axes x, y, z of a block's members in space.
+    struct Axes {
+        Lanes axis[3][3];
+        void to_members(const Vec3& v, Lanes (&components)[3]) const;
     };
     Lanes find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const;
-    /// The axes x, y, z of its members in space, as by MemberEnds::axes and to the same bits.
-    void find_axes(const Structure& s, const Block& b, const Places& at, Lanes (&axes)[3][3]) const;
+    /// As by MemberEnds::axes and to the same bits.
+    void find_axes(const Structure& s, const Block& b, const Places& at, Axes& axes) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
+    /// moment_by_N of its members, in two planes, by gravity of 1 m/s^2 across each. False: they are all zero.
+    bool find_by_N(const Block& b, const std::vector<Vec6>& force, Lanes (&of)[2]) const;
     /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
     /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel. `local`:
     /// gravity in these axes.
     Vec3 moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, int member) const;
 
     std::vector<Kind> kinds_;
-    std::vector<int> kind_;         ///< of each member
-    std::vector<MemberEnds> ends_;  ///< likewise
-    std::vector<char> chosen_;      ///< likewise
-    std::vector<Block> blocks_;     ///< of those that are chosen
-    std::vector<int> others_;       ///< elements of the other members
+    std::vector<int> kind_;           ///< of each member
+    std::vector<MemberEnds> ends_;    ///< likewise
+    std::vector<char> chosen_;        ///< likewise
+    std::vector<Block> blocks_;       ///< of those that are chosen
+    mutable std::vector<Axes> axes_;  ///< of the blocks where add_fixed_ends has been told last, where N has a part
+    std::vector<int> others_;         ///< elements of the other members
     std::vector<int> joints_;
 };
 
