@@ -187,8 +187,8 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     bridges_.clear();
     for (int node : coupled_)
         if (const int first = structure_.p_delta() ? pair_about(node) : -1; first >= 0)
-            bridges_.push_back(
-                {first, structure_.elements()[first].node[0], structure_.elements()[first + 1].node[1], Mat6::Zero()});
+            bridges_.push_back({first, structure_.elements()[first].node[0], structure_.elements()[first + 1].node[1],
+                                node, Mat6::Zero()});
     lay_out();
 }
 
@@ -265,7 +265,8 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
     });
-    for (Bridge& b : bridges_) b.K = parts.bridge(b.first, 0);
+    for (Bridge& b : bridges_)
+        if (std::binary_search(nodes.begin(), nodes.end(), b.middle)) b.K = parts.bridge(b.first, 0);
 }
 
 /// r: the right side without the nodes between.

@@ -80,7 +80,7 @@ private:
     std::vector<Coupling> couplings_;
     std::vector<int> coupled_;  ///< nodes, rising
     struct Bridge {
-        int first, a, b;  ///< first element of the pair; its outer nodes
+        int first, a, b, middle;  ///< first element of the pair; its outer nodes and its middle one
         Mat6 K;
     };
     std::vector<Bridge> bridges_;  ///< of pairs whose middle node is coupled: such a node is not taken out

@@ -82,11 +82,11 @@ Mat12 EffectiveStiffness::single_part(int index, const State& state, const Pose&
 
 EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const State& state, const Pose& pose,
                                                            const std::vector<GivenTangent>& given) const {
+    const PlacedElement place[2] = {place_element(structure_, first, pose), place_element(structure_, first + 1, pose)};
     beam::PairMatrix k;
     if (const GivenTangent* g = find(given, first))
         k << g->own, g->partner, g->partner.transpose(), find(given, first + 1)->own;
-    else k = elastic_pair_tangent(structure_, state, pose, first);
-    const PlacedElement place[2] = {place_element(structure_, first, pose), place_element(structure_, first + 1, pose)};
+    else k = elastic_pair_tangent(structure_, state, pose, first, place);
     Mat12 M[2] = {Mat12::Zero(), Mat12::Zero()};
     bool heavy = false;
     for (int i : {0, 1}) {
@@ -95,8 +95,9 @@ EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const Stat
         M[i] = inertia_part(first + i, state, place[i]), heavy = true;
     }
     // rows of the first element's nodes, columns of the second one's
-    const Mat12 between = stiffness_factor_ * forces_at_nodes(place[0]) * k.topRightCorner<6, 6>() *
-                          forces_at_nodes(place[1]).transpose();
+    const Mat6 coupled = stiffness_factor_ * k.topRightCorner<6, 6>();
+    const Eigen::Matrix<double, 12, 6> by_second = forces_at_nodes(place[0]).lazyProduct(coupled);
+    const Mat12 between = by_second.lazyProduct(forces_at_nodes(place[1]).transpose());
     const auto put_together = [&](bool geometric) {
         PairPart part;
         for (int i : {0, 1}) {

@@ -83,12 +83,12 @@ struct MemberEnds {
 };
 
 /// p of PressedPair as far as it counts.
+inline constexpr double counts_from = 0.02, counts_in_full = 0.04;
 template <class Real>
 [[gnu::always_inline]] inline Real counted(Real p) {
     const auto c = [&](double v) { return spread(v, p); };
-    constexpr double none = 0.02, all = 0.04;
     p = p > c(beam::pair_most) ? c(beam::pair_most) : p;
-    Real part = ((p < c(0) ? -p : p) - c(none)) / c(all - none);
+    Real part = ((p < c(0) ? -p : p) - c(counts_from)) * c(1 / (counts_in_full - counts_from));
     part = part < c(0) ? c(0) : part;
     part = part > c(1) ? c(1) : part;
     return p * part * part * (c(3) - c(2) * part);

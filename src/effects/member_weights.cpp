@@ -156,10 +156,10 @@ bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, La
         }
         N = N - N == 0 ? N : Lanes{};  // a step that has failed
         for (int plane : {0, 1}) {
-            const Lanes p = counted(-b.flexible[plane] * N);
-            if (!any_true(p != 0)) continue;
+            const Lanes p = -b.flexible[plane] * N;
+            if (!any_above(p < 0 ? -p : p, counts_from)) continue;
             any = true;
-            of[plane] += b.a_pair * (1 / beam::pair_numbers(p).A - 1);
+            of[plane] += b.a_pair * (1 / beam::pair_numbers(counted(p)).A - 1);
         }
     }
     of[0] = -of[0];

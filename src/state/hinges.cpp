@@ -15,8 +15,13 @@ void move_point(const Structure& structure, State& state, int element, double s)
 namespace {
 
 /// What its plastic deformation leaves of each element's deformation.
-void elastic_deformations(const Structure& structure, const State& state, const Pose& pose, int first, Vec6 (&d)[2]) {
-    for (int i : {0, 1}) d[i] = element_deformation(structure, first + i, pose) - state.plastic[first + i];
+void elastic_deformations(const Structure& structure, const State& state, const Pose& pose, int first,
+                          const PlacedElement* place, Vec6 (&d)[2]) {
+    for (int i : {0, 1}) {
+        const Vec6 whole = place ? element_deformation(structure, first + i, pose, place[i])
+                                 : element_deformation(structure, first + i, pose);
+        d[i] = whole - state.plastic[first + i];
+    }
 }
 
 }  // namespace
@@ -27,16 +32,17 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
     const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
     const beam::YieldSurface* surface[2] = {&e[0]->yield, &e[1]->yield};
     Vec6 elastic[2];
-    elastic_deformations(structure, state, pose, first, elastic);
+    elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
     const beam::FixedEnd fixed[2] = {sweep.fixed_end(first), sweep.fixed_end(first + 1)};
     return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, flow, fixed);
 }
 
-beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first) {
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first,
+                                      const PlacedElement* place) {
     Vec6 d[2];
-    elastic_deformations(structure, state, pose, first, d);
+    elastic_deformations(structure, state, pose, first, place, d);
     beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first]), d[0], d[1]);
     for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += stiffness_now(structure, state, first + i).matrix();
     return K;

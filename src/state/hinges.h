@@ -35,7 +35,8 @@ inline bool in_pair(const Structure& structure, const State& state, int element)
 /// dp/dd of such a pair, 12 x 12, `first` its first element. `flow`: of its elements, null where one does not flow.
 beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
                               int first, const beam::Flow* const (&flow)[2]);
-/// The same while both are elastic.
-beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first);
+/// The same while both are elastic. `place`: of the two elements at the pose, where that is known.
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first,
+                                      const PlacedElement* place = nullptr);
 
 }  // namespace hinge
