@@ -82,8 +82,10 @@ struct MemberEnds {
     void add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const;
 };
 
-/// p of PressedPair as far as it counts.
+/// |p| of PressedPair below which it is taken as none, and from which on it counts in full.
 inline constexpr double counts_from = 0.02, counts_in_full = 0.04;
+
+/// p of PressedPair as far as it counts.
 template <class Real>
 [[gnu::always_inline]] inline Real counted(Real p) {
     const auto c = [&](double v) { return spread(v, p); };
