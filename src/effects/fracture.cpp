@@ -133,7 +133,11 @@ public:
     void kept(const Step&) override {
         for (const Yielding& y : w_.yielding) take_up(y.element);
     }
-    void broke(const Break& b) override { std::erase(candidates_, b.element); }
+    /// The partner of a pair takes up plastic deformation (state/breaking.h): its limits may come within reach.
+    void broke(const Break& b) override {
+        std::erase(candidates_, b.element);
+        if (w_.structure.p_delta()) take_up(w_.structure.elements()[b.element].partner);
+    }
 
     void remember() override { kept_before_.clear(), strained_before_.clear(); }
     void take_back() override {

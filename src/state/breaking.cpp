@@ -1,5 +1,8 @@
 #include "state/breaking.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "beam/mass.h"
 #include "state/hinges.h"
 
@@ -42,6 +45,31 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
                                                 (x1 - about).cross(Vec3(p.segment<3>(0))) +
                                                 (x2 - about).cross(Vec3(p.segment<3>(6)));
     return h;
+}
+
+/// The element's partner breaks, whose elastic deformation is `of_partner`: it keeps the axial force that it had in the
+/// pair, and its moments unless they are larger than what it bends by stands for. Its plastic deformation takes the
+/// difference. Returns what the pair's bending and this element lose by that, less what the partner has by itself, J.
+///
+/// The pair has the energy of its axial forces, of bending at least that of N = 0 (S - p S' >= 1, since S falls ever
+/// faster; and A alike), and of shear and torsion. The element is left with no more than its part of that.
+double leave_alone(const Structure& structure, State& state, int index, const Vec6& of_partner) {
+    const Element& e = structure.elements()[index];
+    const beam::Stiffness k = stiffness_now(structure, state, index);
+    const Vec6 before = element_deformation(structure, index, state) - state.plastic[index];
+    const bool first = index < e.partner;
+    const beam::PairKind<double> kind = pair_kind_of(e);
+    const Vec6 &d1 = first ? before : of_partner, &d2 = first ? of_partner : before;
+    Vec6 beyond = beam::pair_forces(kind, d1, d2).segment<6>(first ? 0 : 6);
+    for (int plane : {0, 1}) {
+        const double alone = kind.b[plane] * (before[2 * plane + 1] - before[2 * plane]), most = std::abs(alone),
+                     more = std::clamp(alone + beyond[2 * plane + 1], -most, most) - alone;
+        beyond[2 * plane] = -more, beyond[2 * plane + 1] = more;
+    }
+    const Vec6 after = before + k.solve(beyond);
+    state.plastic[index] += before - after;
+    state.force[index] = k.times(after);
+    return beam::pair_energy(kind, d1, d2) + 0.5 * (before.dot(k.times(before)) - after.dot(k.times(after)));
 }
 
 }  // namespace
@@ -107,11 +135,7 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     const beam::Stiffness k = stiffness_now(structure, state, index);
     const Vec6 stretched = element_deformation(structure, index, state) - state.plastic[index];
     report.elastic = 0.5 * stretched.dot(k.times(stretched));
-    if (structure.p_delta() && !state.broken[e.partner]) {
-        const Vec6 other = element_deformation(structure, e.partner, state) - state.plastic[e.partner];
-        const bool first = index < e.partner;
-        report.elastic += beam::pair_energy(pair_kind_of(e), first ? stretched : other, first ? other : stretched);
-    }
+    if (in_pair(structure, state, index)) report.elastic += leave_alone(structure, state, e.partner, stretched);
 
     // what the element carries now, about the carrier
     const Mat3 axes = frame(structure, state, index);

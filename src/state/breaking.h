@@ -15,7 +15,8 @@ struct BreakReport {
 };
 
 /// Breaks `element` at `end` (1 or 2) in `state`; velocities stay. `impulse` (of each node, six) gets what pass_on
-/// (algebra/mass.h) needs.
+/// (algebra/mass.h) needs. The other element of a pair whose bending follows N keeps its forces as far as the energy
+/// allows: a break frees no more than was there.
 BreakReport break_off(const Structure& structure, State& state, int element, int end, std::vector<Vec6>& impulse);
 
 /// Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s), and the mass (kg).
