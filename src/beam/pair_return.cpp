@@ -231,14 +231,14 @@ private:
 
     /// The case that is not convex: F falls from step to step. False: it has not converged.
     bool descend(At& now) const {
-        double F = energy(now), firmer = 1;
+        double F = energy(now), firmer = 1, stretch = 1;
         const double scale = std::max(std::abs(F), std::numeric_limits<double>::min());
         for (int i = 0; i < most_descents; ++i) {
             Stiffness k[2];
             At next;
             double change = 0, there = 0;
             for (;; firmer *= 2) {
-                if (firmer > 1e12) return false;
+                if (firmer > 1e12) return i > 0;  // rounding hides what F still falls by
                 stiffness_above(now, firmer, k);
                 next = round(now, k);
                 if (!next.of[0].converged || !next.of[1].converged) return false;
@@ -252,10 +252,24 @@ private:
                 const double F_jump = energy(jump) + dissipation(jump);
                 if (F_jump <= there) next = jump, there = F_jump;
             }
+            if (i > 2 && i % 3 == 1) {
+                const At jump = farther(now, next, stretch, k);
+                const double F_jump = energy(jump) + dissipation(jump);
+                stretch = F_jump < there ? 4 * stretch : std::max(1.0, 0.25 * stretch);
+                if (F_jump < there) next = jump, there = F_jump;
+            }
             now = next, F = there;
             firmer = std::max(1.0, 0.7 * firmer);
         }
         return false;
+    }
+
+    /// A round from farther on in the direction of the last one: where U is nearly flat, as where flow moves from one
+    /// element to the other, rounds creep.
+    At farther(const At& now, const At& next, double times, const Stiffness (&k)[2]) const {
+        At from = next;
+        for (int i : {0, 1}) from.of[i].plastic += times * (next.of[i].plastic - now.of[i].plastic);
+        return round(at(from.of[0], from.of[1]), k);
     }
 
     /// Newton's method for x = round(x), and a round from where it leads.

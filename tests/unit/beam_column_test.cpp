@@ -280,7 +280,8 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
         if (f <= 1) continue;
         ++returns;
         Flow flow[2];
-        const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, w, flow, 1e-4, none);
+        const double tolerance = n % 8 == 0 ? 1e-9 : 1e-4;
+        const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, w, flow, tolerance, none);
         unconverged += !converged;
         const double before = y.pair.energy(y.pair.d[0], y.pair.d[1]),
                      after = y.pair.energy(flow[0].elastic, flow[1].elastic);
@@ -299,7 +300,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
     }
     CHECK(returns > 30000);
     CHECK(pressed > 2000);  // where U is not convex
-    CHECK(unconverged <= 4);
+    CHECK(unconverged == 0);
     CHECK_FIGURE("forces against dU/dd of what is left elastic", off_law, 1e-12);
     CHECK_FIGURE("f_y - 1", beyond_surface, 0.02);
 }
