@@ -11,7 +11,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double far_twist = pi / 1.2;                ///< rad: 150 degrees, where the passage ends
 constexpr double long_mean = 0.35, short_mean = 0.2;  ///< of the mean y axis: the passage for ends that fold
-constexpr int directions = 9;                         ///< of the chord, of spin 1 and of spin 2, in space
+/// - cos of an end's rotation in the frame of corotation.h, 150 to 170 degrees: the passage before its rotation vector
+/// turns over at 180.
+constexpr double far_end = 0.86602540378443865, farthest_end = 0.98480775301220806;
+constexpr int directions = 9;  ///< of the chord, of spin 1 and of spin 2, in space
 
 /// A number and its derivatives. T is double, or itself a number with derivatives: then there are second ones.
 template <class T>
@@ -171,8 +174,15 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
 
     const Triple<S> y_mean = S(0.5) * (at.node[0].y + at.node[1].y), x_mean = cross(y_mean, z);
     const S mean = dot(x_mean, x_mean), one = 1;
-    m.share = one - (one - passage(plain(m.twist) < 0 ? S(-1) * m.twist : m.twist, remembered_twist, far_twist)) *
-                        (one - passage(mean, long_mean * long_mean, short_mean * short_mean));
+    S near = (one - passage(plain(m.twist) < 0 ? S(-1) * m.twist : m.twist, remembered_twist, far_twist)) *
+             (one - passage(mean, long_mean * long_mean, short_mean * short_mean));
+    if (plain(near) > 0) {
+        const Triple<S> x = (one / sqrt(mean)) * x_mean, y = cross(z, x);
+        for (const Triad<S>& n : at.node)
+            near = near *
+                   (one - passage(S(-0.5) * (dot(x, n.x) + dot(y, n.y) + dot(z, n.z) - one), far_end, farthest_end));
+    }
+    m.share = one - near;
 
     const S left = one - m.share;
     for (int i = 0; i < 2; ++i) {
@@ -187,11 +197,11 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
     if (plain(m.share) < 1) {
         S d[6];
         const S mean_length = sqrt(mean);
-        const Triad<S> near = near_measure(at, z, x_mean, mean_length, d);
+        const Triad<S> frame = near_measure(at, z, x_mean, mean_length, d);
         for (int i : {0, 1, 2, 3, 5}) m.d[i] = m.share * m.d[i] + left * d[i];
         if constexpr (std::is_same_v<S, double>) {  // the frame passes as well
-            const double angle = m.share * std::atan2(dot(near.y, m.frame.x), dot(near.x, m.frame.x));
-            m.frame.x = std::cos(angle) * near.x + std::sin(angle) * near.y;
+            const double angle = m.share * std::atan2(dot(frame.y, m.frame.x), dot(frame.x, m.frame.x));
+            m.frame.x = std::cos(angle) * frame.x + std::sin(angle) * frame.y;
             m.frame.y = cross(z, m.frame.x);
         }
     }

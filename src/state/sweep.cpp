@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "beam/pair_return.h"
 #include "beam/mass.h"
@@ -268,6 +270,21 @@ bool any_remembered(const std::vector<double>& twist, int element) {
 
 }  // namespace
 
+namespace {
+
+/// Whether an end has turned past half a turn against its element since its plastic deformation came about: then the
+/// measure, which ends at half a turn, has gone over to the other side, and the elastic part would be a whole turn off.
+bool turned_over(const double (&bent)[4], const Vec6& plastic) {
+    for (int e : {0, 1}) {
+        const double x = bent[e], y = bent[2 + e], angle = std::hypot(x, y), over = 1 - 2 * std::numbers::pi / angle;
+        const auto off = [&](double times) { return std::hypot(times * x - plastic[e], times * y - plastic[2 + e]); };
+        if (angle > 0 && off(over) < off(1)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 /// Which elements of the block are wound, a bit each; puts their frame and deformation in the place of those found.
 [[gnu::noinline]] unsigned Sweep::find_wound(const Block& b, int element, const Lanes& rotated, const State& state,
                                              const Pose& pose, Found& found) const {
@@ -279,7 +296,11 @@ bool any_remembered(const std::vector<double>& twist, int element) {
         const Element& e = structure_.elements()[index];
         beam::Winding& w = found.winding[i];
         w = winding_of(e, index, chord_of(e, pose.displacement), pose.rotation, state.twist);
-        if (!beam::wind(w)) continue;
+        const bool is_wound = beam::wind(w);
+        double bent[4];
+        for (int c = 0; c < 4; ++c) bent[c] = is_wound ? w.d[c] : found.d[c][i];
+        if (turned_over(bent, state.plastic[index])) found.folded = found.unreturned = index;
+        if (!is_wound) continue;
         wound |= 1u << i;
         found.wound.push_back(index);
         if (w.open < least_open) found.folded = index;
@@ -581,12 +602,14 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
 }
 
 std::string Sweep::failure() const {
+    if (folded_ >= 0)
+        return "an end of " + structure_.element_name(folded_) +
+               " has folded back against the element itself, by 177 degrees or more; more elements a member, or "
+               "fracture, may help";
     if (unreturned_ >= 0)
         return "the plastic flow of " + structure_.element_name(unreturned_) +
                " was not found: its forces are too far beyond the yield surface for one step";
-    if (folded_ < 0) return {};
-    return "an end of " + structure_.element_name(folded_) +
-           " has folded back against the element itself, by 177 degrees; more elements a member, or fracture, may help";
+    return {};
 }
 
 }  // namespace hinge

@@ -113,6 +113,31 @@ TEST_CASE("in the range of passage, 120 to 150 degrees: forces and tangent again
     against_differences("135 degrees", 0.75 * pi, 0.2, 0.01, 0.99);
     against_differences("-135 degrees", -0.75 * pi, 0.2, 0.01, 0.99);
     against_differences("folded", 0, 1.6, 0.01, 0.99);
+    against_differences("an end near half a turn", 0.9, 3.1, 0.01, 0.99);
+}
+
+TEST_CASE("ends that turn on towards half a turn: the deformation does not jump") {
+    Dice dice(34);
+    double jump = 0;
+    int far = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const Sample s(dice, dice(-1.5, 1.5), 0.5);
+        const Vec3 axis[2] = {dice.vector(1).normalized(), dice.vector(1).normalized()};
+        const double step = 1e-3;
+        Vec6 before = s.deformation_at(s.now);
+        for (int i = 1; i < 3000; ++i) {
+            Ends there = s.now;
+            for (int e : {0, 1}) there.q[e] = exponential(i * step * axis[e]) * there.q[e];
+            const Winding w = s.at(there);
+            if (w.open < 0.1 || std::abs(w.twist) > 2) break;
+            const Vec6 now = s.deformation_at(there);
+            jump = largest_of(jump, (now - before).norm() / step);
+            before = now;
+            far += w.share > 0;
+        }
+    }
+    CHECK(far > 1000);
+    CHECK_FIGURE("change of the deformation over that of the angle", jump, 100);
 }
 
 TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12, issue)") {
