@@ -44,7 +44,7 @@ run:finish()
 -- Momentum along x: what was brought, plus the impulse of the supports, is what is left.
 local impulse = 0
 for _, probe in ipairs(probes) do
-  for _, force in ipairs(probe.value) do impulse = impulse + force * run.dt end
+  for i = 2, #probe.value do impulse = impulse + probe.value[i] * (probe.time[i] - probe.time[i - 1]) end
 end
 local left, energy = run:momentum().linear[1], run.energy
 print(("momentum: brought %.0f N s, supports %.0f N s, left %.0f N s"):format(brought, impulse, left))

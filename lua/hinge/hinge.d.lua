@@ -1037,10 +1037,10 @@ function model:dynamic(options) end
 
 ---@class hinge.dynamic_options
 ---s. "auto" with newmark: twelve steps in the time that an axial wave needs to cross the shortest element. The steps
----are eight times longer while nothing yields, breaks or touches and the accelerations hardly change, with step_control
----= 0.01. "auto" with explicit: 0.9 of the stability limit, 0.7 with surface contact, 0.22 with gap contact. A number
----above the limit is an error, which names the element. Stiff connectors, and a given stiffness of a ground, shorten
----both
+---are eight times longer while nothing yields, breaks or touches and the accelerations hardly change. "auto" with
+---explicit: 0.9 of the stability limit, 0.45 if members can yield, 0.35 with surface contact, 0.2 with gap contact. A
+---number above the limit is an error, which names the element. Stiff connectors, and a given stiffness of a ground,
+---shorten both
 ---@field dt number|"auto"
 ---@field duration number s; rounded to whole steps if dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
@@ -1051,26 +1051,27 @@ function model:dynamic(options) end
 ---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
 ---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
----verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance. Default
----0.02. It is 0.1 with explicit steps, and where forces begin or end suddenly (contact, ground, fracture, connectors
----that break, loads that are functions of the state). It is 0 with shift = "whole", whose energy balance cannot close.
----0: no check. The error is checked every 100 steps, or 20 times in a short run, and at the end. The state of a failed
----run is that of the last check at which the balance closed (models of up to 200 000 elements); run.energy_error and
----the last row of history.csv are those of the check that failed. run.reason ends with a setting that held from that
----state to 20 steps beyond the failure, in a short trial that calls no function of the script and recovers the forces
----of at most 1.5 million elements, some 1 to 3 s. If the model has such functions, it names a setting that was not
----tried
+---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance (1 % where
+---that is more). Default 0.01; 0.1 with explicit steps, whose energy swings with the fastest vibrations; 0 with shift =
+---"whole", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01 says so in
+---run.warnings, whatever energy_tolerance is. The error is checked every 100 steps, or 20 times in a short run, and at
+---the end. The state of a failed run is that of the last check at which the balance closed (models of up to 200 000
+---elements); run.energy_error and the last row of history.csv are those of the check that failed. run.reason ends with
+---a setting that held from that state to 20 steps beyond the failure, in a short trial that calls no function of the
+---script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If the model has such functions, it
+---names a setting that was not tried
 ---@field energy_tolerance? number
 ---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
 ---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
 ---be solved. It is tried again with half the length, down to dt / 1024; below this the run fails. The script never sees
----a step that was undone. After steps with small errors the step becomes longer again, up to dt. This costs a quarter
----of a step. Default 0.01 with dt = "auto" of Newmark's method and with the energy-momentum method. Default otherwise,
----with newmark, if members can yield or forces can begin or end suddenly (see energy_tolerance): only a step that fails
----is undone and tried again in this way, that is, one that cannot be solved, or in which the error jumps: it grows by
----more than a tenth of energy_tolerance (1 % where that is more, but never half of it) as the motion changes abruptly.
----This costs next to nothing, and changes no bit of a run in which no step fails. 0: every step is kept, and a step
----that cannot be solved ends the run. It is an error with shift = "whole", whose energy balance cannot close
+---a step that was undone. After steps with small errors the step becomes longer again, up to dt. A number checks the
+---energy balance every step, which takes half to three quarters of the time of a step more. It is an error with shift =
+---"whole", whose energy balance cannot close. 0: every step is kept, and a step that cannot be solved ends the run.
+---Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly (contact, ground,
+---fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form. The balance is
+---checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at any time.
+---Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005), and what dt / 64 still loses is kept. While no step is
+---undone, no bit changes. Default with energy-momentum: 0.01, every step
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
 ---threads that share the work of a step; default 1; results are the same to the bit for any number

@@ -14,12 +14,12 @@
 namespace hinge {
 namespace {
 
-/// Parts of the largest energy that the balance may miss before a run is ended: what the impact of the paper and
-/// explicit steps come to while they hold, and else.
-constexpr double much_missed = 0.1, some_missed = 0.02;
+/// Parts of the largest energy that the balance may miss before a run is ended: by implicit steps; by explicit ones,
+/// whose energy swings with the fastest vibrations and whose runs then hold. Over the first a run that completes says
+/// so.
+constexpr double may_be_missed = 0.01, may_swing = 0.1;
 constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step control
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
-constexpr double abrupt_part = 0.5;    ///< of a jump that is refused: a change of the motion that may hide one
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
 const std::string no_mass_solution = "conjugate gradients found no solution with the mass matrix alone";
@@ -40,7 +40,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       mass_(w_),
       largest_energy_(*structure_),
       guard_(tolerance(), size_.whole() / size_.own_length()),
-      control_(settings_.step_control) {
+      control_(settings_.step_control, settings_.controlled_by_default) {
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
     w_.scheme = {settings_.beta, settings_.gamma(), settings_.alpha()};
@@ -56,7 +56,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const auto& e : effects_)
         if (!decides_) decides_ = e->decides();
     may_take_back_ = any_effect(&Effect::calls_script) || settings_.controlled();
-    if (settings_.halve_failed) {
+    if (control_.on() && control_.by_default()) {
         lumped_.assign(structure_->position().size(), 0);
         for (const Element& e : structure_->elements())
             for (int n : e.node) lumped_[n] += 0.5 * e.mass();
@@ -94,7 +94,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 /// A step for what effects add to the elements: a chosen one is shortened, too long an explicit one refused. Elements'
 /// own limit was looked at where the settings were read.
 DynamicSettings Dynamics::fitted(DynamicSettings s) const {
-    s.halve_failed = s.halve_failed && s.step_control == 0 && !s.explicit_steps() && calls_for_halving();
+    if (s.controlled_by_default && !s.automatic && !calls_for_control()) s.step_control = 0;
     Blocks stiffness, damping(1, false);
     for (const auto& e : effects_) e->add_stiffest(stiffness), e->add_stiffest(damping);
     const bool none =
@@ -104,7 +104,7 @@ DynamicSettings Dynamics::fitted(DynamicSettings s) const {
         s.explicit_steps() ? stable_step_of_joined(*structure_, state_, damping_of(*structure_), stiffness, damping)
                            : JoinedStep{most_phase / std::sqrt(fastest_of_joined(*structure_, state_, stiffness)), -1};
     if (s.chosen) {
-        const double wanted = s.explicit_steps() ? usual_step({limit.dt, -1}, structure_->model()) : limit.dt;
+        const double wanted = s.explicit_steps() ? usual_step({limit.dt, -1}, *structure_) : limit.dt;
         if (wanted < s.dt) s.dt = s.duration / std::ceil(s.duration / wanted);
     } else if (s.explicit_steps() && s.dt > limit.dt) {
         char text[120];
@@ -116,11 +116,9 @@ DynamicSettings Dynamics::fitted(DynamicSettings s) const {
     return s;
 }
 
-/// Where forces begin or end at once, or in explicit steps, whose energy swings with the fastest vibrations, a run may
-/// miss more and still hold.
+/// The default of energy_tolerance.
 double Dynamics::energy_may_miss() const {
-    if (structure_->model().options().shift == Shift::whole) return 0;
-    return explicit_steps() || any_effect(&Effect::makes_forces_vanish) ? much_missed : some_missed;
+    return structure_->model().options().shift == Shift::whole ? 0 : explicit_steps() ? may_swing : may_be_missed;
 }
 
 // ---- a step -------------------------------------------------------------------------------------------------------
@@ -227,23 +225,22 @@ void Dynamics::commit() {
     w_.trial.twist = state_.twist;
     integrator_->kept();
     for (const auto& e : effects_) e->kept(step_);
+    if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
     if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
-    if (control_.on() && anew_) control_.start_from(energy().error);
+    if (control_.on() && !control_.by_default() && anew_) control_.start_from(energy().error);
     watch_effects();
     ++state_.step;
     size_.count_step();
-    if (settings_.halve_failed) {
-        motions_.insert(motions_.begin(), motion_), motions_.resize(2, motion_);
-        if (error_) known_error_ = *error_;
-        refused_ = 0;
-    }
-    if (settings_.automatic || control_.on()) state_.time = size_.end();
+    if (control_.by_default()) motions_.insert(motions_.begin(), motion_), motions_.resize(2, motion_);
+    if (settings_.automatic || (control_.on() && !control_.by_default())) state_.time = size_.end();
     else state_.time += step_.dt;
 }
 
 /// Elements break: each becomes an offset mass, and what that asks of the nodes is passed on to all velocities.
 void Dynamics::break_elements() {
+    const bool watched = control_.on() && control_.by_default();
+    const double error = watched ? energy().error : 0;
     std::vector<Reached> broken;
     for (const Break& b : step_.breaks) broken.push_back({b.element, "broken"});
     reached(broken);
@@ -260,6 +257,7 @@ void Dynamics::break_elements() {
     if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
     for (const auto& e : effects_) e->all_broke();
+    if (watched) control_.leave_behind(energy().error - error);
     anew_ = true;
 }
 
@@ -391,7 +389,7 @@ bool Dynamics::advance() {
             std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + step_.dt);
             step_.failure = at + step_.failure;
             // no shorter step helps against a load that is not finite
-            rejected_ = settings_.controlled() && !(settings_.halve_failed && is_of_load(step_.failure));
+            rejected_ = settings_.controlled() && !(control_.by_default() && is_of_load(step_.failure));
             if (!rejected_) fail(step_.failure);
         } while (rejected_ && again_shorter());
         for (const auto& e : effects_) e->forget();
@@ -407,6 +405,7 @@ bool Dynamics::advance() {
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
     guard();
+    tell_error();
     look_at_pairs();
     return verdict_ != Verdict::failed;
 }
@@ -500,8 +499,8 @@ Energy Dynamics::energy_of_trial() {
     return energy;
 }
 
-/// Whether this scene is one in which steps that fail are halved by default.
-bool Dynamics::calls_for_halving() const {
+/// Whether step control acts in this scene by default, whatever its dt.
+bool Dynamics::calls_for_control() const {
     return (built::plasticity && structure_->can_yield()) || any_effect(&Effect::makes_forces_vanish);
 }
 
@@ -517,37 +516,19 @@ double Dynamics::motion_of_trial() const {
     });
 }
 
-/// Without step_control: a step in which the energy balance error jumps is taken back. The balance itself costs a
-/// quarter of a step, so it is looked at only where the motion changes abruptly (its kinetic energy differs from what
-/// the two steps before lead to) or much flows in hinges.
-void Dynamics::refuse_jump() {
-    size_.count_easy(true);
+/// Whether the motion changes so much in the step that is tried that it may hide a loss: its kinetic energy differs
+/// from what the two steps before lead to, or much flows in hinges.
+bool Dynamics::is_abrupt() {
     motion_ = motion_of_trial();
-    error_.reset();
-    const double most = largest_energy_.most(), allowed = Guard::may_jump(tolerance()) * most;
-    if (!(allowed > 0)) return;
+    const double limit = control_.abrupt() * largest_energy_.most();
+    const double expected = motions_.size() < 2 ? motion_ : 2 * motions_[0] - motions_[1];
     double flow = 0;
     for (const Yielding& y : w_.yielding) flow += std::abs(y.flow.dissipation);
-    const double expected = motions_.size() < 2 ? motion_ : 2 * motions_[0] - motions_[1];
-    if (std::abs(motion_ - expected) <= abrupt_part * allowed && flow <= abrupt_part * allowed) return;
-    const Energy energy = energy_of_trial();
-    LargestEnergy now = largest_energy_;
-    if (std::isfinite(now.share(energy, accounts_)) && now.most() > 2 * most) return;  // it is still coming in
-    const double error = energy.error, grown = error - known_error_;
-    // what half the step does not make smaller is not the step's (elements broke since): the guard decides
-    const bool in_vain = refused_ > 0 && std::abs(grown) > 0.7 * refused_;
-    if (std::abs(grown) <= allowed || in_vain) return void(error_ = error);
-    refused_ = std::abs(grown);
-    char what[160];
-    std::snprintf(what, sizeof what,
-                  "the error of the energy balance would grow by %.3g %% of the largest energy, more than %.3g %%",
-                  100 * std::abs(grown) / most, 100 * Guard::may_jump(tolerance()));
-    step_.failure = what;
+    return !(std::abs(motion_ - expected) <= limit && flow <= limit);
 }
 
 /// Step control: whether the step is kept.
 void Dynamics::control_step() {
-    if (!control_.on()) return refuse_jump();
     if (structure_->large())
         for (std::size_t i = 0; i < w_.rotation_step.size(); ++i)
             if (const double angle = w_.rotation_step[i].norm(); !(angle <= most_rotation)) {
@@ -557,8 +538,10 @@ void Dynamics::control_step() {
                 step_.failure = structure_->node_name(int(i)) + what;
                 return;
             }
-    if (auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_))
-        step_.failure = std::move(*why);
+    unseen_ = !control_.due(control_.by_default() && is_abrupt(), size_);
+    if (unseen_) return;
+    auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] { return energy().error; });
+    if (why) step_.failure = std::move(*why);
 }
 
 /// Now and then, and at the end: whether a pair is pressed beyond what two elements can show.
@@ -589,6 +572,20 @@ void Dynamics::look_at_pairs() {
         *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
 }
 
+/// Whatever energy_tolerance is: a run that completes with a large energy error warns of it.
+void Dynamics::tell_error() {
+    if (verdict_ != Verdict::completed || settings_.trial || structure_->model().options().shift == Shift::whole)
+        return;
+    LargestEnergy largest = largest_energy_;
+    const double share = largest.share(energy(), accounts_);
+    if (std::abs(share) <= may_be_missed) return;
+    char what[120];
+    std::snprintf(what, sizeof what, "the energy error at the end of the run is %.3g %% of the largest energy",
+                  100 * share);
+    warn(RunWarning{what,
+                    "a shorter dt, dt = \"auto\" or more elements a member may make it smaller; see step_control"});
+}
+
 /// After a step that went well, or one that failed: whether the energy balance still closes.
 void Dynamics::guard() {
     const bool running = verdict_ == Verdict::running, failed = verdict_ == Verdict::failed;
@@ -601,7 +598,6 @@ void Dynamics::guard() {
     std::optional<std::string> lost;
     if (due)
         lost = guard_.look(state_, energy(), accounts_, largest_energy_, running, Guard::may_grow(tolerance()), what);
-    if (due && !lost) known_error_ = guard_.error();
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite
     if (!lost && (sweep_.folded() >= 0 || is_of_load(reason_))) return;

@@ -67,10 +67,10 @@ private:
     bool correct();
     void settle();
     void control_step();
-    void refuse_jump();
+    bool is_abrupt();
     double motion_of_trial() const;
     double tolerance() const { return settings_.energy_tolerance.value_or(energy_may_miss()); }
-    bool calls_for_halving() const;
+    bool calls_for_control() const;
     void commit();
     void break_elements();
     void watch_effects();
@@ -90,6 +90,7 @@ private:
     std::optional<bool> holds(const Remedy& remedy, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
     void guard();
+    void tell_error();
     void look_at_pairs();
     void add_inertia_to_reactions();
     void must_be_solved(const SolveReport& report);
@@ -121,11 +122,9 @@ private:
     FastSpin spin_;
     Step step_;
     bool anew_ = false;            ///< the next step begins with the acceleration found anew
-    std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps that were kept; with halve_failed
+    std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps; with control by default
     double motion_ = 0;            ///< of the step that is tried
-    double known_error_ = 0;       ///< J, of the energy balance when it was last found, by the guard or in a step
-    double refused_ = 0;           ///< J, the growth for which this step was taken back
-    std::optional<double> error_;  ///< J, of the step that is tried, where it was found
+    bool unseen_ = false;          ///< step control has not looked at the step that is tried
     std::vector<double> lumped_;   ///< kg, at each node
     bool rejected_ = false;        ///< the step failed in a way that a shorter one may mend
     struct Sleeper {

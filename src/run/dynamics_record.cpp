@@ -32,7 +32,6 @@ std::vector<PlanLine> Dynamics::effects() const {
         std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy",
                       100 * settings_.step_control),
             because += how;
-    else if (settings_.halve_failed) because += ", halved where one cannot be solved";
     if (settings_.alpha() != 0)
         std::snprintf(how, sizeof how, ", of the highest frequencies %.3g is left after a step",
                       settings_.rho_infinity),
@@ -49,7 +48,7 @@ template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
     a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.force, s.w_.supported,
-      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_, s.known_error_);
+      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
     if constexpr (A::reading) s.guard_.make_room(s.state_);
     a(s.guard_);
     for (const auto& e : s.effects_)

@@ -16,7 +16,7 @@ constexpr double far_bent = 0.5;  ///< rad: of an element, elastically; no setti
 /// run says the same on every machine.
 constexpr long most_updates = 1'500'000;
 constexpr double steps_beyond = 20;  ///< of the run, that a trial goes on after the moment of failure
-constexpr double trial_part = 0.1;   ///< of energy_tolerance: it must hold for the whole run, not for a trial alone
+constexpr double trial_part = 0.5;   ///< of energy_tolerance: it must hold for the whole run, not for a trial alone
 
 /// By how much the element that is bent most is bent elastically, rad.
 double most_bent(const Structure& structure, const State& state) {
@@ -54,16 +54,16 @@ std::vector<Dynamics::Remedy> Dynamics::remedies() const {
         add("solver = 'direct'", [](DynamicSettings& s) { s.solver.direct = true; });
     if (of_solver.find("more iterations") != std::string::npos && settings_.iterations > 1 && settings_.iterations < 30)
         add("iterations = 30", [](DynamicSettings& s) { s.iterations = 30; });
-    if (control_.on()) {
+    if (control_.on() && !control_.by_default()) {
         const double larger = std::min(0.5, std::max(0.01, 10 * settings_.step_control));
-        add("step_control = " + number_text(larger, 3), [&](DynamicSettings& s) { s.step_control = larger; });
+        add("step_control = " + number_text(larger, 3), [&](DynamicSettings& s) { s.control(larger); });
     }
-    if (!control_.on() && closes) add("step_control = 0.01", [](DynamicSettings& s) { s.step_control = 0.01; });
+    if (!control_.on() && closes) add("step_control = 0.01", [](DynamicSettings& s) { s.control(0.01); });
     const double shortest = shortest_step(*structure_, settings_.duration);
     if (newmark && !settings_.chosen && shortest < settings_.dt)
         add("dt = 'auto'", [&](DynamicSettings& s) {
             s.dt = shortest, s.automatic = s.chosen = true;
-            if (closes) s.step_control = 0.01;
+            if (closes) s.step_control = DynamicSettings::default_control, s.controlled_by_default = true;
         });
     for (const int part : {4, 16})
         add("dt = " + number_text(settings_.dt / part, 3),
@@ -72,14 +72,14 @@ std::vector<Dynamics::Remedy> Dynamics::remedies() const {
         add("integrator = 'energy-momentum'", [](DynamicSettings& s) {
             s.conserving = true, s.automatic = s.chosen = false;
             s.beta = 0.25, s.rho_infinity = 1, s.iterations = 0, s.predictor = Predictor::by_step, s.narrow = true;
-            s.tolerance = 1e-8, s.rebuild_angle = 0.002, s.step_control = 0.01;
+            s.tolerance = 1e-8, s.rebuild_angle = 0.002, s.control(0.01);
         });
     if (newmark && settings_.alpha() == 0)
         add("rho_infinity = 0.8",
             [](DynamicSettings& s) { s.rho_infinity = 0.8, s.beta = DynamicSettings::beta_of(0.8); });
     if (newmark && !structure_->cubic())
         add("integrator = 'explicit' with dt = 'auto'", [](DynamicSettings& s) {
-            s.beta = 0, s.rho_infinity = 1, s.automatic = false, s.chosen = true, s.step_control = 0;
+            s.beta = 0, s.rho_infinity = 1, s.automatic = false, s.chosen = true, s.control(0);
         });
     return list;
 }
@@ -98,7 +98,7 @@ std::optional<bool> Dynamics::holds(const Remedy& remedy, double from, double be
                                                                              : s.conserving     ? MassKind::at_nodes
                                                                                                 : MassKind::consistent);
         if (s.explicit_steps() && !explicit_steps())
-            s.dt = usual_step(stable_step(*structure, damping_of(*structure)), structure->model());
+            s.dt = usual_step(stable_step(*structure, damping_of(*structure)), *structure);
         const double steps = std::ceil((beyond - from) / s.dt);
         if (!(steps >= 1 && steps * double(structure->elements().size()) <= double(budget))) return {};
         s.duration = steps * s.dt;

@@ -9,7 +9,13 @@ namespace {
 constexpr long most_between = 100;          ///< steps from one look to the next: the balance costs half a step
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
-constexpr double easy_part = 0.25;          ///< of its share that an easy step loses at most
+constexpr double advance_by_default = 0.5;  ///< and by default
+constexpr double rate_part = 0.1;      ///< of a refused loss: what the shortest step loses of one that goes with time
+constexpr double rate_room = 1.5;      ///< for a known rate, before steps are taken back again
+constexpr double easy_part = 0.25;     ///< of its share that an easy step loses at most
+constexpr double abrupt_part = 0.05;   ///< of what may be lost: a change of the motion that may hide a loss
+constexpr long most_unseen = 32;       ///< steps from one look of step control to the next, by default
+constexpr long most_unseen_short = 4;  ///< and while they are halved
 
 }  // namespace
 
@@ -85,24 +91,76 @@ std::optional<std::string> Guard::look(State& state, const Energy& energy, const
     return why;
 }
 
-std::optional<std::string> StepControl::refuse(const Energy& energy, const AccountList& accounts,
-                                               LargestEnergy& largest, StepSize& size) {
-    const double before = largest.most();
-    const double share = largest.share(energy, accounts), of_run = size.of_run(), so_far = size.so_far();
-    const double may = tolerance_ * largest.most(), lost = std::abs(energy.error) - std::abs(kept_error_);
-    const auto allowed = [&](double part) { return may * (advance_part + (1 - advance_part) * part); };
-    const bool within = std::abs(energy.error) <= allowed(so_far + of_run);
-    if (share == 0 || (std::isfinite(share) && (within || lost <= may * of_run))) {
+bool StepControl::due(bool abrupt, const StepSize& size) const {
+    if (!by_default_ || abrupt) return true;
+    const bool halved = size.length() < size.own_length();
+    return since_ + 1 >= (halved ? std::min(between_, most_unseen_short) : between_);
+}
+
+/// By default shorter steps may lose more: an eighth of dt twice, dt / 64 five times as much. What is gained by them
+/// costs ever more time.
+double StepControl::tolerance(const StepSize& size) const {
+    return by_default_ ? tolerance_ * std::max(1.0, double(size.halvings() - 1)) : tolerance_;
+}
+
+double StepControl::abrupt() const { return abrupt_part * tolerance_; }
+
+void StepControl::not_looked_at(StepSize& size) {
+    ++since_;
+    since_units_ += size.length();
+    size.count_easy(true);
+}
+
+void StepControl::start_from(double error) {
+    kept_error_ = error;
+    since_ = since_units_ = 0;
+}
+
+void StepControl::leave_behind(double error) {
+    left_ += error;
+    kept_error_ += error;
+}
+
+void StepControl::start_from_known(double error) {
+    kept_error_ = error;
+    since_ = since_units_ = 0;
+    between_ = 1;
+}
+
+std::optional<std::string> StepControl::compare(const Energy& energy, const AccountList& accounts,
+                                                LargestEnergy& largest, StepSize& size) {
+    const double before = largest.most(), share = largest.share(energy, accounts), so_far = size.so_far();
+    const double of_run = size.part_of_run(since_units_ + size.length());
+    const double error = energy.error - left_, may = tolerance(size) * largest.most(),
+                 lost = std::abs(error) - std::abs(kept_error_ - left_);
+    const double advance = by_default_ ? advance_by_default : advance_part;
+    const auto allowed = [&](double part) { return may * (advance + (1 - advance) * part); };
+    const bool within = std::abs(error) <= allowed(so_far + size.of_run()), finite = std::isfinite(share);
+    const double known = rate_ * double(since_units_ + size.length());
+    const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
+    // while the energy of the run is still coming in, an error is compared with what will soon be little
+    const bool coming_in = by_default_ && finite && largest.most() > 2 * before;
+    const bool in_vain = by_default_ && finite && size.fine();
+    if (closes || coming_in || in_vain) {
+        if (!closes) left_ += energy.error - kept_error_;
+        if (!closes && !coming_in && lost < rate_part * first_refused_)
+            rate_ = std::max(rate_, lost / double(since_units_ + size.length()));
         kept_error_ = energy.error;
-        size.count_easy(lost <= easy_part * may * of_run || std::abs(energy.error) <= 0.5 * allowed(so_far));
+        first_refused_ = 0;
+        since_ = since_units_ = 0;
+        const bool easy =
+            lost <= std::max(easy_part * may * of_run, rate_room * known) || std::abs(error) <= 0.5 * allowed(so_far);
+        between_ = easy && closes ? std::min(2 * between_, most_unseen) : 1;
+        size.count_easy(easy || !closes);
         return {};
     }
+    if (first_refused_ == 0) first_refused_ = lost;
     char what[160];
-    if (!std::isfinite(share)) std::snprintf(what, sizeof what, "its energy would no longer be finite");
+    if (!finite) std::snprintf(what, sizeof what, "its energy would no longer be finite");
     else
         std::snprintf(what, sizeof what,
                       "the step would lose %.3g %% of the largest energy, its share of step_control is %.3g %%",
-                      100 * lost / largest.most(), 100 * tolerance_ * of_run);
+                      100 * lost / largest.most(), 100 * tolerance(size) * of_run);
     largest.set_most(before);
     return what;
 }

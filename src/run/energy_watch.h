@@ -58,11 +58,9 @@ public:
     const std::optional<LostBalance>& lost() const { return lost_; }
     double error() const { return error_; }  ///< J, of the balance at the last look at which it closed
 
-    /// By how much of the largest energy the error may grow between two looks: half the tolerance. While members are in
-    /// contact it swings by up to 2 % (scripts/paper/two_beam_impact.lua, steps of 40 us).
-    static double may_grow(double tolerance) { return 0.5 * tolerance; }
-    /// And in one step: a tenth of the tolerance, or 1 % where that is more, and never more than half of it.
-    static double may_jump(double tolerance) { return std::max(0.1 * tolerance, std::min(0.01, 0.5 * tolerance)); }
+    /// By how much of the largest energy the error may grow between two looks: half the tolerance, or 1 % where that is
+    /// more.
+    static double may_grow(double tolerance) { return std::max(0.5 * tolerance, std::min(0.01, tolerance)); }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -89,22 +87,53 @@ private:
 };
 
 /// A step may lose its share of what the run may lose, or whatever the steps before it have left over.
+///
+/// By default (`by_default`) the balance is looked at every so many steps: every step while the error grows, up to 32
+/// steps apart while it does not, and at once where something abrupt happens. And what dt / 64 still loses is kept: a
+/// loss at one instant is no later step's, one that goes with time however short the step is, is then expected of later
+/// steps. The guard decides how much of that a run may have.
 class StepControl {
 public:
-    explicit StepControl(double tolerance) : tolerance_(tolerance) {}
+    StepControl(double tolerance, bool by_default) : tolerance_(tolerance), by_default_(by_default) {}
     bool on() const { return tolerance_ > 0; }
-    /// Why the step that was tried is not kept, or null.
+    bool by_default() const { return by_default_; }
+    /// Whether the balance of the step that is tried must be known; `abrupt`: something happens in it.
+    bool due(bool abrupt, const StepSize& size) const;
+    /// A change of the motion, as a part of the largest energy, that is abrupt.
+    double abrupt() const;
+    /// Why the step that was tried is not kept, or null. `energy`: of its end; `before`: called for the error of the
+    /// balance where it begins, J.
+    template <class Before>
     std::optional<std::string> refuse(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
-                                      StepSize& size);
-    void start_from(double error) { kept_error_ = error; }  ///< what a break left in the balance is no step's
+                                      StepSize& size, Before before) {
+        auto why = compare(energy, accounts, largest, size);
+        if (!why || since_ == 0) return why;
+        start_from_known(before());  // the steps that nobody looked at are kept, and each one is looked at now
+        return compare(energy, accounts, largest, size);
+    }
+    void not_looked_at(StepSize& size);
+    void start_from(double error);    ///< what a break left in the balance is no step's
+    void leave_behind(double error);  ///< the same, where only its change is known, J
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.kept_error_);
+        a(s.kept_error_, s.left_, s.since_, s.since_units_, s.between_, s.first_refused_, s.rate_);
     }
 
 private:
-    double tolerance_;       ///< part of the largest energy that the run may lose
-    double kept_error_ = 0;  ///< J, of the last step that was kept
+    std::optional<std::string> compare(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
+                                       StepSize& size);
+    void start_from_known(double error);
+    double tolerance(const StepSize& size) const;
+
+    double tolerance_;  ///< part of the largest energy that the run may lose
+    bool by_default_;
+    double kept_error_ = 0;     ///< J, of the last step that was kept and looked at
+    double left_ = 0;           ///< J, of that: kept because no shorter step would make it smaller
+    long since_ = 0;            ///< steps since then
+    long since_units_ = 0;      ///< their length, in units of StepSize
+    double first_refused_ = 0;  ///< J, the loss of the longest step that was taken back here; 0: none was
+    double rate_ = 0;           ///< J a unit of StepSize, that is lost whatever the step is long
+    long between_ = 1;          ///< steps from one look to the next
 };
 
 }  // namespace hinge

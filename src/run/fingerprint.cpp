@@ -74,8 +74,8 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
     parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
         a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.rebuild_angle, s.narrow, s.energy_tolerance,
-          s.step_control, s.halve_failed, s.rho_infinity, s.conserving, s.rest, s.solver.direct, s.solver.tolerance,
-          s.solver.max_iterations);
+          s.step_control, s.controlled_by_default, s.rho_infinity, s.conserving, s.rest, s.solver.direct,
+          s.solver.tolerance, s.solver.max_iterations);
     }));
     for (const auto& [effect, what] : model.declarations()) {
         std::string bytes;

@@ -42,17 +42,20 @@ struct DynamicSettings {
     /// Steps that would lose more than their share of this part of the largest energy are taken back and halved, as
     /// are those that cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.
     double step_control = 0;
-    /// Without step_control, in scenes with hinges, contact or other forces that begin or end suddenly, by implicit
-    /// steps: a step that cannot be solved, or in which the error of the energy balance jumps, is taken back and halved
-    /// as there. While none fails, neither steps nor bits differ.
-    bool halve_failed = false;
+    /// The script has not said how: `step_control` acts in scenes with hinges, contact or other forces that begin or
+    /// end suddenly, and with dt = "auto", by implicit steps. The balance is looked at less often, and what no shorter
+    /// step makes smaller is kept; then the guard decides. While no step is taken back, the bits are those of
+    /// step_control 0.
+    bool controlled_by_default = false;
+    static constexpr double default_control = 1e-3;
+    void control(double by) { step_control = by, controlled_by_default = false; }
     bool rest = true;    ///< bodies at rest are left alone until something reaches them
     bool trial = false;  ///< a short trial of other settings: it names no remedy itself
     int threads = 1;     ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
 
     bool explicit_steps() const { return beta == 0; }
-    bool controlled() const { return step_control > 0 || halve_failed; }
+    bool controlled() const { return step_control > 0; }
 };
 
 /// The fastest node of a run so far.

@@ -48,7 +48,8 @@ void StepSize::count_easy(bool easy) { easy_ = easy ? std::min(easy_ + 1, most_e
 long StepSize::halved(long tried) {
     ++rejected_;
     calm_ = easy_ = 0;
-    patience_ = std::min(2 * patience_, most_patience);
+    if (grew_) patience_ = std::min(2 * patience_, most_patience);
+    grew_ = false;
     return tried > own_ ? own_ : tried / 2;
 }
 

@@ -8,6 +8,9 @@
 // With step control, a step that was taken back is halved, and steps grow again once that has gone well for a while.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+
 #include "model/structure.h"
 
 namespace hinge {
@@ -28,11 +31,15 @@ public:
     double end() const { return start_ + double(done_) * unit_; }  ///< s, where the steps so far have ended
     bool over() const { return done_ >= whole_; }
     bool longer() const { return length_ > own_; }  ///< than the script's own dt
+    /// How often the coming step has been halved from dt.
+    int halvings() const { return length_ < own_ ? std::countr_zero(unsigned(own_ / length_)) : 0; }
     bool finest() const { return length_ == 1; }
+    bool fine() const { return length_ <= own_ / fine_part; }
     bool varies() const { return automatic_ || own_ > 1; }
-    long left() const { return (whole_ - done_) / length_; }
+    long left() const { return (whole_ - done_) / std::max(length_, own_); }
     long whole() const { return whole_; }
     double of_run() const { return double(length_) / double(whole_); }  ///< the coming step's part of the duration
+    double part_of_run(long units) const { return double(units) / double(whole_); }
     double so_far() const { return double(done_) / double(whole_); }
     long rejected() const { return rejected_; }
 
@@ -43,6 +50,7 @@ public:
         if (length_ < own_) {
             if (easy_ < patience_ || done_ % (2 * length_) != 0) return length_;
             easy_ = 0;
+            grew_ = true;
             return 2 * length_;
         }
         if (easy_ >= patience_) patience_ = first_patience;
@@ -68,16 +76,17 @@ public:
     static constexpr long long_step = 8;      ///< of the shortest
     static constexpr int calm_steps = 20;     ///< before steps are long: K anew costs as much as ten steps
     static constexpr int first_patience = 8;  ///< halved steps that must go well before they are doubled; twice as many
-                                              ///< after each that does not
-    static constexpr int most_patience = 512;
+                                              ///< where a step fails that was doubled before
+    static constexpr int most_patience = 128;
     static constexpr double jump_limit = 1e-3;  ///< dt |da| against |v| in a long step, weighted by mass: its error is
                                                 ///< a twelfth of that
+    static constexpr long fine_part = 64;       ///< of a step, that contact which a usual step misses is resolved by
     static constexpr long finest_part = 1024;   ///< of a step, with step control: a power of two, so that times stay
                                                 ///< those of whole steps to the bit
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.done_, s.length_, s.least_, s.calm_, s.start_, s.easy_, s.patience_, s.rejected_);
+        a(s.done_, s.length_, s.least_, s.calm_, s.start_, s.easy_, s.patience_, s.grew_, s.rejected_);
     }
     bool makes_sense() const;
 
@@ -89,6 +98,7 @@ private:
     int calm_ = 0;
     double start_;
     int easy_ = 0, patience_ = first_patience;
+    bool grew_ = false;  ///< steps were doubled since one was taken back
     long rejected_ = 0;
 };
 

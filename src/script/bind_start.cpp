@@ -284,7 +284,7 @@ double step_of(Options& o, const Structure& structure, bool in_explicit_steps, d
         return automatic ? shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
     const std::vector<ElementDamping> damping = damping_of(structure);
     const StableStep limit = stable_step(structure, damping);
-    if (automatic) return duration / std::ceil(duration / usual_step(limit, structure.model()));
+    if (automatic) return duration / std::ceil(duration / usual_step(limit, structure));
     const double dt = o.number("dt", "s", Range::positive);
     if (dt > limit.dt)
         o.complain("dt", show(dt) + " s",
@@ -391,10 +391,12 @@ int dynamic_run(lua_State* L) {
                              show(DynamicSettings::beta_of(s.rho_infinity)) + ": leave one out");
         s.beta = DynamicSettings::beta_of(s.rho_infinity);
     }
+    s.controlled_by_default =
+        !in_explicit_steps && !conserving && !o.has("step_control") && m->options().shift != Shift::whole;
     s.step_control = o.number("step_control", "", Range::not_negative,
-                              conserving || (s.automatic && m->options().shift != Shift::whole) ? 0.01 : 0);
-    s.halve_failed =
-        !in_explicit_steps && s.step_control == 0 && !o.has("step_control") && m->options().shift != Shift::whole;
+                              conserving                ? 0.01
+                              : s.controlled_by_default ? DynamicSettings::default_control
+                                                        : 0);
     if (s.step_control > 0 && m->options().shift == Shift::whole)
         throw InputError(
             "model:dynamic: field 'step_control' needs an energy balance that closes, and that of a model with shift = "

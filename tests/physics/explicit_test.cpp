@@ -212,7 +212,7 @@ TEST_CASE("explicit: first bending frequency of a cantilever of 16 elements to 0
     // masses at 17 nodes: (1.875/16)^2/12 = 0.1 %; shear and rotary inertia at L/b = 50: 0.1 %
     const Cantilever frame({}, 0.02, 0.1);
     const auto structure = lumped(frame);
-    const double dt = usual_step(stable_step(*structure), structure->model());
+    const double dt = usual_step(stable_step(*structure), *structure);
     Dynamics run(structure, initial_state(*structure), explicit_steps(dt, 5.2 * 2 * pi / frame.omega()));
     std::vector<double> crossings;
     double before = 0;
@@ -263,9 +263,8 @@ TEST_CASE(
             for (bool half : {false, true}) {
                 const Frame frame = falling_beam(rule, angle, 0.13);
                 const auto structure = lumped(frame);
-                Dynamics run(
-                    structure, initial_state(*structure),
-                    explicit_steps((half ? 0.5 : 1) * usual_step(stable_step(*structure), structure->model()), 0.03));
+                Dynamics run(structure, initial_state(*structure),
+                             explicit_steps((half ? 0.5 : 1) * usual_step(stable_step(*structure), *structure), 0.03));
                 const double worst = worst_energy_error(run, 5);
                 CHECK(run.verdict() == Verdict::completed);
                 CHECK(contact_of(run.state())->counts().bound > 0);

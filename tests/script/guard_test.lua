@@ -19,7 +19,7 @@ end
 
 local reason = turning { iterations = 1 }:finish().reason
 checks.expect(support.says(reason, "step ..., t = ... s: the energy balance no longer closes, "
-  .. "its error is ... % of the largest energy (energy_tolerance 2 %); ..."), "by itself at 2 %%: %s", reason)
+  .. "its error is ... % of the largest energy (energy_tolerance 1 %); ..."), "by itself at 1 %%: %s", reason)
 local run = turning { iterations = 1, energy_tolerance = 0.1 }
 local last = 0
 run:on_step(function(r) last = r.time end)

@@ -78,7 +78,7 @@ local function crash(options)
   crashed:finish()
   return crashed, touched, released, asked, math.abs(crashed:momentum().linear[3] / before - 1)
 end
-local long = crash { dt = 4e-5, energy_tolerance = 0 }
+local long = crash { dt = 4e-5, energy_tolerance = 0, step_control = 0 }
 expect(share(long) > 0.02, "without control the energy balance is off by %g", share(long))
 local held, touched, released, asked, lost = crash { dt = 4e-5, step_control = 0.01 }
 equal(held.verdict, "completed", "impact: " .. held.reason)
@@ -143,13 +143,13 @@ do
   equal(alone.verdict, "completed", "hinges everywhere, by default: " .. alone.reason)
   expect(alone.counts.rejected_steps > 0 and math.abs(alone.time - 0.2) < 1e-12,
     "by default %d taken back, ends at %.17g s", alone.counts.rejected_steps, alone.time)
-  expect(math.abs(alone.energy_error) <= 0.02, "by default: energy error %g", alone.energy_error)
+  expect(math.abs(alone.energy_error) <= 0.002, "by default: energy error %g", alone.energy_error)
   expect(support.says(kept.reason, "step ..., t = ... s: Newton did not converge in 30 iterations (last correction "
     .. "... of the first); step_control = 0.01 holds: tried from t = ... s to ... s"),
     "all steps kept: %s", kept.reason)
 end
 
--- While no step fails, what is there by default changes no bit, no time and no step: hinges, contact, fracture.
+-- While no step is taken back, the default changes no bit, no time and no step: hinges, contact, fracture.
 do
   local function same(what, make)
     local default, kept = make {}, make { step_control = 0 }
@@ -159,12 +159,12 @@ do
     equal(default.time, kept.time, what .. ": time")
     equal(default.index, kept.index, what .. ": steps")
     equal(default.dt, kept.dt, what .. ": dt")
-    local text = "halved where one cannot be solved"
+    local text = "halved where one would lose more than its share of 0.1 % of the energy"
     expect(default.effects[1].because:find(text, 1, true) and not kept.effects[1].because:find(text, 1, true),
       "%s: the plan says %s", what, default.effects[1].because)
   end
   same("impact", function(options)
-    options.dt = 2e-6
+    options.dt = 1e-6
     return (crash(options))
   end)
   same("hinges and fracture", function(options)
@@ -200,7 +200,7 @@ end
 do
   local text = "halved where one would lose more than its share of "
   local function said(options) return bar_in_flight():dynamic(options).effects[1].because end
-  expect(said { dt = "auto", duration = 1e-3 }:find(text .. "1 %", 1, true), "auto: %s",
+  expect(said { dt = "auto", duration = 1e-3 }:find(text .. "0.1 %", 1, true), "auto: %s",
     said { dt = "auto", duration = 1e-3 })
   expect(said { dt = 1e-5, duration = 1e-3, step_control = 0.02 }:find(text .. "2 %", 1, true), "as told")
   for _, none in ipairs { { dt = "auto", duration = 1e-3, step_control = 0 }, { dt = 1e-5, duration = 1e-3 },

@@ -113,9 +113,8 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
     State state = initial_state(*scene.structure);
     const double may_grow = Guard::may_grow(0.02);
     CHECK(may_grow == Approx(0.01));
-    CHECK(Guard::may_jump(0.1) == Approx(0.01));
-    CHECK(Guard::may_jump(0.02) == Approx(0.01));
-    CHECK(Guard::may_jump(0.001) == Approx(0.0005));
+    CHECK(Guard::may_grow(0.01) == Approx(0.01));
+    CHECK(Guard::may_grow(0.001) == Approx(0.001));
     for (const double jump : {-0.03e8, -0.3e8}) {  // below the tolerance, and beyond it
         INFO("jump " << jump);
         LargestEnergy largest(*scene.structure);
@@ -147,4 +146,69 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
     for (int i = 1; i <= 9; ++i)
         CHECK(!guard.look(state, balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts,
                           largest, true, may_grow, ""));
+}
+
+namespace {
+
+/// Step control by default on steps of 1 s, in a run of 1000 s whose energy is 1e8 J.
+struct Controlled {
+    static constexpr double all = 1e8;
+    Swinging scene{false};
+    LargestEnergy largest{*scene.structure};
+    StepSize size{1, 1000, false, true, 0};
+    StepControl control{1e-3, true};
+
+    /// Whether a step at whose end the balance has that error, J, is kept.
+    bool keeps(double error, double before = 0) {
+        const Energy energy = balance_of(some_accounts, all, {{"kinetic", all - error}});
+        return !control.refuse(energy, some_accounts, largest, size, [&] { return before; });
+    }
+    void halve() { size.set_length(size.halved(size.length())); }
+};
+
+}  // namespace
+
+TEST_CASE("step control by default: looks grow apart while the error does not", "[guard]") {
+    Controlled run;
+    CHECK(run.control.due(false, run.size));
+    for (const int apart : {2, 4, 8, 16, 32, 32}) {
+        REQUIRE(run.keeps(10));
+        for (int i = 1; i < apart; ++i) {
+            CHECK(!run.control.due(false, run.size));
+            run.control.not_looked_at(run.size);
+        }
+        CHECK(run.control.due(false, run.size));
+    }
+    REQUIRE(run.keeps(10));
+    CHECK(run.control.due(true, run.size));  // something abrupt
+    // what was lost while nobody looked is kept, the last step's own loss is not, and every step is looked at then
+    for (int i = 0; i < 10; ++i) run.control.not_looked_at(run.size);
+    CHECK(!run.keeps(5e5, 1e5));
+    CHECK(run.control.due(false, run.size));
+    CHECK(run.keeps(1.0001e5, 1e5));
+}
+
+TEST_CASE("step control by default: a loss that halving does not make smaller is kept at dt / 64", "[guard]") {
+    Controlled at_once;
+    REQUIRE(at_once.keeps(0));
+    int halved = 0;
+    for (; halved < 20 && !at_once.keeps(1e6); ++halved) at_once.halve();  // 1 %
+    CHECK(halved == 6);
+    CHECK(at_once.size.dt() == Approx(1.0 / 64));
+    CHECK(at_once.keeps(1e6));  // it is no later step's
+    at_once.size.set_length(at_once.size.own_length());
+    CHECK(!at_once.keeps(2e6));  // and allows none to them
+
+    Controlled all_along;  // 1e4 J a second however long the step is, after all that may be there was lost
+    double error = 2.6e5;
+    const double rate = 1e4;
+    REQUIRE(all_along.keeps(0));
+    all_along.control.not_looked_at(all_along.size);
+    REQUIRE(all_along.keeps(error, error));
+    for (halved = 0; halved < 20 && !all_along.keeps(error + rate * all_along.size.dt()); ++halved) all_along.halve();
+    CHECK(halved == 6);
+    error += rate / 64;
+    all_along.size.set_length(all_along.size.own_length());
+    CHECK(!all_along.keeps(error + 3 * rate));
+    CHECK(all_along.keeps(error + rate));  // expected now
 }
