@@ -18,6 +18,7 @@ namespace {
 /// whose energy swings with the fastest vibrations and whose runs then hold. Over the first a run that completes says
 /// so.
 constexpr double may_be_missed = 0.01, may_swing = 0.1;
+constexpr double much_flow = 4;        ///< times an abrupt change of the motion: of plastic work in a step
 constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step control
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
@@ -524,7 +525,7 @@ bool Dynamics::is_abrupt() {
     const double expected = motions_.size() < 2 ? motion_ : 2 * motions_[0] - motions_[1];
     double flow = 0;
     for (const Yielding& y : w_.yielding) flow += std::abs(y.flow.dissipation);
-    return !(std::abs(motion_ - expected) <= limit && flow <= limit);
+    return !(std::abs(motion_ - expected) <= limit && flow <= much_flow * limit);
 }
 
 /// Step control: whether the step is kept.

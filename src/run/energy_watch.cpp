@@ -10,10 +10,11 @@ constexpr long most_between = 100;          ///< steps from one look to the next
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
+constexpr double most_left = 0.01;          ///< of the largest energy, that what no shorter step mends may come to
 constexpr double rate_part = 0.1;      ///< of a refused loss: what the shortest step loses of one that goes with time
 constexpr double rate_room = 1.5;      ///< for a known rate, before steps are taken back again
 constexpr double easy_part = 0.25;     ///< of its share that an easy step loses at most
-constexpr double abrupt_part = 0.05;   ///< of what may be lost: a change of the motion that may hide a loss
+constexpr double abrupt_part = 0.5;    ///< of what may be lost: a change of the motion that may hide a loss
 constexpr long most_unseen = 32;       ///< steps from one look of step control to the next, by default
 constexpr long most_unseen_short = 4;  ///< and while they are halved
 
@@ -140,7 +141,7 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
     const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
     // while the energy of the run is still coming in, an error is compared with what will soon be little
     const bool coming_in = by_default_ && finite && largest.most() > 2 * before;
-    const bool in_vain = by_default_ && finite && size.fine();
+    const bool in_vain = by_default_ && finite && size.fine() && std::abs(energy.error) <= most_left * largest.most();
     if (closes || coming_in || in_vain) {
         if (!closes) left_ += energy.error - kept_error_;
         if (!closes && !coming_in && lost < rate_part * first_refused_)
