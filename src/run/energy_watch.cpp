@@ -137,11 +137,12 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
     const double advance = by_default_ ? advance_by_default : advance_part;
     const auto allowed = [&](double part) { return may * (advance + (1 - advance) * part); };
     const bool within = std::abs(error) <= allowed(so_far + size.of_run()), finite = std::isfinite(share);
-    const double known = rate_ * double(since_units_ + size.length());
+    const bool little = std::abs(energy.error) <= most_left * largest.most();
+    const double known = little ? rate_ * double(since_units_ + size.length()) : 0;
     const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
     // while the energy of the run is still coming in, an error is compared with what will soon be little
     const bool coming_in = by_default_ && finite && largest.most() > 2 * before;
-    const bool in_vain = by_default_ && finite && size.fine() && std::abs(energy.error) <= most_left * largest.most();
+    const bool in_vain = by_default_ && finite && size.fine() && little;
     if (closes || coming_in || in_vain) {
         if (!closes) left_ += energy.error - kept_error_;
         if (!closes && !coming_in && lost < rate_part * first_refused_)
