@@ -52,6 +52,12 @@ struct Triad {
     Triple<Real> x, y, z;
 };  // three orthonormal columns
 
+template <class Real>
+inline Quadruple<Real> product(const Quadruple<Real>& a, const Quadruple<Real>& b) {
+    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+}
+
 /// The triad of quaternion a * b: the element's axes at a node (a: the node's rotation, b: the element's axes at the
 /// start).
 template <class Real>

@@ -208,12 +208,6 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
     return m;
 }
 
-template <class S>
-Quadruple<S> product(const Quadruple<S>& a, const Quadruple<S>& b) {
-    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
 /// The pose moved by chord and spins: the numbers in `by` are zero, their derivatives are not.
 template <class S>
 Pose<S> moved(const Winding& w, const std::array<std::array<S, directions>, 2>& by, int times) {

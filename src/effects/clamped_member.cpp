@@ -66,8 +66,8 @@ MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const 
     if (!s.large()) return {a.axes.toRotationMatrix(), span};
     span += at.displacement[b.node[1]] - at.displacement[a.node[0]];
     const auto quad = [](const Quat& q) { return beam::Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
-    return {axes_of(beam::place<double>({span.x(), span.y(), span.z()}, quad(at.rotation[a.node[0]]),
-                                        quad(at.rotation[b.node[1]]), quad(a.axes))),
+    return {axes_of(beam::place<double>({span.x(), span.y(), span.z()}, quad(end_rotation(a, first, 0, at)),
+                                        quad(end_rotation(b, first + count - 1, 1, at)), quad(a.axes))),
             span};
 }
 
@@ -76,7 +76,7 @@ Mat3 MemberEnds::axes(const Structure& s, const Places& at) const {
     if (!s.large()) return a.axes.toRotationMatrix();
     const Vec3 start = a.axes * Vec3::UnitY(),
                z = (double(count) * a.chord + at.displacement[b.node[1]] - at.displacement[a.node[0]]).normalized();
-    Vec3 y = at.rotation[a.node[0]] * start + at.rotation[b.node[1]] * start;
+    Vec3 y = end_rotation(a, first, 0, at) * start + end_rotation(b, first + count - 1, 1, at) * start;
     y -= z.dot(y) * z;
     const double size = y.norm();
     if (!(size > 0.1)) return chord(s, at).axes;  // ends that point apart

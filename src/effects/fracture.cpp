@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
+#include "state/turned_ends.h"
 
 namespace hinge {
 namespace {
@@ -227,7 +228,7 @@ void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    if (ever_within_reach(rule, e, w_.state.plastic[index], w_.structure.p_delta()) ||
+    if (ever_within_reach(rule, e, flowed(w_.state, index), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
@@ -246,7 +247,7 @@ void Fracture::list_news() {
         const int i = w.element;
         if (w_.state.broken[i]) continue;
         if (w_.structure.model().options().shift == Shift::whole) w = watch_strains(i);  // its point may have moved
-        const Vec6 &p = w_.force[i], &plastic = w_.state.plastic[i];
+        const Vec6 &p = w_.force[i], plastic = flowed(w_.state, i);
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
                                   std::abs(w.axial * p[4] + w.per_length * plastic[4])};
@@ -308,14 +309,15 @@ int Fracture::weaker_end(int index, const beam::Flow* flow) const {
 /// At the end of the step, from the forces; where bending follows N, from where the nodes are.
 Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::Flow* flow) const {
     if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
-    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.trial) - plastic;
+    if (w_.structure.p_delta())
+        return element_deformation(w_.structure, index, w_.trial) + taken_up(w_.state, index) - plastic;
     return stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
 }
 
 /// The whole deformation at the start of the step.
 Vec6 Fracture::deformation_before(int index) const {
-    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.state);
-    return stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + w_.state.plastic[index];
+    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.state) + taken_up(w_.state, index);
+    return stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + flowed(w_.state, index);
 }
 
 /// Whether the section at an end flows in the step.
@@ -354,7 +356,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
 void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
-    Vec6 plastic = w_.state.plastic[index];
+    Vec6 plastic = flowed(w_.state, index);
     if (flow) plastic += flow->plastic;
     if (!flow && !rule.hook && in_pair(w_.structure, w_.state, index) &&
         !now_within_reach(rule, e, plastic, w_.force[index], w_.force[e.partner]))
@@ -458,7 +460,7 @@ const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part)
         const beam::Flow* flow = flows.of(index);
         Vec6 d = Vec6::Zero();
         if (part != rate || of_.w_.structure.p_delta()) {
-            d = state.plastic[index];
+            d = flowed(state, index);
             if (flow) d += flow->plastic;
             if (part != plastic) d += of_.elastic_deformation(index, d, flow);
             if (part == rate) d = (d - of_.deformation_before(index)) / of_.step_->dt;
@@ -491,7 +493,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
             return s;
         };
         const auto rotation = [&](int plane) {
-            const Vec6& before = of_.w_.state.plastic[index];
+            const Vec6 before = flowed(of_.w_.state, index);
             return beam::hinge_rotation(flow ? Vec6(before + flow->plastic) : before, end, plane);
         };
         const auto value = [&]() -> double {

@@ -222,8 +222,7 @@ void Dynamics::commit() {
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
     state_.force.swap(w_.force);
-    sweep_.keep_twist(state_);
-    w_.trial.twist = state_.twist;
+    for (int e : sweep_.keep_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->kept();
     for (const auto& e : effects_) e->kept(step_);
     if (unseen_) control_.not_looked_at(size_);

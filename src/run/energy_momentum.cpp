@@ -345,7 +345,7 @@ void EnergyMomentum::mark_changed(int iteration) {
         half.normalize();
         middle_.rotation[i] = half;
     }
-    middle_.twist = w_.trial.twist;
+    middle_.twist = w_.trial.twist, middle_.turned = w_.trial.turned;
     for (int e : flowing_)
         if (!w_.state.broken[e]) stiffness_changed(e);
     const double limit = settings_.rebuild_angle * settings_.rebuild_angle;

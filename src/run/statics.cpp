@@ -345,8 +345,7 @@ void Statics::commit(double before) {
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
     state_.force = w_.force;
-    sweep_.keep_twist(state_);
-    w_.trial.twist = state_.twist;
+    sweep_.keep_turns(state_, w_.trial);
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);
     for (const auto& e : effects_) e->kept(step);

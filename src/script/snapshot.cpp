@@ -8,6 +8,7 @@
 #include "beam/yield.h"
 #include "effects/ground.h"
 #include "state/pose.h"
+#include "state/turned_ends.h"
 
 namespace hinge::script {
 namespace {
@@ -22,9 +23,9 @@ void add_forces(output::Bar& bar, const Run& run, int element) {
     const auto plastic = [](double weight) { return weight > 0 ? 1 / std::sqrt(weight) : 0; };
     bar.N0 = plastic(w.n), bar.Mx0 = plastic(w.x), bar.My0 = plastic(w.y), bar.Mz0 = plastic(w.z);
     bar.hinges = run.state().yielded[element], bar.touched = run.state().touched[element];
-    const Vec6& flowed = run.state().plastic[element];
+    const Vec6 all = flowed(run.state(), element);
     for (const int end : {1, 2})
-        bar.rotation[end - 1] = std::hypot(beam::hinge_rotation(flowed, end, 0), beam::hinge_rotation(flowed, end, 1));
+        bar.rotation[end - 1] = std::hypot(beam::hinge_rotation(all, end, 0), beam::hinge_rotation(all, end, 1));
 }
 
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -15,21 +15,25 @@ Quadruple<double> quadruple(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}
 }  // namespace
 
 Pose pose_of(const State& s) {
-    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist};
+    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist, s.turned};
 }
 Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement) {
     return e.chord + (displacement[e.node[1]] - displacement[e.node[0]]);
 }
 
-beam::Winding winding_of(const Element& e, int index, const Vec3& chord, const std::vector<Quat>& rotation,
-                         const std::vector<double>& last) {
+Quat end_rotation(const Element& e, int index, int end, const Places& at) {
+    const Quat& node = at.rotation[e.node[end]];
+    return at.turned.empty() ? node : node * at.turned[index].of(end);
+}
+
+beam::Winding winding_of(const Element& e, int index, const Places& at) {
     beam::Winding w;
+    const Vec3 chord = chord_of(e, at.displacement);
     w.chord = {chord.x(), chord.y(), chord.z()};
-    w.node[0] = quadruple(rotation[e.node[0]]);
-    w.node[1] = quadruple(rotation[e.node[1]]);
+    for (int end : {0, 1}) w.node[end] = quadruple(end_rotation(e, index, end, at));
     w.axes = quadruple(e.axes);
     w.L = e.length;
-    w.last = last.empty() ? 0 : last[index];
+    w.last = at.twist.empty() ? 0 : at.twist[index];
     return w;
 }
 
@@ -47,13 +51,13 @@ PlacedElement place_element(const Structure& structure, int index, const Places&
             beam::place<double>({e.chord.x(), e.chord.y(), e.chord.z()}, {1, 0, 0, 0}, {1, 0, 0, 0}, quadruple(e.axes)),
             {}};
     const Vec3 chord = chord_of(e, at.displacement);
-    PlacedElement p = {beam::place<double>({chord.x(), chord.y(), chord.z()}, quadruple(at.rotation[e.node[0]]),
-                                           quadruple(at.rotation[e.node[1]]), quadruple(e.axes)),
+    PlacedElement p = {beam::place<double>({chord.x(), chord.y(), chord.z()}, quadruple(end_rotation(e, index, 0, at)),
+                                           quadruple(end_rotation(e, index, 1, at)), quadruple(e.axes)),
                        {}};
     if (dot(p.theta[0], p.theta[0]) + dot(p.theta[1], p.theta[1]) < beam::far_rotation &&
         (at.twist.empty() || at.twist[index] == 0))
         return p;
-    p.wound = winding_of(e, index, chord, at.rotation, at.twist);
+    p.wound = winding_of(e, index, at);
     if (beam::wind(*p.wound)) p.frame = p.wound->frame;
     else p.wound.reset();
     return p;

@@ -16,7 +16,8 @@ struct Pose {
     std::vector<Quat> rotation;
     std::vector<Vec3> small_rotation;
     std::vector<Vec6> velocity, acceleration;
-    std::vector<double> twist;  ///< of the state that the step began with (State::twist)
+    std::vector<double> twist;       ///< of the state that the step began with (State::twist)
+    std::vector<TurnedEnds> turned;  ///< the same (State::turned)
 };
 
 /// A state's nodes as a pose.
@@ -28,10 +29,18 @@ struct Places {
     const std::vector<Quat>& rotation;
     const std::vector<Vec3>& small_rotation;
     const std::vector<double>& twist;
-    Places(const State& s)
-        : displacement(s.displacement), rotation(s.rotation), small_rotation(s.small_rotation), twist(s.twist) {}
-    Places(const Pose& p)
-        : displacement(p.displacement), rotation(p.rotation), small_rotation(p.small_rotation), twist(p.twist) {}
+    const std::vector<TurnedEnds>& turned;
+    Places(const State& s) : Places(s, 0) {}
+    Places(const Pose& p) : Places(p, 0) {}
+
+private:
+    template <class T>
+    Places(const T& from, int)
+        : displacement(from.displacement),
+          rotation(from.rotation),
+          small_rotation(from.small_rotation),
+          twist(from.twist),
+          turned(from.turned) {}
 };
 
 /// Where an element is. Where it is wound, its end rotations and y axes say nothing: `wound` has its deformation.
@@ -50,8 +59,9 @@ Mat12 element_tangent(const PlacedElement& placement, const Vec6& p, const Mat6&
 
 /// From node 1 to node 2, m.
 Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement);
-/// An element as winding.h takes it; `last`: State::twist, which may be empty.
-beam::Winding winding_of(const Element& e, int index, const Vec3& chord, const std::vector<Quat>& rotation,
-                         const std::vector<double>& last);
+/// Large displacement: the rotation of the node at an end (0, 1), and of what hinges have turned that end by.
+Quat end_rotation(const Element& e, int index, int end, const Places& at);
+/// An element as winding.h takes it.
+beam::Winding winding_of(const Element& e, int index, const Places& at);
 
 }  // namespace hinge

@@ -92,6 +92,17 @@ private:
     std::vector<std::pair<std::string, std::unique_ptr<EffectData>>> list_;
 };
 
+/// What hinges have turned the ends of an element by (state/turned_ends.h).
+struct TurnedEnds {
+    double by[2][4] = {{1}, {1}};  ///< of each end's axes against its node's, at the start: quaternion w x y z
+    double flowed[6] = {};         ///< the plastic deformation that this stands for
+    Quat of(int end) const { return {by[end][0], by[end][1], by[end][2], by[end][3]}; }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.by, s.flowed);
+    }
+};
+
 struct State {
     // nodes
     std::vector<Vec3> displacement;    ///< m
@@ -102,7 +113,7 @@ struct State {
     std::vector<std::uint8_t> held;    ///< bits as in Structure::fixed; all six for a node that has lost its elements
     std::vector<OffsetMass> offset_mass;  ///< empty until something breaks, then one a node
     // elements
-    std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h
+    std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h, but for `turned`
     std::vector<Vec6> force;            ///< p of timoshenko.h, N m and N
     std::vector<double> point;          ///< s
     std::vector<double> plastic_work;   ///< J
@@ -114,6 +125,7 @@ struct State {
                                         ///< node's frame, m; empty until something breaks
     std::vector<double> twist;          ///< of an element's ends against each other, turns counted, rad; 0 up to a
                                         ///< third of a turn (beam/winding.h); empty until one has twisted that far
+    std::vector<TurnedEnds> turned;     ///< empty until a hinge has turned an end far
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
@@ -146,6 +158,7 @@ struct State {
         f("broken", s.broken);
         f("offset_arm", s.offset_arm);
         f("twist", s.twist);
+        f("turned", s.turned);
         f("gone", s.gone);
         f("strained", s.strained);
         f("kept", s.kept);

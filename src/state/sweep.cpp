@@ -11,6 +11,7 @@
 #include "beam/tangent.h"
 #include "core/built.h"
 #include "state/hinges.h"
+#include "state/turned_ends.h"
 
 namespace hinge {
 
@@ -43,7 +44,7 @@ struct Sweep::Kind {
 
 struct Sweep::Found {
     std::vector<Yielding> yielding;
-    std::vector<int> rotated, wound;
+    std::vector<int> rotated, far;
     int folded = -1, unreturned = -1;
     // of a block with wound elements
     beam::Winding winding[lane_count];
@@ -221,6 +222,17 @@ template <class T>
     return {v[3], v[0], v[1], v[2]};
 }
 
+/// Turns the nodes' rotations to those of the elements' ends (state/turned_ends.h), of the eight from `element` on.
+[[gnu::noinline]] void turn(Quadruple<Lanes> (&end)[2], const std::vector<TurnedEnds>& turned, int element) {
+    for (int e : {0, 1}) {
+        Lanes by[4];
+        for (int i = 0; i < lane_count; ++i)
+            for (int c = 0; c < 4; ++c)
+                by[c][i] = turned[std::min(std::size_t(element + i), turned.size() - 1)].by[e][c];
+        end[e] = beam::product(end[e], {by[0], by[1], by[2], by[3]});
+    }
+}
+
 struct Motion {
     Triple<Lanes> linear, angular;
 };
@@ -345,15 +357,15 @@ bool turned_over(const double (&bent)[4], const Vec6& plastic) {
         if (!(b.whole >> i & 1)) continue;
         if (rotated[i] < beam::far_rotation && (state.twist.empty() || state.twist[index] == 0)) continue;
         const Element& e = structure_.elements()[index];
+        found.far.push_back(index);
         beam::Winding& w = found.winding[i];
-        w = winding_of(e, index, chord_of(e, pose.displacement), pose.rotation, state.twist);
+        w = winding_of(e, index, pose);
         const bool is_wound = beam::wind(w);
         double bent[4];
         for (int c = 0; c < 4; ++c) bent[c] = is_wound ? w.d[c] : found.d[c][i];
         if (turned_over(bent, state.plastic[index])) found.folded = found.unreturned = index;
         if (!is_wound) continue;
         wound |= 1u << i;
-        found.wound.push_back(index);
         if (w.open < least_open) found.folded = index;
         Found::put(found.frame.x, i, w.frame.x);
         Found::put(found.frame.y, i, w.frame.y);
@@ -364,20 +376,26 @@ bool turned_over(const double (&bent)[4], const Vec6& plastic) {
 }
 
 /// An element's twist is remembered from a third of a turn on: below, it can be told from the nodes' rotations alone.
-void Sweep::keep_twist(State& state) const {
-    if (wound_.empty() && state.twist.empty()) return;
+std::vector<int> Sweep::keep_turns(State& state, Pose& trial) const {
+    std::vector<int> turned;
+    if (far_.empty() && state.twist.empty()) return turned;
     const auto keep = [&](int index) {
         const Element& e = structure_.elements()[index];
-        beam::Winding w = winding_of(e, index, chord_of(e, state.displacement), state.rotation, state.twist);
+        beam::Winding w = winding_of(e, index, state);
         beam::wind(w);
         const bool far = std::abs(w.twist) > beam::remembered_twist && !state.broken[index];
         if (far && state.twist.empty()) state.twist.assign(state.broken.size(), 0);
         if (!state.twist.empty()) state.twist[index] = far ? w.twist : 0;
     };
-    for (int index : wound_)
+    for (int index : far_)
         if (state.twist.empty() || state.twist[index] == 0) keep(index);
     for (std::size_t i = 0; i < state.twist.size(); ++i)
         if (state.twist[i] != 0) keep(int(i));
+    for (int index : far_)
+        if (turn_ends(structure_, state, index)) turned.push_back(index);
+    trial.twist = state.twist;
+    if (!turned.empty()) trial.turned = state.turned;
+    return turned;
 }
 
 /// What the forces of pairs have beyond those of their elements by themselves, where both are whole.
@@ -458,7 +476,9 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
         unsigned wound = 0;
         if constexpr (large) {
             const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
-            place = beam::place(chord, gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1]), axes);
+            Quadruple<Lanes> end[2] = {gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1])};
+            if (!state.turned.empty()) turn(end, state.turned, element);
+            place = beam::place(chord, end[0], end[1], axes);
             beam::deformation(place, kind.length, d);
             const Lanes rotated = dot(place.theta[0], place.theta[0]) + dot(place.theta[1], place.theta[1]);
             if (any_not_below(rotated, beam::far_rotation) || any_remembered(state.twist, element)) {
@@ -634,7 +654,7 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     pool_.share(int(blocks_.size()), piece, [&](int first, int end, int i) {
         found_[i].yielding.clear();
         found_[i].rotated.clear();
-        found_[i].wound.clear();
+        found_[i].far.clear();
         found_[i].folded = found_[i].unreturned = -1;
         const auto go_over = [&]<bool large>() {
             const auto choose = [&]<bool p_delta>() {
@@ -654,12 +674,12 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
     });
     yielding.clear();
     rotated_.clear();
-    wound_.clear();
+    far_.clear();
     folded_ = unreturned_ = -1;
     for (const Found& f : found_) {
         yielding.insert(yielding.end(), f.yielding.begin(), f.yielding.end());
         rotated_.insert(rotated_.end(), f.rotated.begin(), f.rotated.end());
-        wound_.insert(wound_.end(), f.wound.begin(), f.wound.end());
+        far_.insert(far_.end(), f.far.begin(), f.far.end());
         folded_ = std::max(folded_, f.folded);
         if (unreturned_ < 0) unreturned_ = f.unreturned;
     }

@@ -53,8 +53,10 @@ public:
     /// follows the axial force, that have bent by more. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
     void watch_rotation(double tolerance);
-    /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound.
-    void keep_twist(State& state) const;
+    /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound, and what hinges
+    /// have turned their ends by; and in the pose that the next step is tried with. Returns the elements whose ends
+    /// have new axes.
+    std::vector<int> keep_turns(State& state, Pose& trial) const;
     /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
     /// there is none. Filled by run; large displacement.
     int folded() const { return folded_; }
@@ -122,7 +124,7 @@ private:
     std::size_t built_stride() const { return structure_.p_delta() ? 8 : 6; }
     std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and what its elements were bent by
     std::vector<int> rotated_;
-    std::vector<int> wound_;
+    std::vector<int> far_;
     int folded_ = -1, unreturned_ = -1;
     double return_tolerance_ = 1e-9;
     double rotation_limit_ = 1e300;
