@@ -9,6 +9,7 @@
 #include "beam/pair_return.h"
 #include "beam/mass.h"
 #include "beam/tangent.h"
+#include "beam/turning_inertia.h"
 #include "core/built.h"
 #include "state/hinges.h"
 #include "state/turned_ends.h"
@@ -267,73 +268,12 @@ void linear_deformation(const Placement<Lanes>& p, const Triple<Lanes>& relative
     d[5] = dot(f.z, rotation2) - dot(f.z, rotation1);
 }
 
-/// Rotary inertia of a spin w and its rate a in the frame: J a + w x J w, per share of mass.
-Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<Lanes>& a) {
-    const Triple<Lanes> h = {J[0] * w.x, J[1] * w.y, J[2] * w.z};
-    return Triple<Lanes>{J[0] * a.x, J[1] * a.y, J[2] * a.z} + cross(w, h);
-}
-
-/// In the element's frame: spins of the two ends, their rates, and the velocity of end 2 against end 1.
-struct Spins {
-    Triple<Lanes> w[2], rate[2], relative;
-};
-
-/// Rotary inertia whose axes are those of the element's frame, not of its nodes: J per share of mass, two shares of
-/// each end's own and one between them; `more`: what the cubic mass has at either end across. In the frame's axes.
-///
-/// With T = L_1 w_1 / 2 + L_2 w_2 / 2 and the frame's spin W Lagrange's equations make of it dL/dt + L x w on the nodes
-/// and the sum of w x L on the frame, which passes it on as it does in nodal_forces. So the kinetic energy changes by
-/// the work of these forces alone. With w x J w on each node it would not, where ends turn fast against their frame.
-beam::NodalForces<Lanes> turning_inertia(const Placement<Lanes>& p, unsigned wound, const Lanes (&J)[3],
-                                         const Lanes* more, const Spins& of) {
-    const Lanes none = {}, half = spread(0.5, p.length), two = spread(2.0, p.length);
-    Triple<Lanes> y[2] = {p.y[0], p.y[1]};
-    Lanes y_mean_y = p.y_mean_y, y_mean_z = p.y_mean_z;
-    if (wound)  // their frame turns about the chord by the mean of its ends
-        for (int i = 0; i < lane_count; ++i) {
-            if (!(wound >> i & 1)) continue;
-            for (int e : {0, 1}) y[e].y[i] = 1, y[e].z[i] = 0;
-            y_mean_y[i] = 1, y_mean_z[i] = 0;
-        }
-    const Lanes slope = y_mean_z / y_mean_y, to_z = half / y_mean_y;
-    const Triple<Lanes>*w = of.w, *s = of.rate;
-    const Triple<Lanes> W = {-of.relative.y / p.length, of.relative.x / p.length,
-                             slope * of.relative.x / p.length -
-                                 to_z * (y[0].z * w[0].y - y[0].y * w[0].z + y[1].z * w[1].y - y[1].y * w[1].z)};
-    const auto times = [](const Lanes& x, const Lanes& y, const Lanes& z, const Triple<Lanes>& v) {
-        return Triple<Lanes>{x * v.x, y * v.y, z * v.z};
-    };
-    beam::NodalForces<Lanes> out;
-    Triple<Lanes> mu[2];
-    for (int e : {0, 1}) {
-        const Triple<Lanes> shares = two * w[e] + w[1 - e];
-        Triple<Lanes> L = times(J[0], J[1], J[2], shares);
-        out.moment[e] = times(J[0], J[1], J[2], two * s[e] + s[1 - e] - cross(W, shares));
-        if (more) {
-            L = L + times(more[e], more[e], none, w[e]);
-            out.moment[e] = out.moment[e] + times(more[e], more[e], none, s[e] - cross(W, w[e]));
-        }
-        mu[e] = cross(L, w[e]);
-        out.moment[e] = out.moment[e] + cross(W, L) + mu[e];
-    }
-    const Triple<Lanes> sum = mu[0] + mu[1];
-    const Lanes share = sum.z * to_z;
-    for (int e : {0, 1}) out.moment[e] = out.moment[e] + Triple<Lanes>{none, share * y[e].z, none - share * y[e].y};
-    out.force[1] = {none - (sum.y + slope * sum.z) / p.length, sum.x / p.length, none};
-    out.force[0] = Triple<Lanes>{none, none, none} - out.force[1];
-    return out;
-}
-
 /// Whether one of the eight elements from `element` on has a twist to be remembered.
 bool any_remembered(const std::vector<double>& twist, int element) {
     const auto from = twist.begin() + std::min(std::size_t(element), twist.size());
     return std::any_of(from, from + std::min<std::ptrdiff_t>(lane_count, twist.end() - from),
                        [](double t) { return t != 0; });
 }
-
-}  // namespace
-
-namespace {
 
 /// Whether an end has turned past half a turn against its element since its plastic deformation came about: then the
 /// measure, which ends at half a turn, has gone over to the other side, and the elastic part would be a whole turn off.
@@ -569,16 +509,17 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
             };
             if constexpr (p_delta) {
                 const Lanes J[3] = {kind.rotary[0], kind.rotary[1], kind.rotary[2]};
-                const Spins of = {
+                const beam::Spins of = {
                     {w1, w2}, {s1, s2}, local(gather(pose.velocity, b.node[1]) - gather(pose.velocity, b.node[0]))};
                 const beam::NodalForces<Lanes> more =
-                    turning_inertia(place, wound, J, cubic ? kind.more_rotary : nullptr, of);
+                    beam::turning_inertia(place, wound, J, cubic ? kind.more_rotary : nullptr, of);
                 for (int e : {0, 1}) {
                     out.force[e] = out.force[e] + space(more.force[e]);
                     out.moment[e] = out.moment[e] + space(more.moment[e]);
                 }
             } else {
-                const Triple<Lanes> h1 = rotary_force(kind.rotary, w1, s1), h2 = rotary_force(kind.rotary, w2, s2);
+                const Triple<Lanes> h1 = beam::rotary_force(kind.rotary, w1, s1),
+                                    h2 = beam::rotary_force(kind.rotary, w2, s2);
                 const Triple<Lanes> g1 = space(h1), g2 = space(h2);
                 out.moment[0] = out.moment[0] + two * g1 + g2;
                 out.moment[1] = out.moment[1] + g1 + two * g2;
@@ -589,8 +530,8 @@ void Sweep::run_blocks(int first, int end, const State& state, const Pose& pose,
                 if constexpr (!p_delta) {
                     const Lanes across1[3] = {kind.more_rotary[0], kind.more_rotary[0], none},
                                 across2[3] = {kind.more_rotary[1], kind.more_rotary[1], none};
-                    out.moment[0] = out.moment[0] + space(rotary_force(across1, w1, s1));
-                    out.moment[1] = out.moment[1] + space(rotary_force(across2, w2, s2));
+                    out.moment[0] = out.moment[0] + space(beam::rotary_force(across1, w1, s1));
+                    out.moment[1] = out.moment[1] + space(beam::rotary_force(across2, w2, s2));
                 }
             }
         }

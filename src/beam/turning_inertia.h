@@ -1,0 +1,66 @@
+// The rotary inertia of elements whose ends turn, eight at a time: that of each node by itself, and that of an element
+// whose axes are those of its frame.
+#pragma once
+
+#include "beam/corotation.h"
+
+namespace hinge::beam {
+
+/// Rotary inertia of a spin w and its rate a in the frame: J a + w x J w, per share of mass.
+inline Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<Lanes>& a) {
+    const Triple<Lanes> h = {J[0] * w.x, J[1] * w.y, J[2] * w.z};
+    return Triple<Lanes>{J[0] * a.x, J[1] * a.y, J[2] * a.z} + cross(w, h);
+}
+
+/// In the element's frame: spins of the two ends, their rates, and the velocity of end 2 against end 1.
+struct Spins {
+    Triple<Lanes> w[2], rate[2], relative;
+};
+
+/// Rotary inertia whose axes are those of the element's frame, not of its nodes: J per share of mass, two shares of
+/// each end's own and one between them; `more`: what the cubic mass has at either end across. In the frame's axes.
+///
+/// With T = L_1 w_1 / 2 + L_2 w_2 / 2 and the frame's spin W Lagrange's equations make of it dL/dt + L x w on the nodes
+/// and the sum of w x L on the frame, which passes it on as it does in nodal_forces. So the kinetic energy changes by
+/// the work of these forces alone. With w x J w on each node it would not, where ends turn fast against their frame.
+inline NodalForces<Lanes> turning_inertia(const Placement<Lanes>& p, unsigned wound, const Lanes (&J)[3],
+                                          const Lanes* more, const Spins& of) {
+    const Lanes none = {}, half = spread(0.5, p.length), two = spread(2.0, p.length);
+    Triple<Lanes> y[2] = {p.y[0], p.y[1]};
+    Lanes y_mean_y = p.y_mean_y, y_mean_z = p.y_mean_z;
+    if (wound)  // their frame turns about the chord by the mean of its ends
+        for (int i = 0; i < lane_count; ++i) {
+            if (!(wound >> i & 1)) continue;
+            for (int e : {0, 1}) y[e].y[i] = 1, y[e].z[i] = 0;
+            y_mean_y[i] = 1, y_mean_z[i] = 0;
+        }
+    const Lanes slope = y_mean_z / y_mean_y, to_z = half / y_mean_y;
+    const Triple<Lanes>*w = of.w, *s = of.rate;
+    const Triple<Lanes> W = {-of.relative.y / p.length, of.relative.x / p.length,
+                             slope * of.relative.x / p.length -
+                                 to_z * (y[0].z * w[0].y - y[0].y * w[0].z + y[1].z * w[1].y - y[1].y * w[1].z)};
+    const auto times = [](const Lanes& x, const Lanes& y, const Lanes& z, const Triple<Lanes>& v) {
+        return Triple<Lanes>{x * v.x, y * v.y, z * v.z};
+    };
+    NodalForces<Lanes> out;
+    Triple<Lanes> mu[2];
+    for (int e : {0, 1}) {
+        const Triple<Lanes> shares = two * w[e] + w[1 - e];
+        Triple<Lanes> L = times(J[0], J[1], J[2], shares);
+        out.moment[e] = times(J[0], J[1], J[2], two * s[e] + s[1 - e] - cross(W, shares));
+        if (more) {
+            L = L + times(more[e], more[e], none, w[e]);
+            out.moment[e] = out.moment[e] + times(more[e], more[e], none, s[e] - cross(W, w[e]));
+        }
+        mu[e] = cross(L, w[e]);
+        out.moment[e] = out.moment[e] + cross(W, L) + mu[e];
+    }
+    const Triple<Lanes> sum = mu[0] + mu[1];
+    const Lanes share = sum.z * to_z;
+    for (int e : {0, 1}) out.moment[e] = out.moment[e] + Triple<Lanes>{none, share * y[e].z, none - share * y[e].y};
+    out.force[1] = {none - (sum.y + slope * sum.z) / p.length, sum.x / p.length, none};
+    out.force[0] = Triple<Lanes>{none, none, none} - out.force[1];
+    return out;
+}
+
+}  // namespace hinge::beam
