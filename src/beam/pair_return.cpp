@@ -15,6 +15,10 @@ constexpr double convex_up_to = 3.3;
 constexpr int most_rounds = 12;     ///< of the convex case; they end after three to five
 constexpr double slow = 0.5;        ///< a round that leaves more than this of the change before it is not convergence
 constexpr int most_descents = 400;  ///< of the case that is not convex
+/// Where F has fallen by less than this part of U(trial) in so many rounds, and a round changes little, its floor is
+/// flat: flow that moves from one element to the other, or round a section alike in both planes, is worth no energy.
+constexpr double flat_fall = 1e-5, flat_change = 1e-3;
+constexpr int flat_rounds = 30;
 
 /// The larger of p in the two planes at axial force N.
 double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0], k.c[1]); }
@@ -231,14 +235,18 @@ private:
 
     /// The case that is not convex: F falls from step to step. False: it has not converged.
     bool descend(At& now) const {
-        double F = energy(now), firmer = 1, stretch = 1;
+        double F = energy(now), firmer = 1, stretch = 1, fell = 0, marked = F, changed = 0;
         const double scale = std::max(std::abs(F), std::numeric_limits<double>::min());
         for (int i = 0; i < most_descents; ++i) {
+            if (i > 0 && i % flat_rounds == 0) {
+                if (marked - F <= flat_fall * scale && changed <= flat_change) return true;
+                marked = F;
+            }
             Stiffness k[2];
             At next;
             double change = 0, there = 0;
             for (;; firmer *= 2) {
-                if (firmer > 1e12) return i > 0;  // rounding hides what F still falls by
+                if (firmer > 1e12) return i > 0 && fell <= flat_fall * scale;  // rounding hides what F still falls by
                 stiffness_above(now, firmer, k);
                 next = round(now, k);
                 if (!next.of[0].converged || !next.of[1].converged) return false;
@@ -258,6 +266,7 @@ private:
                 stretch = F_jump < there ? 4 * stretch : std::max(1.0, 0.25 * stretch);
                 if (F_jump < there) next = jump, there = F_jump;
             }
+            fell = F - there, changed = firmer * change;
             now = next, F = there;
             firmer = std::max(1.0, 0.7 * firmer);
         }
