@@ -57,7 +57,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     for (const auto& e : effects_)
         if (!decides_) decides_ = e->decides();
     may_take_back_ = any_effect(&Effect::calls_script) || settings_.controlled();
-    if (control_.on() && control_.by_default()) {
+    if (control_.by_default()) {
         lumped_.assign(structure_->position().size(), 0);
         for (const Element& e : structure_->elements())
             for (int n : e.node) lumped_[n] += 0.5 * e.mass();
@@ -239,7 +239,7 @@ void Dynamics::commit() {
 
 /// Elements break: each becomes an offset mass, and what that asks of the nodes is passed on to all velocities.
 void Dynamics::break_elements() {
-    const bool watched = control_.on() && control_.by_default();
+    const bool watched = control_.by_default();
     const double error = watched ? energy().error : 0;
     std::vector<Reached> broken;
     for (const Break& b : step_.breaks) broken.push_back({b.element, "broken"});

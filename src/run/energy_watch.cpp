@@ -13,6 +13,7 @@ constexpr double advance_by_default = 0.5;  ///< and by default
 constexpr double most_left = 0.01;          ///< of the largest energy, that what no shorter step mends may come to
 constexpr double rate_part = 0.1;      ///< of a refused loss: what the shortest step loses of one that goes with time
 constexpr double rate_room = 1.5;      ///< for a known rate, before steps are taken back again
+constexpr double rate_share = 0.8;     ///< of what the rest of the run may still lose: for losses at a known rate
 constexpr double easy_part = 0.25;     ///< of its share that an easy step loses at most
 constexpr double abrupt_part = 0.5;    ///< of what may be lost: a change of the motion that may hide a loss
 constexpr long most_unseen = 32;       ///< steps from one look of step control to the next, by default
@@ -122,6 +123,13 @@ void StepControl::leave_behind(double error) {
     kept_error_ += error;
 }
 
+/// What is expected to be lost whatever the steps are long, J, and is kept: no more of it than the rest of the run can
+/// bear. `left`: what all of it may still lose.
+double StepControl::known_loss(double left, const StepSize& size) const {
+    const double units = double(since_units_ + size.length()), rest = double(size.units_left() + since_units_);
+    return std::min(rate_ * units, rate_share * std::max(0.0, left) * units / rest);
+}
+
 void StepControl::start_from_known(double error) {
     kept_error_ = error;
     since_ = since_units_ = 0;
@@ -138,7 +146,7 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
     const auto allowed = [&](double part) { return may * (advance + (1 - advance) * part); };
     const bool within = std::abs(error) <= allowed(so_far + size.of_run()), finite = std::isfinite(share);
     const bool little = std::abs(energy.error) <= most_left * largest.most();
-    const double known = little ? rate_ * double(since_units_ + size.length()) : 0;
+    const double known = little ? known_loss(most_left * largest.most() - std::abs(energy.error), size) : 0;
     const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
     // while the energy of the run is still coming in, an error is compared with what will soon be little
     const bool coming_in = by_default_ && finite && largest.most() > 2 * before;

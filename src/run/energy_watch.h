@@ -94,9 +94,9 @@ private:
 /// steps. The guard decides how much of that a run may have.
 class StepControl {
 public:
-    StepControl(double tolerance, bool by_default) : tolerance_(tolerance), by_default_(by_default) {}
+    StepControl(double tolerance, bool by_default) : tolerance_(tolerance), by_default_(by_default && tolerance > 0) {}
     bool on() const { return tolerance_ > 0; }
-    bool by_default() const { return by_default_; }
+    bool by_default() const { return by_default_; }  ///< it is on, and the script has not said how
     /// Whether the balance of the step that is tried must be known; `abrupt`: something happens in it.
     bool due(bool abrupt, const StepSize& size) const;
     /// A change of the motion, as a part of the largest energy, that is abrupt.
@@ -124,6 +124,7 @@ private:
                                        StepSize& size);
     void start_from_known(double error);
     double tolerance(const StepSize& size) const;
+    double known_loss(double left, const StepSize& size) const;
 
     double tolerance_;  ///< part of the largest energy that the run may lose
     bool by_default_;

@@ -33,9 +33,9 @@ public:
     bool longer() const { return length_ > own_; }  ///< than the script's own dt
     /// How often the coming step has been halved from dt.
     int halvings() const { return length_ < own_ ? std::countr_zero(unsigned(own_ / length_)) : 0; }
-    bool finest() const { return length_ == 1; }
     bool fine() const { return length_ <= own_ / fine_part; }
     bool varies() const { return automatic_ || own_ > 1; }
+    long units_left() const { return whole_ - done_; }
     long left() const { return (whole_ - done_) / std::max(length_, own_); }
     long whole() const { return whole_; }
     double of_run() const { return double(length_) / double(whole_); }  ///< the coming step's part of the duration

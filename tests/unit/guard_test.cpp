@@ -199,9 +199,9 @@ TEST_CASE("step control by default: a loss that halving does not make smaller is
     at_once.size.set_length(at_once.size.own_length());
     CHECK(!at_once.keeps(2e6));  // and allows none to them
 
-    Controlled all_along;  // 1e4 J a second however long the step is, after all that may be there was lost
+    Controlled all_along;  // so much a second however long the step is, after all that may be there was lost
     double error = 2.6e5;
-    const double rate = 1e4;
+    const double rate = 550;  // J/s: 0.55 % of the energy in the whole run
     REQUIRE(all_along.keeps(0));
     all_along.control.not_looked_at(all_along.size);
     REQUIRE(all_along.keeps(error, error));
@@ -211,4 +211,12 @@ TEST_CASE("step control by default: a loss that halving does not make smaller is
     all_along.size.set_length(all_along.size.own_length());
     CHECK(!all_along.keeps(error + 3 * rate));
     CHECK(all_along.keeps(error + rate));  // expected now
+
+    Controlled too_much = all_along;  // what the rest of the run cannot bear is not expected of later steps
+    error = 9e5;
+    too_much.control.start_from(error);
+    CHECK(!too_much.keeps(error + rate));
+    while (!too_much.size.fine()) too_much.halve();
+    CHECK(!too_much.keeps(1.001e6));  // nor is it kept at dt / 64 beyond 1 % in all
+    CHECK(too_much.keeps(0.999e6));
 }
