@@ -325,11 +325,13 @@ equal(table.concat(rest.list, " "), table.concat(all.list, " "), "what was gathe
 local program = quote(arg[1] .. "/hinge")
 support.write(path "impact.lua", scene .. [[
 return hinge.scenario {
-  parameters = { duration = 0.1, every = 0.005, checkpoint = "impact.checkpoint", threads = 1, slow = 0 },
+  parameters = { duration = 0.1, every = 0.005, checkpoint = "impact.checkpoint", threads = 1, slow = 0,
+    stall = 0 },
   run = function(p)
     local plan = p.checkpoint ~= "none" and { file = p.checkpoint, every = p.every } or nil
     local run = impact { run = { duration = p.duration, threads = p.threads, checkpoint = plan } }
     if p.slow > 0 then run:on_step(function(r) if r.index == p.slow then os.execute("kill -TERM $PPID") end end) end
+    if p.stall > 0 then run:on_step(function(r) if r.index > p.stall then os.execute "sleep 0.02" end end) end
     run:finish()
     return { uy = run.probes[1].last, steps = run.index }
   end,
@@ -425,8 +427,8 @@ equal(summary "killed".state_hash, summary "unkilled".state_hash, "killed 50 tim
 expect(history "killed" == history "unkilled", "killed 50 times: history.csv is another")
 checks.same_files(path "killed/events.csv", path "unkilled/events.csv", "killed 50 times")
 
--- kill -9 of a run that names no checkpoint: events.csv has all that happened up to the last row of history.csv, and
--- hinge report tells of it.
+-- kill -9 of a run that names no checkpoint, and is slow towards its end: events.csv has all that happened up to the
+-- last row of history.csv, and hinge report tells of it.
 local function lines_of(name)
   local lines = {}
   for line in (support.read(name) or ""):gmatch "[^\n]+" do lines[#lines + 1] = line end
@@ -443,7 +445,7 @@ done
 kill -9 $p
 wait $p
 [ $? = 137 ]
-]]):format(command("cut", "checkpoint=none"), path "log", path "cut/history-1.csv", path "cut/history.csv"))
+]]):format(command("cut", "checkpoint=none stall=4500"), path "log", path "cut/history-1.csv", path "cut/history.csv"))
 equal(run("bash " .. quote(path "kill_once.sh")), 0, "a run that is killed")
 local rows, events = lines_of(path "cut/history.csv"), lines_of(path "cut/events.csv")
 local reached, due = tonumber((rows[#rows] or ""):match "^[^,]*") or 0, 1
