@@ -51,10 +51,25 @@ checks.expect(blind.verdict == "completed" or not blind.reason:find "energy bala
   blind.reason)
 checks.expect(math.abs(blind.energy.remainder) > 0.02 * blind.energy.initial, "and the energy balance does not close")
 
+-- A run that completes with a large error says so, whatever tolerance it was given; one that closes does not.
+local function told(r)
+  for _, warning in ipairs(r.warnings) do
+    if warning:find("the energy error at the end of the run is", 1, true) then return warning end
+  end
+end
+for _, energy_tolerance in ipairs { 0, 0.5 } do
+  local off = turning { iterations = 1, energy_tolerance = energy_tolerance, duration = 0.0024 }:finish()
+  checks.equal(off.verdict, "completed", "with energy_tolerance = " .. energy_tolerance)
+  local said = tonumber((told(off) or ""):match "run is (%S+) %%")
+  checks.expect(said and math.abs(said) > 1 and math.abs(said / (100 * off.energy_error) - 1) < 0.05,
+    "energy_tolerance = %g, energy error %g: the warning says %s %%", energy_tolerance, off.energy_error, said)
+end
+
 -- What rotates far in long steps takes Newton's method by itself, and then holds.
 local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
   "Newton: %s, energy error %g", held.verdict, held.energy.remainder)
+checks.expect(not told(held), "it closes, and warns: %s", told(held))
 
 -- A column that folds bends its elements so far that shorter steps do not hold: what does, is named, and holds.
 local function folding(elements, options)
