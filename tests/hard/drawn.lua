@@ -3,7 +3,7 @@
 local scenes = require "random_scenes"
 
 local function drawn(seed, name, more)
-  local scene = { ("seed %d: %s"):format(seed, name), energy_error = 1e-2, dt = 1, steps = 1, long = true,
+  local scene = { ("seed %d: %s"):format(seed, name), energy_error = 1e-2, dt = 1, steps = 1, drawn = true,
     make = function(hinge) return scenes.scene(seed).make(hinge) end }
   for field, value in pairs(more or {}) do scene[field] = value end
   return scene
@@ -28,7 +28,12 @@ return {
   drawn(298, "shaken frame yields, steps of 0.5 ms"),
   -- explicit steps with contact, the longest that dt = "auto" takes
   drawn(219, "frame is struck, explicit steps"),
-  -- bent through half a turn, where bending has no direction: more elements are the remedy
-  drawn(85, "column is struck at 293 m/s and folds",
-    { slow = true, says = "has folded back against the element itself" }),
+  -- hinges that turn an end by more than half a turn
+  drawn(85, "column is struck at 293 m/s and folds"),
+  drawn(1963, "slender frame is struck at 227 m/s and folds"),
+  -- steps of which Newton's method has not converged, and losses that seem to go with time
+  drawn(836, "shaken frame at its yield point, steps of 1 ms"),
+  drawn(342, "slender frame yields under shaking, steps of 0.5 ms", { slow = true }),
+  -- a pair of a section alike in both planes, pressed far beyond Euler's load: which way it flows is worth no energy
+  drawn(1883, "tower falls, its braces yield under compression", { slow = true }),
 }

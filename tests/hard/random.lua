@@ -22,7 +22,8 @@
 --         tell                 prints the scenes' descriptions and runs none
 --         check                the status is 1 where a bound in `bounds` is not kept
 -- Shows   a table by class and by setting: how many completed, energy errors over 0.1, 1 and 10 %, the largest one, how
---         many failed by name, and how many are wrong in silence: completed with an error over 1 %
+--         many failed by name, how many completed with an error over 1 % and a warning of it, and how many without
+--         one: wrong in silence
 --
 -- Errors are the run's energy error over the largest physical energy that was supplied up to then (initial energy, work
 -- of loads and supports, potential energy released), looked at every step or every
@@ -37,7 +38,7 @@ local largest_of = require("support").largest_of
 
 -- What `check` asks for, as parts of all scenes. The 200 fast ones gave these numbers when they were written here, less
 -- two scenes for other processors: raise them with the engine, never lower them. None may be refused or crash.
-local bounds = { completed = 0.99, within_1_percent = 0.99, within_01_percent = 0.96, silent = 0.01 }
+local bounds = { completed = 0.99, within_1_percent = 0.99, within_01_percent = 0.96, silent = 0 }
 
 local options, changed = { count = 200, first = 1, jobs = 1, seconds = 20, guard = "off" }, {}
 for _, word in ipairs(arg) do
@@ -98,6 +99,9 @@ local function run_scene(scene, changes)
     run:finish()
     out.verdict, out.reason, out.steps = run.verdict, run.reason, run.index
     out.warnings = run.warnings
+    for _, warning in ipairs(run.warnings) do
+      if warning:find("the energy error at the end of the run", 1, true) then out.verdict = "warned" end
+    end
     if out.slow then out.verdict, out.reason = "failed", ("too slow at t = %.3g s"):format(run.time) end
     return model
   end)
@@ -158,8 +162,8 @@ local function kind(reason)
 end
 
 local function summary(rows)
-  local function new() return { n = 0, completed = 0, over = { 0, 0, 0 }, largest = 0, failed = 0, silent = 0,
-    wild = 0, seconds = 0, times = {} } end
+  local function new() return { n = 0, completed = 0, over = { 0, 0, 0 }, largest = 0, failed = 0, warned = 0,
+    silent = 0, wild = 0, seconds = 0, times = {} } end
   local groups, order = {}, {}
   local function add(name, row)
     local group = groups[name]
@@ -173,9 +177,10 @@ local function summary(rows)
       if not (row.worst <= limit) then group.over[i] = group.over[i] + 1 end
     end
     group.largest = largest_of(group.largest, row.worst)
-    if row.verdict == "completed" then
+    if row.verdict == "completed" or row.verdict == "warned" then
       group.completed = group.completed + 1
-      if not (row.worst <= 1e-2) then group.silent = group.silent + 1 end
+      if row.verdict == "warned" then group.warned = group.warned + 1
+      elseif not (row.worst <= 1e-2) then group.silent = group.silent + 1 end
     else
       group.failed = group.failed + 1
       if row.verdict ~= "failed" then group.wild = group.wild + 1 end
@@ -187,20 +192,20 @@ local function summary(rows)
     add("~all", row)
   end
   table.sort(order)
-  print(("%-24s %6s %9s %7s %6s %6s %11s %7s %7s %8s %7s"):format("", "scenes", "completed", "> 0.1 %", "> 1 %",
-    "> 10 %", "largest %", "failed", "silent", "median s", "max s"))
+  print(("%-24s %6s %9s %7s %6s %6s %11s %7s %7s %7s %8s %7s"):format("", "scenes", "completed", "> 0.1 %", "> 1 %",
+    "> 10 %", "largest %", "failed", "warned", "silent", "median s", "max s"))
   for _, name in ipairs(order) do
     local x = groups[name]
     table.sort(x.times)
-    print(("%-24s %6d %9d %7d %6d %6d %11.3g %7d %7d %8.3f %7.2f"):format(name:gsub("~", ""), x.n, x.completed,
-      x.over[1], x.over[2], x.over[3], 100 * x.largest, x.failed, x.silent, x.times[(#x.times + 1) // 2],
+    print(("%-24s %6d %9d %7d %6d %6d %11.3g %7d %7d %7d %8.3f %7.2f"):format(name:gsub("~", ""), x.n, x.completed,
+      x.over[1], x.over[2], x.over[3], 100 * x.largest, x.failed, x.warned, x.silent, x.times[(#x.times + 1) // 2],
       x.times[#x.times]))
   end
   local all = groups["~all"]
   if all then print(("%d scenes took %.0f s"):format(all.n, all.seconds)) end
   local reasons, list = {}, {}
   for _, row in ipairs(rows) do
-    if row.verdict ~= "completed" then
+    if row.verdict ~= "completed" and row.verdict ~= "warned" then
       local what = row.verdict .. ": " .. kind(row.reason)
       if not reasons[what] then
         reasons[what] = { n = 0, seeds = {} }
@@ -263,7 +268,7 @@ if options.seed then
   for _, warning in ipairs(out.warnings or {}) do print("warning: " .. warning) end
   print(("%s after %d steps, %.2f s; largest error %.4g %% at t = %.6g s; %s"):format(out.verdict, out.steps,
     out.seconds, 100 * out.worst, out.at, out.reason))
-  os.exit(out.verdict == "completed")
+  os.exit(out.verdict ~= "failed" and out.verdict ~= "refused")
 end
 
 local rows, done = {}, {}
@@ -408,7 +413,8 @@ local function table_of_causes()
       by_seed[row.seed] = {}
       order[#order + 1] = row.seed
     end
-    by_seed[row.seed][row.setting] = ("%.2g%s"):format(100 * row.worst, row.verdict == "completed" and "" or " f")
+    local ran = row.verdict == "completed" or row.verdict == "warned"
+    by_seed[row.seed][row.setting] = ("%.2g%s"):format(100 * row.worst, ran and "" or " f")
   end
   local head = { ("%8s"):format "seed" }
   for _, variant in ipairs(variants) do head[#head + 1] = ("%11s"):format(variant[1]) end

@@ -788,7 +788,7 @@ function scenes.scene(seed, class)
     -- An impact at 100 m/s in steps of 1 ms is no step that anybody chooses.
     scene.slow_only = true
   end
-  if type(run.dt) == "number" then d.chance(0.1) end -- drawn once; what follows stays as it was
+  if type(run.dt) == "number" then d.chance(0.1) end -- nothing uses this draw any more; without it all seeds change
   local elements = d.weighted { { 80, false }, { 12, 4 }, { 8, "auto" } } or nil
   local budget = d.log(6e4, 6e5) -- element steps
   if class == "hit frame" or class == "struck column" then
