@@ -1,6 +1,8 @@
 // Coulomb friction of a point on the ground.
 #pragma once
 
+#include <algorithm>
+
 #include "core/types.h"
 
 namespace hinge::contact {
@@ -22,7 +24,8 @@ inline Friction friction(const Vec3& before, const Vec3& moved, double part, dou
     const double length = trial.norm();
     f.slides = length > most;
     f.slip = f.slides ? Vec3(most / length * trial) : trial;
-    f.heat = 0.5 * k * ((f.slip + before).dot(moved) + before.squaredNorm() - f.slip.squaredNorm());
+    const double heat = 0.5 * k * ((f.slip + before).dot(moved) + before.squaredNorm() - f.slip.squaredNorm());
+    f.heat = std::max(0.0, heat);  // less would be made: an error
     return f;
 }
 

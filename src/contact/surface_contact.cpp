@@ -109,8 +109,8 @@ void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std:
     contact.slip = contact.slides ? Vec3(most / length * trial) : trial;
     // the step moved the surfaces against the mean of the forces at its two ends
     const double stored = 0.5 * k * contact.slip.squaredNorm();
-    contact.heat = 0.5 * k * (contact.slip + contact.slip_before).dot(moved) +
-                   0.5 * k * contact.slip_before.squaredNorm() - stored;
+    const double work = 0.5 * k * (contact.slip + contact.slip_before).dot(moved);
+    contact.heat = std::max(0.0, work + 0.5 * k * contact.slip_before.squaredNorm() - stored);  // else made: an error
     contact.energy += stored;
 }
 

@@ -53,6 +53,7 @@ struct Point {
     double level = 0;         ///< m: how far it was inside where it began: there it is at rest
     double waits = 0;         ///< s: restitution, after it came out, waits so long for others of its body; 0: does not
     Vec3 dragged = Vec3::Zero();  ///< friction over pressure as it came out, along e
+    double rubbed = 0;            ///< J: heat of friction since it came to touch, less what was given back
 
     // where a step begins
     double overlap = 0;                ///< o, m; negative: apart
@@ -63,7 +64,7 @@ struct Point {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.plane, s.node, s.element, s.arm, s.radius, s.stiffness, s.mass, s.left_out, s.level, s.waits, s.dragged,
-          s.overlap, s.slip, s.place, s.rotation);
+          s.rubbed, s.overlap, s.slip, s.place, s.rotation);
     }
 };
 
@@ -159,7 +160,7 @@ public:
 
     /// Friction's heat, what the step has missed where a point began or ceased to touch, and restitution.
     void end(const Step& step) override {
-        lost_ = 0;
+        lost_ = gives_back_ = 0;
         waits_.clear();
         bool begins_or_ends = false, waits = false;
         for (std::size_t i = 0; i < touches_.size(); ++i) {
@@ -189,9 +190,12 @@ public:
                 if (comes_out(p, t)) p.dragged = friction_part(p, p.overlap, p.slip);
                 p.waits = waits_[i];
             }
+            if (!(p.overlap > 0) && t.overlap > 0 && p.waits == 0) p.rubbed = 0;  // it begins to touch
+            p.rubbed += t.heat;
+            if (gives_back_ > 0 && taken_[i] != 0) p.rubbed *= 1 - gives_back_;
             take(p, t, w_.trial);
         }
-        lost_ = 0;
+        lost_ = gives_back_ = 0;
         waits_.clear();
     }
 
@@ -211,7 +215,7 @@ public:
                 points().push_back(free_end(i, e, b.element, w_.state));
     }
 
-    void take_back() override { lost_ = 0, waits_.clear(); }
+    void take_back() override { lost_ = gives_back_ = 0, waits_.clear(); }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Point& p : points())
             if (bodies.of_node[p.node] >= 0 && (p.waits > 0 || look(p, w_.state).overlap > 0))
@@ -473,9 +477,11 @@ private:
         for (std::size_t i = 0; i < touches_.size(); ++i) taken_[i] += x * restituted_[i];
     }
 
-    /// Friction has acted with all that the springs gave: what was taken of that, is taken of friction.
+    /// Friction has acted with all that the springs gave: what was taken of that, is taken of friction. It gives back
+    /// no more than its heat: a point that has turned since would be pushed on by what had held it.
     void take_from_friction() {
         bool slid = false;
+        double heat = 0;
         for (Vec6& f : impulse_) f.setZero();
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
@@ -489,12 +495,21 @@ private:
             const Vec3 f = -taken_[i] * part;
             impulse_[p.node].head<3>() += f;
             impulse_[p.node].tail<3>() += surface(p, t.arm).cross(f);
+            heat += p.rubbed + t.heat;
             slid = true;
         }
         if (!slid) return;
         const ImpulseResponse along = host_.respond(impulse_);
-        add_to_trial(1, along);
-        lost_ -= along.linear + along.square;
+        double part = 1, back = along.linear + along.square;
+        if (back > heat) {
+            const double l = along.linear, q = along.square;
+            part = q > 0 ? (std::sqrt(l * l + 4 * q * heat) - l) / (2 * q) : 0;
+            back = heat;
+        }
+        if (!(part > 0)) return;
+        add_to_trial(part, along);
+        lost_ -= back;
+        gives_back_ = heat > 0 ? std::max(0.0, back / heat) : 0;
     }
 
     std::vector<Touch> touches_;  ///< as of the last add_forces or end
@@ -506,6 +521,7 @@ private:
     int has_ = 0, had_ = 0;      ///< points that touch, at the last add_forces and the one before
     int first_ = 0;              ///< of those, the first
     double lost_ = 0;            ///< J, by friction and restitution in this step
+    double gives_back_ = 0;      ///< of the heat of the points that friction is taken from
     double at_start_ = 0;        ///< J
 };
 
