@@ -442,7 +442,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind connectors_kind() {
     return {connectors_effect,
-            {{"connectors", 70, "stored in connectors now, and dissipated by them", {}},
+            {{"connectors", 70, "stored in connectors now, and dissipated by them", {}, false, true},
              {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
              {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks", "connectors"}},
             plan,

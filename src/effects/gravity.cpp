@@ -167,7 +167,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind gravity_kind() {
     return {"gravity",
-            {{"gravity", 20, "potential energy, zero at the start of the run", {}, true}},
+            {{"gravity", 20, "potential energy, zero at the start of the run", {}, true, true}},
             plan,
             [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!w.structure.model().gravity()) return nullptr;

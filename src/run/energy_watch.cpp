@@ -35,7 +35,8 @@ double LargestEnergy::share(const Energy& energy, const AccountList& accounts) {
         if (!info.part_of.empty()) continue;
         const double account = energy[info.name];
         if (!std::isfinite(account)) return account;
-        const bool in = (info.name == supplied_account) == (account > 0);
+        const bool supplied = info.name == supplied_account, in = supplied == (account > 0);
+        if (in && !supplied && !info.may_give) continue;
         if (in) take(std::abs(account), given, most_given);
         else take(std::abs(account), held, most_held);
     }
@@ -149,7 +150,7 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
     const double known = little ? known_loss(most_left * largest.most() - std::abs(energy.error), size) : 0;
     const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
     // while the energy of the run is still coming in, an error is compared with what will soon be little
-    const bool coming_in = by_default_ && finite && largest.most() > 2 * before;
+    const bool coming_in = by_default_ && finite && little && largest.most() > 2 * before;
     const bool in_vain = by_default_ && finite && size.fine() && little;
     if (closes || coming_in || in_vain) {
         if (!closes) left_ += energy.error - kept_error_;

@@ -14,8 +14,8 @@ namespace hinge {
 ///
 /// An account counts only up to what the other side of the balance explains, so that energy made by an error does not
 /// enlarge the value that the error is compared with: what is held or dissipated counts up to initial energy + supplied
-/// work + what other accounts (gravity, springs, ground) have given; what has been given counts up to what is held or
-/// dissipated. Where the balance closes, neither limit acts.
+/// work + what other accounts that may give (gravity, connectors) have given; what has been given counts up to what is
+/// held or dissipated. Where the balance closes, neither limit acts.
 class LargestEnergy {
 public:
     explicit LargestEnergy(const Structure& structure);

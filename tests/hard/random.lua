@@ -26,8 +26,8 @@
 --         one: wrong in silence
 --
 -- Errors are the run's energy error over the largest physical energy that was supplied up to then (initial energy, work
--- of loads and supports, potential energy released), looked at every step or every
--- five. The error itself never counts there.
+-- of loads and supports, potential energy released), looked at every step or every five. The error itself never counts
+-- there. What came out of an account that can only take energy in, such as damping, counts as an error too.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. package.path
 local hinge = require "hinge"
@@ -56,6 +56,17 @@ local function one_line(text) return (tostring(text):gsub("%s*\n%s*", " ")) end
 
 -- Energy supplied up to now: what was there, work done on it, and what gravity released.
 local function supply(energy) return energy.initial + largest_of(0, energy.work) + largest_of(0, -energy.gravity) end
+
+-- What the balance does not explain: its error, and what has come out of accounts that can only take energy in.
+local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping" }
+local function made(energy)
+  local sum = energy.remainder
+  for _, name in ipairs(taking) do
+    local account = energy[name] or 0
+    if not (account >= 0) then sum = sum < 0 and sum + account or sum - account end
+  end
+  return sum
+end
 
 -- Largest error of the samples { time, error, supplied so far }, as a part of the energy supplied up to then; and
 -- its time. Where little was supplied yet, a twentieth of what was supplied while the balance closed counts.
@@ -89,7 +100,7 @@ local function run_scene(scene, changes)
         local e = r.energy
         local now = supply(e)
         if now > supplied or now ~= now then supplied = now end
-        samples[#samples + 1] = { r.time, e.remainder, supplied, e }
+        samples[#samples + 1] = { r.time, made(e), supplied, e }
       end
       if os.clock() - begun > options.seconds then
         out.slow = true
