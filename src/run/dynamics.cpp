@@ -23,6 +23,8 @@ constexpr double most_rotation = 0.5;  ///< rad: of a node in a step, with step 
 constexpr long quiet_steps = 100;      ///< without anything to do after which an effect is said to sleep
 constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, in a step of dt = "auto" (Newmark)
 
+constexpr double crushed_part = 0.05;  ///< of its length, to which an element is pressed flat
+
 const std::string no_mass_solution = "conjugate gradients found no solution with the mass matrix alone";
 
 RunKind kind_of(const DynamicSettings& s) {
@@ -473,8 +475,22 @@ bool Dynamics::again_shorter() {
     }
     char finest[80];
     std::snprintf(finest, sizeof finest, "; dt was halved down to %.3g s, and no shorter step is tried", size_.dt());
-    fail(why + finest);
+    fail(why + finest + crushed());
     return false;
+}
+
+/// Names an element that is pressed flat: it has no length left that steps could be short against.
+std::string Dynamics::crushed() const {
+    if (!structure_->large()) return {};
+    double least = crushed_part;
+    int flat = -1;
+    for (int i = 0; i < int(structure_->elements().size()); ++i) {
+        const Element& e = structure_->elements()[i];
+        const double part = chord_of(e, state_.displacement).norm() / e.length;
+        if (!state_.broken[i] && part < least) least = part, flat = i;
+    }
+    if (flat < 0) return {};
+    return "; " + structure_->element_name(flat) + " is pressed to " + number_text(100 * least, 2) + " % of its length";
 }
 
 /// The energy balance of what is tried; the state is as before afterwards.

@@ -81,6 +81,7 @@ private:
     void remember();
     void take_back();
     bool again_shorter();
+    std::string crushed() const;
     struct Remedy {
         std::string words;
         std::optional<DynamicSettings> settings;  ///< to be tried; none where the model would be another one

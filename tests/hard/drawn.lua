@@ -36,4 +36,11 @@ return {
   drawn(342, "slender frame yields under shaking, steps of 0.5 ms", { slow = true }),
   -- a pair of a section alike in both planes, pressed far beyond Euler's load: which way it flows is worth no energy
   drawn(1883, "tower falls, its braces yield under compression", { slow = true }),
+  -- friction of a long step in contact, and damping of one, made energy
+  drawn(1879, "truss loses a member, its bars touch with friction"),
+  drawn(2379, "truss is struck end on, damped, steps of 1 ms"),
+  -- an element that is pressed flat has no length that steps could be short against
+  drawn(23, "hit frame of eight elements a member", { says = "is pressed to", make = function(hinge)
+    return scenes.scene(23, "hit frame").make(hinge, { elements_per_member = 8 })
+  end }),
 }
