@@ -425,7 +425,8 @@ for _, o in ipairs { { dt = 2e-5 }, { dt = 2.5e-6, duration = 0.35, g = 9.81 },
     last = 0.4 + z - 0.2 * math.cos(turn) - math.sin(turn)
     lowest = support.smallest_of(lowest, last)
     local dissipated = run.energy.ground_dissipated
-    if dissipated > ground then ground = dissipated else falls = support.largest_of(falls, ground - dissipated) end
+    ground = support.largest_of(ground, dissipated)
+    falls = support.largest_of(falls, ground - dissipated)
   end
   equal(run:count { state = "broken" }, 1, name .. ": members broken")
   -- within one contact friction gives back a part of its heat
