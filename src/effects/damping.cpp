@@ -111,6 +111,7 @@ public:
     /// from these forces. Explicit steps took those at the predicted velocity, and those do the work.
     void solved(const Step&, const std::vector<Vec6>&) override {
         if (!w_.kind.explicit_steps) find_forces();
+        impulses_ = w_.impulses;
     }
 
     /// By the trapezium rule, like the work of loads.
@@ -131,7 +132,12 @@ public:
         if (by_supports != 0) sums["work"] -= by_supports;
     }
 
-    void keep(const Step&) override { before_ = now_; }
+    /// Impulses that contact gave since `solved` have changed the velocities: with the forces of before, half a step of
+    /// damping would do work on the bodies.
+    void keep(const Step&) override {
+        before_ = now_;
+        if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
+    }
     void restart_ends() override { before_ = now_; }
 
     void save(Writer& to) const override { to(before_, built_); }
@@ -235,6 +241,7 @@ private:
     Bodies bodies_;                   ///< where supports move
     std::vector<Footing> footings_;   ///< of those bodies; empty where no support moves
     std::vector<Vec3> velocities_;    ///< m/s, of the supports of each body at the trial pose
+    long impulses_ = 0;               ///< Workspace::impulses, where the forces of this step were found
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
 };
 

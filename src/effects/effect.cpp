@@ -21,6 +21,7 @@ double Effect::work_on_flow(const Yielding& of, const beam::FixedEnd& part) cons
 }
 
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {
+    ++w_.impulses;
     w_.state.accumulated["work"] += x * response.by_supports;
     for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
 }

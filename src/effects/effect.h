@@ -68,6 +68,7 @@ struct Workspace {
     std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
                                                 ///< last step and of this one
     std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    long impulses = 0;          ///< that contact and ground have given to trial velocities so far
     bool points_moved = false;  ///< integration points have moved: the sweep takes them up when the step is kept
     /// A step is solved once, with all that it moves in what is solved for: a mass there that lags behind the one that
     /// is met loses velocity, by as much in a short step as in a long one.
