@@ -1143,7 +1143,8 @@ function model:dynamic(options) end
 ---energy.remainder as a part of the largest energy, at the last row of history.csv. The largest energy is the largest
 ---value that any account of the energy balance has had so far. An account counts only up to what the other side of the
 ---balance explains (what is held or dissipated: up to the initial energy, the work supplied and what gravity and
----springs gave), so that energy from an error does not count. energy_tolerance of model:dynamic limits the same error.
+---connectors gave), so that energy from an error does not count. energy_tolerance of model:dynamic limits the same
+---error.
 ---If the balance did not close, this is the error when that was seen, not that of the earlier state to which the run
 ---went back
 ---@field energy_error number

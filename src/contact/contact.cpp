@@ -15,6 +15,7 @@ namespace hinge::contact {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double unforeseen = 1e-6;  ///< of the contact distance: a depth with which no foreseen contact begins
 
 bool has_arm(const End& end) { return !end.arm.isZero(0); }
 
@@ -348,6 +349,11 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
     contact.friction = rule.friction;
     contact.normal_before = pair.normal;
     contact::look(contact, motion.position, motion.rotation);
+    // an impulse in the last step has led them into each other: no work was done for what that would store
+    if (contact.penetration > unforeseen * pair.contact_distance) {
+        contact.level = contact.penetration;
+        contact::look(contact, motion.position, motion.rotation);
+    }
     contact::settle(contact, motion.position, motion.rotation);
     surface_contacts_.push_back(contact);
 }

@@ -86,7 +86,7 @@ void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std:
     Closest closest;
     contact.normal = contact.normal_before;
     const double depths = contact.radius[0] + contact.radius[1], k = contact.stiffness;
-    contact.penetration = depths - signed_distance(point, closest, contact.normal);
+    contact.penetration = depths - contact.level - signed_distance(point, closest, contact.normal);
     contact.at[0] = closest.s;
     contact.at[1] = closest.t;
     contact.energy = contact.penetration > 0 ? 0.5 * k * contact.penetration * contact.penetration : 0;

@@ -27,6 +27,7 @@ struct SurfaceContact {
     double radius[2] = {0, 0};  ///< half depths, m
     double stiffness = 0;       ///< k, N/m
     double friction = 0;        ///< mu
+    double level = 0;  ///< m: how deep the two were where the contact began unforeseen: there they do not press
 
     // as of the last look()
     double penetration = 0;       ///< g, m; negative: apart
@@ -49,7 +50,7 @@ struct SurfaceContact {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.penetration, s.energy, s.at, s.normal, s.slip,
+        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.level, s.penetration, s.energy, s.at, s.normal, s.slip,
           s.between, s.heat, s.slides, s.penetration_before, s.at_before, s.normal_before, s.slip_before,
           s.between_before, s.rotation_before);
     }
