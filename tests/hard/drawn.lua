@@ -39,6 +39,9 @@ return {
   -- friction of a long step in contact, and damping of one, made energy
   drawn(1879, "truss loses a member, its bars touch with friction"),
   drawn(2379, "truss is struck end on, damped, steps of 1 ms"),
+  -- impulses of a step: what damping does after them, and where they lead bars that nobody foresaw
+  drawn(666, "bars fall into a bin, with damping by stiffness"),
+  drawn(439, "bars fall into a bin, and are led into each other"),
   -- an element that is pressed flat has no length that steps could be short against
   drawn(23, "hit frame of eight elements a member", { says = "is pressed to", make = function(hinge)
     return scenes.scene(23, "hit frame").make(hinge, { elements_per_member = 8 })
