@@ -406,6 +406,8 @@ bool Dynamics::advance() {
         throw;
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
+    if (settings_.controlled() && !unseen_ && verdict_ != Verdict::failed)
+        guard_.take(control_.kept_share(), state_.time);
     guard();
     tell_error();
     look_at_pairs();
@@ -556,7 +558,11 @@ void Dynamics::control_step() {
             }
     unseen_ = !control_.due(control_.by_default() && is_abrupt(), size_);
     if (unseen_) return;
-    auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] { return energy().error; });
+    auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] {
+        const double error = energy().error;  // of a state that is kept, seen only now
+        if (largest_energy_.most() > 0) guard_.take(error / largest_energy_.most(), state_.time);
+        return error;
+    });
     if (why) step_.failure = std::move(*why);
 }
 
@@ -588,16 +594,24 @@ void Dynamics::look_at_pairs() {
         *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
 }
 
-/// Whatever energy_tolerance is: a run that completes with a large energy error warns of it.
+/// Whatever energy_tolerance is: a run that completes with a large energy error, or had one on its way, warns of it.
 void Dynamics::tell_error() {
     if (verdict_ != Verdict::completed || settings_.trial || structure_->model().options().shift == Shift::whole)
         return;
     LargestEnergy largest = largest_energy_;
     const double share = largest.share(energy(), accounts_);
-    if (std::abs(share) <= may_be_missed) return;
-    char what[120];
-    std::snprintf(what, sizeof what, "the energy error at the end of the run is %.3g %% of the largest energy",
-                  100 * share);
+    const LargestError& worst = guard_.largest_error();
+    const bool large = !(std::abs(share) <= may_be_missed);
+    if (!large && std::abs(worst.share) <= may_be_missed) return;
+    char what[160];
+    if (large)
+        std::snprintf(what, sizeof what, "the energy error at the end of the run is %.3g %% of the largest energy",
+                      100 * share);
+    else
+        std::snprintf(what, sizeof what,
+                      "the energy error at t = %.4g s was %.3g %% of the largest energy up to then (at the end of the "
+                      "run %.3g %%)",
+                      worst.time, 100 * worst.share, 100 * share);
     warn(RunWarning{what,
                     "a shorter dt, dt = \"auto\" or more elements a member may make it smaller; see step_control"});
 }

@@ -49,7 +49,6 @@ void Guard::begin(const State& state) {
 }
 
 bool Guard::due(const State& state, bool running) const {
-    if (!(tolerance_ > 0)) return false;
     return !running || state.step - looked_at_ >= std::clamp((steps_ - 1) / 20, 1L, most_between);
 }
 
@@ -57,6 +56,11 @@ std::optional<std::string> Guard::look(State& state, const Energy& energy, const
                                        LargestEnergy& largest, bool running, double may_grow,
                                        const std::string& fastest) {
     const double before = largest.most(), share = largest.share(energy, accounts);
+    if (!(tolerance_ > 0)) {
+        if (largest.most() <= 2 * before || !running) largest_error_.take(share, state.time);
+        looked_at_ = state.step;
+        return {};
+    }
     const double grown = share == 0 ? 0 : (energy.error - error_) / largest.most();
     // while the energy of the run is still coming in, an error is compared with what will soon be little
     const bool coming_in = largest.most() > 2 * before;
@@ -65,6 +69,7 @@ std::optional<std::string> Guard::look(State& state, const Energy& energy, const
     looked_at_ = state.step;
     if (closes && steady) {
         error_ = energy.error;
+        if (!coming_in || !running) largest_error_.take(share, state.time);
         if (running && state.broken.size() <= most_kept) good_ = {state, share};
         return {};
     }
@@ -157,6 +162,7 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
         if (!closes && !coming_in && lost < rate_part * first_refused_)
             rate_ = std::max(rate_, lost / double(since_units_ + size.length()));
         kept_error_ = energy.error;
+        kept_share_ = largest.most() > 2 * before ? 0 : share;
         first_refused_ = 0;
         since_ = since_units_ = 0;
         const bool easy =

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -43,8 +44,22 @@ struct LostBalance {
     bool went_back = false;  ///< a good state was kept, and is the run's again
 };
 
-/// Now and then the energy balance is looked at. A run in which it no longer closes, or whose error grew too much since
-/// the last look, ends with the last state in which it was well.
+/// The largest energy error of a run so far, among the steps whose energy balance was computed.
+struct LargestError {
+    double share = 0;  ///< of the largest energy up to then, with its sign
+    double time = 0;   ///< s
+    void take(double other, double at) {
+        if (std::abs(other) > std::abs(share)) share = other, time = at;
+    }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.share, s.time);
+    }
+};
+
+/// Computes the energy balance now and then. A run in which it no longer closes, or whose error grew too much since the
+/// last time, ends with the last state in which the balance closed. With a tolerance of 0 no run ends; the largest
+/// error is kept all the same.
 class Guard {
 public:
     Guard(double tolerance, long steps) : tolerance_(tolerance), steps_(steps) {}
@@ -57,6 +72,9 @@ public:
                                     LargestEnergy& largest, bool running, double may_grow, const std::string& fastest);
     const std::optional<LostBalance>& lost() const { return lost_; }
     double error() const { return error_; }  ///< J, of the balance at the last look at which it closed
+    const LargestError& largest_error() const { return largest_error_; }
+    /// An energy error that was computed elsewhere, of a step that is kept; as LargestError::take.
+    void take(double share, double time) { largest_error_.take(share, time); }
 
     /// By how much of the largest energy the error may grow between two looks: half the tolerance, or 1 % where that is
     /// more.
@@ -65,7 +83,7 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         bool good = s.good_.has_value();  // where it is read: make_room has been called
-        a(s.looked_at_, s.error_, good);
+        a(s.looked_at_, s.error_, s.largest_error_, good);
         if (good) a(s.good_->state, s.good_->share);
         else if constexpr (A::reading) s.good_.reset();
     }
@@ -83,6 +101,7 @@ private:
     std::optional<Good> good_;  ///< when the balance was last looked at and closed
     long looked_at_ = 0;        ///< the step of that
     double error_ = 0;          ///< J, of the balance then
+    LargestError largest_error_;
     std::optional<LostBalance> lost_;
 };
 
@@ -112,6 +131,9 @@ public:
         return compare(energy, accounts, largest, size);
     }
     void not_looked_at(StepSize& size);
+    /// The energy error of the last step that was looked at and kept, as a part of the largest energy; 0 while that
+    /// still grows fast.
+    double kept_share() const { return kept_share_; }
     void start_from(double error);    ///< what a break left in the balance is no step's
     void leave_behind(double error);  ///< the same, where only its change is known, J
     template <class Self, class A>
@@ -129,6 +151,7 @@ private:
     double tolerance_;  ///< part of the largest energy that the run may lose
     bool by_default_;
     double kept_error_ = 0;     ///< J, of the last step that was kept and looked at
+    double kept_share_ = 0;     ///< the same as a part of the largest energy; read at once, so not in a checkpoint
     double left_ = 0;           ///< J, of that: kept because no shorter step would make it smaller
     long since_ = 0;            ///< steps since then
     long since_units_ = 0;      ///< their length, in units of StepSize

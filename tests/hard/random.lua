@@ -18,6 +18,8 @@
 --         seconds=20           longest time of a scene; then it counts as failed, "too slow"
 --         compare              every seed with p_delta member and chord, 2, 4 and 8 elements, steps of 20 and 5 us;
 --                              with as="hit frame" count=40: what bending between joints loses, what the step loses
+--         remedy               a run that fails is run again, whole, with what its reason names as a remedy; with
+--                              guard=on the runs are those that a user has
 --         fast                 only seeds with a small budget of steps, and of these the first 40 %
 --         tell                 prints the scenes' descriptions and runs none
 --         check                the status is 1 where a bound in `bounds` is not kept
@@ -111,7 +113,7 @@ local function run_scene(scene, changes)
     out.verdict, out.reason, out.steps = run.verdict, run.reason, run.index
     out.warnings = run.warnings
     for _, warning in ipairs(run.warnings) do
-      if warning:find("the energy error at the end of the run", 1, true) then out.verdict = "warned" end
+      if warning:find "^the energy error at " then out.verdict = "warned" end
     end
     if out.slow then out.verdict, out.reason = "failed", ("too slow at t = %.3g s"):format(run.time) end
     return model
@@ -121,6 +123,33 @@ local function run_scene(scene, changes)
   out.worst, out.at = worst_of(samples)
   out.history, out.reason = samples, one_line(out.reason)
   return out
+end
+
+-- The remedy that the reason of a failed run names: its words and the changes that they ask for, or nil.
+local function remedy_of(reason, elements_per_member)
+  local words = reason:match "; ([^;]-) holds: tried from" or reason:match "; ([^;]-) may hold %(not tried"
+  if not words then return nil end
+  local changes = {}
+  for name, value in words:gmatch "([%a_]+) = '?([%w.%-]+)" do changes[name] = tonumber(value) or value end
+  if words:find("more elements a member", 1, true) then
+    changes.elements_per_member = 2 * (math.tointeger(elements_per_member) or 2)
+  end
+  return words, changes
+end
+
+-- The scene once more, with the remedy that its first run named; adds to `out` what came of it.
+local function take_remedy(seed, changes, out)
+  local words, more = remedy_of(out.reason, changes.elements_per_member)
+  if not words then
+    out.reason = out.reason .. " REMEDY none"
+    return
+  end
+  for name, value in pairs(changes) do
+    if more[name] == nil then more[name] = value end
+  end
+  local again = run_scene(scenes.scene(seed, options.as), more)
+  out.reason = ("%s REMEDY %s: %s, largest error %.3g %% %s"):format(out.reason, words, again.verdict,
+    100 * again.worst, again.reason)
 end
 
 -- The file of results ----------------------------------------------------------------------------------------------
@@ -167,7 +196,8 @@ end
 -- A reason without its numbers and names, as a kind of failure.
 local function kind(reason)
   reason = reason:gsub("^%S*random_scenes%.lua:%d+: ", "")
-  local text = reason:gsub("%. The state.*", ""):gsub("; fastest was.*", ""):gsub("^step %d+, t = %S+ s: ", "")
+  local text = reason:gsub(" REMEDY .*", ""):gsub("%. The state.*", ""):gsub("; fastest was.*", "")
+  text = text:gsub("^step %d+, t = %S+ s: ", "")
   text = text:gsub("[-+]?%d+%.?%d*e?[-+]?%d*", "#"):gsub("'[^']*'", "'...'")
   return text:sub(1, 110)
 end
@@ -231,6 +261,12 @@ local function summary(rows)
   for _, what in ipairs(list) do
     print(("%5d  %s   seeds %s"):format(reasons[what].n, what, table.concat(reasons[what].seeds, " ")))
   end
+  local tried = {}
+  for _, row in ipairs(rows) do
+    local taken = row.reason:match "REMEDY (.*)"
+    if taken then tried[#tried + 1] = ("seed %d: %s"):format(row.seed, taken:sub(1, 240)) end
+  end
+  if #tried > 0 then print("remedies\n" .. table.concat(tried, "\n")) end
   table.sort(rows, function(a, b) return a.worst > b.worst or a.worst == b.worst and a.seed < b.seed end)
   print "largest errors"
   for i = 1, math.min(20, #rows) do
@@ -256,7 +292,7 @@ if options.seed then
   local scene = scenes.scene(options.seed, options.as)
   local out = run_scene(scene, changed)
   print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
-  local every = math.max(1, #out.history // 40)
+  local every = math.max(1, #out.history // (options.rows or 40))
   local names = { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
     "fracture", "contact", "ground", "connectors", "damping", "numerical" }
   local head = { ("%12s %11s"):format("time", "error %") }
@@ -318,6 +354,7 @@ local function start(scene, changes)
   local output = os.tmpname()
   local process = core.start(function()
     local out = run_scene(scene, changes)
+    if options.remedy and out.verdict == "failed" and not out.slow then take_remedy(scene.seed, changes, out) end
     local file = assert(io.open(output, "w"))
     file:write("RESULT ", line_of(scene, out), "\n")
     file:close()

@@ -65,6 +65,42 @@ for _, energy_tolerance in ipairs { 0, 0.5 } do
     "energy_tolerance = %g, energy error %g: the warning says %s %%", energy_tolerance, off.energy_error, said)
 end
 
+-- A run whose error was large on its way and is small at its end says when and how large: beta = 0.4 in long steps
+-- takes and gives energy as a mass swings on a bar. After 1.6 periods the error is small.
+local function swinging(options)
+  local model, mass = hinge.model {}, 100
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a)
+  model:fix(b, "y,z,rx,ry,rz")
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, density = 7850 } }
+  model:mass { node = b, mass = mass }
+  model:velocity(b, { 1, 0, 0 })
+  local period = 2 * math.pi * math.sqrt(mass / (206e9 * 0.05 ^ 2))
+  local r = model:dynamic { dt = options.part * period, duration = 1.6 * period, record = false, beta = 0.4,
+    energy_tolerance = options.energy_tolerance }
+  local worst, at = 0, 0
+  r:on_step(function(now)
+    local share = now.energy.remainder / now.energy.initial
+    if math.abs(share) > math.abs(worst) then worst, at = share, now.time end
+  end)
+  r:finish()
+  return r, worst, at
+end
+for _, energy_tolerance in ipairs { 0, 0.5 } do
+  local swung, worst, at = swinging { part = 0.05, energy_tolerance = energy_tolerance }
+  local name = ("swinging, energy_tolerance %g: "):format(energy_tolerance)
+  checks.expect(math.abs(worst) > 0.01 and math.abs(swung.energy_error) < 0.01, "%sworst %g, end %g", name, worst,
+    swung.energy_error)
+  local text = table.concat(swung.warnings, "\n")
+  local when, share, final = text:match "energy error at t = (%S+) s was (%S+) %%.-%(at the end of the run (%S+) %%%)"
+  checks.near(tonumber(share) or 0 / 0, 100 * worst, 0.01 * math.abs(100 * worst), name .. "the error told, %")
+  checks.near(tonumber(when) or 0 / 0, at, 1e-3 * at, name .. "its time")
+  checks.near(tonumber(final) or 0 / 0, 100 * swung.energy_error, 0.01 * math.abs(100 * worst), name .. "at the end")
+  local quiet = swinging { part = 0.02, energy_tolerance = energy_tolerance }
+  checks.equal(table.concat(quiet.warnings, "\n"):find("energy error", 1, true), nil, name .. "0.4 % is no warning")
+end
+
 -- What rotates far in long steps takes Newton's method by itself, and then holds.
 local held = turning {}:finish()
 checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
