@@ -12,7 +12,8 @@
 --         guard=off|on         energy_tolerance of the runs: 0 (default), or their own default
 --         set.NAME=VALUE       an option of the model (p_delta, elements_per_member) or of the run (dt, integrator,
 --                              step_control, ...) in place of the scene's own; set.dt_times=0.25: that part of its
---                              own step; set.contact=none, set.fracture=none, set.plasticity=false: without these
+--                              own step; set.contact=none, set.fracture=none, set.plasticity=false: without these;
+--                              set.ground=points: elastic points in place of the layer
 --         out=FILE.csv         a line for each seed is added; seeds that it already has are not run again
 --         jobs=1               processes at a time; each scene has a process of its own
 --         seconds=20           longest time of a scene; then it counts as failed, "too slow"

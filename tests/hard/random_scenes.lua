@@ -5,7 +5,8 @@
 -- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
 -- `changed` replaces options of the model (p_delta, elements_per_member, plasticity) and of the run (dt, integrator,
 -- ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto steps too;
--- contact = "none", fracture = "none".
+-- contact = "none", fracture = "none". ground = "points": elastic points (restitution = 1) in place of the layer that
+-- is the default.
 local scenes = {}
 
 local g = 9.80665
@@ -462,6 +463,11 @@ local function striker(s, target, o)
   s.speed = speed
 end
 
+local function ground(s, plane)
+  if s.changed.ground == "points" and not plane.restitution then plane.restitution = 1 end
+  s.model:ground(plane)
+end
+
 -- A record of ground acceleration: sines of falling strength and noise, m/s^2.
 local function record(s, duration)
   local d = s.d
@@ -515,7 +521,7 @@ make["lost column"] = function(s)
   if d.chance(0.5) then fracture(s, "frame") end
   if d.chance(0.25) then contact(s) end
   if d.chance(0.2) then
-    s.model:ground { friction = d.number(0, 0.6), point = { 0, 0, -1e-3 } }
+    ground(s, { friction = d.number(0, 0.6), point = { 0, 0, -1e-3 } })
     note(s, "ground")
   end
   at_rest(s, 0.9)
@@ -641,8 +647,8 @@ make.bin = function(s)
     end
   end
   if on_ground then
-    model:ground { point = { 0, 0, -0.05 }, friction = d.number(0, 0.6),
-      restitution = d.chance(0.5) and d.number(0, 0.9) or nil }
+    ground(s, { point = { 0, 0, -0.05 }, friction = d.number(0, 0.6),
+      restitution = d.chance(0.5) and d.number(0, 0.9) or nil })
   end
   local bars = d.whole(3, 16)
   local bar_side = d.number(0.02, 0.08)
@@ -723,7 +729,7 @@ make.fall = function(s)
     d.chance(0.5) and { d.number(-2, 2), d.number(-2, 2), d.number(-2, 2) } or { 0, 0, 0 })
   local plane = { friction = d.chance(0.7) and d.number(0, 0.7) or nil,
     restitution = d.chance(0.5) and d.pick { 0, 0.2, 0.5, 0.9, 1 } or nil }
-  model:ground(plane)
+  ground(s, plane)
   note(s, "%s of %d members of %s L/r %.0f, fy %s, falls%s at %.3g m/s; friction %s, restitution %s", what, #pairs_of,
     of.kind, size / math.sqrt(math.min(of.Ix, of.Iy) / of.area), numbers.yield_stress and numbers.yield_stress / 1e6
     or "none", flat and " flat" or "", speed, plane.friction and ("%.2f"):format(plane.friction) or "none",
@@ -771,7 +777,7 @@ local weights = { { 20, "struck frame" }, { 20, "lost column" }, { 12, "shaken f
 local fine, coarse = { 2e-6, 5e-6, 1e-5, 2e-5 }, { 5e-5, 1e-4, 2e-4, 5e-4, 1e-3 }
 
 local of_model = { p_delta = true, elements_per_member = true, plasticity = true }
-local not_of_run = { part = true, dt_times = true, contact = true, fracture = true }
+local not_of_run = { part = true, dt_times = true, contact = true, fracture = true, ground = true }
 
 --- The scene of a seed. class: that class in place of the drawn one.
 function scenes.scene(seed, class)
