@@ -303,6 +303,27 @@ model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { wid
     or "return hinge.scenario { run = function(_, job)\n" .. model .. "job:" .. frame .. "end }\n")
 end
 
+--- A scenario for studies: a bar with a mass at its end swings for `steps` steps, with a checkpoint on the way.
+support.swinging_bar = [[
+local hinge = require "hinge"
+return hinge.scenario {
+  parameters = { speed = 10, steps = 20000 },
+  run = function(p)
+    local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }
+    local model = hinge.model()
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a, "all")
+    model:member { a, b, section = hinge.section.solid { width = 0.02, depth = 0.02 }, material = steel }
+    model:mass { node = b, mass = 1 }
+    model:velocity(b, { 0, 0, p.speed })
+    local run = model:dynamic { dt = 1e-5, duration = 1e-5 * p.steps, checkpoint = { file = "c", every = 0.2 } }
+    local path = run:probe { node = b, "uz" }
+    run:finish()
+    return { uz = path.value[#path.value], largest = path.max, n = #path.value }
+  end,
+}
+]]
+
 --- The least of `n` times that a command takes, in milliseconds.
 function support.milliseconds(command, n)
   local script = ("for i in $(seq %d); do a=${EPOCHREALTIME/[.,]/}; %s >/dev/null 2>&1; "
