@@ -167,12 +167,14 @@ equal(status, 8, "ctest's status")
 expect(calls:find "ctest [^\n]* %-R a b\n", "arguments go to ctest: %s", calls)
 
 -- .ci/run builds for this processor and for plain x86-64; one ctest tests both and gives the status.
-status, _, complaint, calls = machine { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide" }
+status, _, complaint, calls = machine { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide",
+  cmake = configures .. ("; echo \"ccache in $CCACHE_BASEDIR\" >>%s"):format(log) }
 equal(status, 8, ".ci/run: " .. complaint)
 local first, second = calls:match "(cmake %-%-fresh [^\n]*)\n.*(cmake %-%-fresh [^\n]*)\n"
 expect(first and first:find("/a house/build -G", 1, true) and not first:find "HINGE_", "for this processor: %s", calls)
 expect(second and second:find "/a house/build%-plain [^\n]*%-DHINGE_NATIVE=OFF %-DHINGE_TEST_PREFIX=plain_",
   "for plain x86-64: %s", calls)
+equal(select(2, calls:gsub("\nccache in " .. root .. "\n", "")), 4, "calls of cmake in which the builds share a cache")
 expect(select(2, calls:gsub("ctest ", "")) == 1 and calls:find "ctest %-%-test%-dir [^\n]*/both [^\n]* %-R guide\n$",
   "one ctest, at the end: %s", calls)
 equal(support.read(root .. "/build-plain/both/CTestTestfile.cmake"),
