@@ -1,6 +1,6 @@
 -- All that the README and its pages name and that ctest leaves out because it takes long: the main job, the hard
--- suite, the bench, the limits of the page of hinge report, the paper's figures and tables, and what accuracy costs in
--- the five scenes of scripts/cost.
+-- suite, the bench, the limits of the page of hinge report, the tests under ASan and UBSan, the paper's figures and
+-- tables, and what accuracy costs in the five scenes of scripts/cost.
 --
 -- Run     cmake --build build --target everything
 --         or: lua5.4 tests/everything.lua BUILD [only=NAME] [list] [jobs=FILE]
@@ -94,6 +94,7 @@ local function all_jobs()
     { name = "bench", look = "completed",
       command = ("%s run tests/bench/bench.lua build=%s --out @"):format(hinge, quote(build .. "/tests")) },
     page_job(hinge),
+    { name = "address", command = "tests/sanitize.sh address" }, -- builds into build-address/
   }
   for _, script in ipairs(named_scripts "scripts/paper") do
     if script[1] ~= "all" then

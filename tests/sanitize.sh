@@ -18,6 +18,7 @@ not_under_asan=(
   script_install      # the compiler, which the test calls, leaks
   script_package      # empties the environment, and with it the sanitizer that is to be loaded before Lua
   script_startup      # bounds how long a script takes to begin
+  script_slurm        # starts daemons, which would get the sanitizer too
 )
 # Leaks of others: bash, the tool that makes a terminal, Xvfb, Mesa.
 leaks_of_others=(script_setup script_prompt script_program output_test)

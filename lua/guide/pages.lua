@@ -44,17 +44,6 @@ function pages.commands(block)
   return list
 end
 
--- -0.0 is 0.0: which of them is printed differs between processors.
-local function without_negative_zeros(text) return (text:gsub("%-(0%.?0*)%f[^%d.]", " %1")) end
-
---- Whether what was printed is what the page shows.
-function pages.matches(shown, printed)
-  shown, printed = without_negative_zeros(shown), without_negative_zeros(printed)
-  local pattern = ("\n" .. shown):gsub("%p", "%%%0"):gsub("\n…\n", "\n\0"):gsub("\n…\n", "\n\0")
-  pattern = pattern:gsub("…", "[^\n]-"):gsub("%z", ".-")
-  return ("\n" .. printed):find("^" .. pattern .. "$") ~= nil
-end
-
 --- A folder in which a page's commands run: the guide's scripts, and `hinge` of a build folder. Returns run(command),
 --- which gives the exit status, what was printed, and what stderr had.
 function pages.workplace(build)

@@ -56,9 +56,10 @@ end
 local _ -- a result that is not looked at
 local status, printed, complaint = check(scene {})
 equal(status, 0, "status " .. complaint)
-expect(printed:find("dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 degrees of freedom, 785 kg\n"
-  .. "  3 members on 2 supported nodes, 785 kg: natural periods ", 1, true)
-  and printed:find "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1%-2\n  no warnings\n",
+expect(support.has(printed, "dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 degrees of freedom, 785 kg\n"
+  .. "  3 members on 2 supported nodes, 785 kg: natural periods ")
+  and support.has(printed,
+    "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1-2\n  no warnings\n"),
   "a plain frame:\n%s", printed)
 expect(not support.is_there(folder .. "/out"), "a check writes nothing")
 
@@ -108,7 +109,7 @@ local function suspicious(what, changes, says, part, fine)
   local list = warnings(said)
   expect(ended == 0 and #list == 1, "%s: status %s, %d warnings:\n%s", what, ended, #list, said)
   local line = part and "scene.lua:" .. line_of(text, part) or ""
-  expect((list[1] or ""):sub(1, #says) == says and (list[1] or ""):find(line, 1, true),
+  expect(support.says(list[1] or "", says .. "...") and list[1]:find(line, 1, true),
     "%s:\n    says   %s\n    wanted %s ... %s", what, list[1], says, line)
   local _, quiet = check(scene(fine))
   expect(#warnings(quiet) == 0, "%s, where there is none:\n%s", what, quiet)
@@ -152,7 +153,7 @@ suspicious("too large for what yields", { more = "model:load { node = b, force =
   "the loads ask of member 3 14 times what yields it, in a linear solution of them; the largest of them is 1e+06 N, "
     .. "on node 2", "model:load", { more = "model:load { node = b, force = { 2e5, 0, 0 } }", make = "static {}" })
 suspicious("a step as long as a period", { make = "dynamic { dt = 0.1, duration = 1 }" },
-  "dt is 0.1 s, and the longest natural period 0.", "model:dynamic", {})
+  "dt is 0.1 s, and the longest natural period ", "model:dynamic", {})
 local blast = "model:load { node = b, force = { 1, 0, 0 }, history = { %s } }"
 local fine = { more = blast:format "{ 0, 1 }, { 0.5, 0 }" }
 suspicious("times in ms", { more = blast:format "{ 0, 1 }, { 2e4, 0 }" }, "the history of the load on node 2 changes "
@@ -223,8 +224,8 @@ suspicious("an oblique axis", { more = oblique .. "model:fix({ e, f }, 'xyz')" }
 
 -- A projectile is not a mechanism; one of a static run is refused as ever, at its line.
 status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" })
-expect(status == 0 and printed:find "\n  free body of 1 member, 78.5 kg: natural periods " and #warnings(printed) == 0,
-  "a free body:\n%s", printed)
+expect(status == 0 and support.has(printed, "\n  free body of 1 member, 78.5 kg: natural periods ")
+  and #warnings(printed) == 0, "a free body:\n%s", printed)
 status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
 expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: what is supported at node 1 at "
   .. "{0, 0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do with "

@@ -221,7 +221,7 @@ for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
   "own error: difference from a setting twice as fine (dt 0.0005)",
   "not in this scenario: plasticity, fracture, friction",
   "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
-  expect(printed:find(part, 1, true), "hinge cost --effects does not say '%s':\n%s", part, printed)
+  expect(support.has(printed, part), "hinge cost --effects does not say '%s':\n%s", part, printed)
 end
 local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
 equal(#(summary.effects or {}), 3, "effects in summary.json")

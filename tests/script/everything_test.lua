@@ -110,6 +110,7 @@ listed = "\n" .. listed
 has("main job", ".*/hinge' run scripts/ten_storey_impact.lua %-%-out")
 has("hard", ".*lua5.4 tests/hard/suite.lua\n") -- without a word: in full
 has("page", ".*/hinge' report .*tests/viewer/limits_test.js")
+has("address", "tests/sanitize.sh address\n")
 has("bench", ".*/hinge' run tests/bench/bench.lua build=")
 local all = support.read(support.root .. "scripts/paper/all.lua")
 local paths = support.output(("cd %s && ls scripts/paper/*.lua scripts/cost/*.lua"):format(quote(support.root)))

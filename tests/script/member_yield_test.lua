@@ -136,7 +136,7 @@ local settings = {
 for _, setting in ipairs(settings) do
   for _, kind in ipairs { "q", "weight" } do
     local what = ("%s, %s: "):format(kind, setting[1])
-    local s = beam(pinned, kind, 8 * unit, setting[2])
+    local s = beam(pinned, kind, 1.05 * 8 * unit, setting[2]) -- 8 itself: rounding decides whether it yields at all
     for _, control in ipairs { "displacement", setting[1] == "small" and "arc" or nil } do
       local run = control == "displacement"
           and s.model:static { steps = 20, control = { node = s.a, "ry", to = 0.06 } }
@@ -157,7 +157,7 @@ for _, setting in ipairs(settings) do
         local part = setting[1] == "small" and 1e-9 or 1e-4
         near(e.remainder, first[3], part * e.plastic, what .. control .. ", balance")
         close(run:read("plastic_work")[1], e.plastic, what .. control .. ", of the member", 1e-12)
-        close(run.factor, 1, what .. control .. ", factor", setting[1] == "small" and 1e-6 or 5e-3)
+        close(1.05 * run.factor, 1, what .. control .. ", factor", setting[1] == "small" and 1e-6 or 5e-3)
       end
     end
   end

@@ -68,14 +68,15 @@ local function works(usr, environment, lua_environment, what)
   local example = support.is_there(usr .. "/share/doc/hinge/examples") and usr .. "/share/doc/hinge/examples/"
     or support.root .. "scripts/" -- dpkg may be told to leave pages out
   status, printed, complaint = run(clean .. "hinge run " .. quote(example .. "01_first_cantilever.lua"))
-  equal(printed, "tip goes down by 3.112854 mm\nwritten to out/01_first_cantilever\n",
+  checks.prints(printed, "tip goes down by 3.112854 mm\nwritten to out/01_first_cantilever\n",
     what .. ", an example: " .. complaint)
   status, printed, complaint = run(("cd %s && env -i %s lua5.4 -e %s"):format(home, lua_environment, quote(asks)))
   equal(printed, ("%s\ttrue\t%s/share/hinge/lua/hinge/init.lua\n"):format(version, usr),
     what .. ", plain Lua: " .. complaint)
   equal(run(("cd %s && env -i %s lua5.4 %s >plain"):format(home, lua_environment,
     quote(example .. "01_first_cantilever.lua"))), 0, what .. ", an example under plain Lua")
-  equal(support.read(home .. "/plain"), "tip goes down by 3.112854 mm\n", what .. ", an example under plain Lua")
+  checks.prints(support.read(home .. "/plain") or "", "tip goes down by 3.112854 mm\n",
+    what .. ", an example under plain Lua")
   if pictures then
     status, printed, complaint = run(clean .. "hinge run ../frame.lua --out frame")
     equal(status, 0, what .. ", a frame: " .. printed .. complaint)

@@ -4,7 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "readme"
-local quote, expect, equal = support.quote, checks.expect, checks.equal
+local quote, expect, equal, prints = support.quote, checks.expect, checks.equal, checks.prints
 
 local text = assert(support.read(support.root .. "README.md"))
 local code, after = text:match "\n```lua\n(.-)\n```\n()"
@@ -19,12 +19,12 @@ support.run(("mkdir -p %s/scripts && ln -s %s %s/build"):format(folder, quote(ar
 support.write(folder .. "/" .. command, code .. "\n")
 local status, printed, complaint = support.run(("cd %s && build/hinge run %s"):format(folder, command))
 equal(status, 0, "exit status: " .. complaint)
-equal(printed, output .. "\n", "what the script prints")
+prints(printed, output .. "\n", "what the script prints")
 
 -- The same script under plain Lua prints the same, but for where the program wrote its files.
 status, printed = support.run(("cd %s && LUA_CPATH='build/?.so' lua5.4 %s"):format(folder, command))
 equal(status, 0, "exit status under lua5.4")
-equal(printed, (output .. "\n"):gsub("written to [^\n]*\n", ""), "what it prints under lua5.4")
+prints(printed, (output .. "\n"):gsub("written to [^\n]*\n", ""), "what it prints under lua5.4")
 
 -- It is the script of that name without its heading.
 equal((support.read(support.root .. command) or "none"):match "\n(local hinge = .*)", code .. "\n", command)

@@ -10,8 +10,8 @@ local quote, expect, equal = support.quote, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
 local root, bin, log = folder .. "/a house", folder .. "/bin", folder .. "/log"
-support.run(("mkdir -p %s/scripts %s && cp %s/scripts/*.sh %s/scripts")
-  :format(quote(root), bin, quote(support.root), quote(root)))
+support.run(("mkdir -p %s/scripts %s && cp %s/scripts/*.sh %s/scripts && cp -r %s/.ci %s")
+  :format(quote(root), bin, quote(support.root), quote(root), quote(support.root), quote(root)))
 for _, tool in ipairs { "bash", "dirname", "grep", "env", "mkdir", "nproc", "flock", "cat", "rm", "chmod" } do
   support.run(("ln -s $(command -v %s) %s/%s"):format(tool, bin, tool))
 end
@@ -23,8 +23,7 @@ local configures = (": >%s/build/build.ninja; "
 
 -- The machine: its system, who calls, which packages it has, whether there is sudo, and what the tools return.
 local function machine(m)
-  support.run(("rm -rf %s %s/build %s/build-package; cd %s && rm -f sudo dpkg-query apt-get rpm dnf")
-    :format(log, quote(root), quote(root), bin))
+  support.run(("rm -rf %s %s/build*; cd %s && rm -f sudo dpkg-query apt-get rpm dnf"):format(log, quote(root), bin))
   support.write(folder .. "/os-release", ("ID=%s\n"):format(m.system or "debian"))
   local function tool(name, body)
     support.write(bin .. "/" .. name, "#!/usr/bin/env bash\n" .. body .. "\n")
@@ -45,9 +44,9 @@ local function machine(m)
   noted("cmake", m.cmake or configures)
   noted("ctest", m.ctest)
   noted("cpack", m.cpack)
-  local command = m.command or "test"
+  local command = m.ci and "/.ci/run" or "/scripts/" .. (m.command or "test") .. ".sh"
   local status, printed, complaint = support.run(("cd / && os_release=%s/os-release PATH=%s %s %s")
-    :format(folder, bin, quote(root .. "/scripts/" .. command .. ".sh"), m.arguments or ""))
+    :format(folder, bin, quote(root .. command), m.arguments or ""))
   return status, printed, complaint, support.read(log) or ""
 end
 
@@ -166,6 +165,20 @@ expect(status == 1 and complaint:find "^hinge: cannot write to .*/a house/build;
 status, _, _, calls = machine { packages = all, ctest = "exit 8", arguments = "-R 'a b'" }
 equal(status, 8, "ctest's status")
 expect(calls:find "ctest [^\n]* %-R a b\n", "arguments go to ctest: %s", calls)
+
+-- .ci/run builds for this processor and for plain x86-64; one ctest tests both and gives the status.
+status, _, complaint, calls = machine { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide",
+  cmake = configures .. ("; echo \"ccache in $CCACHE_BASEDIR\" >>%s"):format(log) }
+equal(status, 8, ".ci/run: " .. complaint)
+local first, second = calls:match "(cmake %-%-fresh [^\n]*)\n.*(cmake %-%-fresh [^\n]*)\n"
+expect(first and first:find("/a house/build -G", 1, true) and not first:find "HINGE_", "for this processor: %s", calls)
+expect(second and second:find "/a house/build%-plain [^\n]*%-DHINGE_NATIVE=OFF %-DHINGE_TEST_PREFIX=plain_",
+  "for plain x86-64: %s", calls)
+equal(select(2, calls:gsub("\nccache in " .. root .. "\n", "")), 4, "calls of cmake in which the builds share a cache")
+expect(select(2, calls:gsub("ctest ", "")) == 1 and calls:find "ctest %-%-test%-dir [^\n]*/both [^\n]* %-R guide\n$",
+  "one ctest, at the end: %s", calls)
+equal(support.read(root .. "/build-plain/both/CTestTestfile.cmake"),
+  ('subdirs("%s/build")\nsubdirs("%s/build-plain")\n'):format(root, root), "what ctest tests")
 
 -- demo.sh builds no tests and hands its arguments to the program; a second call does not configure again.
 local program = ("#!/usr/bin/env bash\necho \"hinge $*\" >>%s\nexit 3\n"):format(log)

@@ -53,7 +53,7 @@ for name, options in pairs { ["straight"] = {}, ["a millionth off"] = { eccentri
     near(56.7 * i.factor, buckles, within, name .. ": load")
     expect(i.beyond > i.factor and i.beyond < (1 + 4 * within) * i.factor, "%s: beyond %g %g", name, i.factor, i.beyond)
     expect(i.node:find("inner node of member " .. tostring(member):match "member (%d+)", 1, true)
-      and i.node:find(", 1.5}", 1, true), "%s: in the middle: %s", name, i.node)
+      and support.has(i.node, ", 1.5}"), "%s: in the middle: %s", name, i.node)
     equal(i.component, "ux", name .. ": the weak way")
     expect(i.member == member and #i.members == 1 and i.by == "compression", "%s: in the column", name)
   end
@@ -87,7 +87,7 @@ equal(run.instability, nil, "pressed down by 5 cm: instability")
 pressed, _, head = column(1, {})
 run = pressed:static { steps = 40, control = { node = head, "uz", to = -0.002 } }:finish()
 expect(run.verdict == "completed" and run.factor > 2.9 and run.instability
-  and run.reason:find "^beyond a branching point at load factor 0%.9995"
+  and run.reason:find "^beyond a branching point at load factor [%d.]+"
   and run.instability.count == 2, "straight, driven: %s %s", run.verdict, run.reason)
 near((run.instability or { factor = 0 }).factor, buckles, 1e-3, "straight, driven: load")
 
@@ -500,8 +500,8 @@ expect(s.verdict == "completed" and s.limit == false and s.instability == nil an
 
 -- hinge check: compression against Euler's load.
 local _, told = run_scene("check", "-1e5", "")
-expect(told:find("member 1 (posts) carries 1e+05 N in compression in a linear solution of the loads, "
-  .. "0.708 times Euler's load 1.412e+05 N, pi^2 E I_min / L^2 between its nodes with effective length 1.0 (", 1, true),
+expect(support.has(told, "member 1 (posts) carries 1e+05 N in compression in a linear solution of the loads, "
+  .. "0.708 times Euler's load 1.412e+05 N, pi^2 E I_min / L^2 between its nodes with effective length 1.0 ("),
   "check: %s", told)
 for load, what in pairs { ["-7e4"] = "less than half", ["2e5"] = "in tension" } do
   _, told = run_scene("check", load, "")
@@ -538,9 +538,9 @@ equal(table.concat(named, " "), "12 11 10 9 8 7 6 5 4 3", "the worst first")
 expect((lines[10] or ""):find("and 2 more like it", 1, true), "the others are counted: %s", lines[10])
 for what, group in pairs { [""] = "nil", [" (posts)"] = "'posts'" } do
   lines = lines_of { apart = "0", group = group }
-  expect(#lines == 1 and lines[1]:find("members 1-12" .. what .. " carry up to 1.12e+05 N in compression in a linear "
-    .. "solution of the loads, worst member 12 with 3.17 times Euler's load 3.53e+04 N, pi^2 E I_min / (2 L)^2", 1,
-    true), "in one line: %s", table.concat(lines, "\n"))
+  expect(#lines == 1 and support.has(lines[1], "members 1-12" .. what .. " carry up to 1.12e+05 N in compression in a "
+    .. "linear solution of the loads, worst member 12 with 3.17 times Euler's load 3.53e+04 N, pi^2 E I_min / (2 L)^2"),
+    "in one line: %s", table.concat(lines, "\n"))
 end
 
 -- The progress line gives the energy error as a part of the largest energy, not of what rounding leaves at the start.

@@ -27,7 +27,7 @@ function support.smallest_of(first, ...)
 end
 
 --- A list of checks: expect(ok, what), equal(value, wanted, what), near(value, wanted, within, what),
---- same_files(path, other, what), done() at the end.
+--- prints(printed, shown, what), same_files(path, other, what), done() at the end.
 function support.checks(title)
   local count, failures = 0, {}
   local checks = {}
@@ -42,6 +42,10 @@ function support.checks(title)
   function checks.near(value, wanted, within, what)
     return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g",
       what, value, wanted, within)
+  end
+  --- What was printed is what is shown: support.prints.
+  function checks.prints(printed, shown, what)
+    return checks.expect(support.prints(printed, shown), "%s: prints\n%s\nand not\n%s", what, printed, shown)
   end
   --- Two files that are there and hold the same bytes.
   function checks.same_files(path, other, what)
@@ -60,10 +64,142 @@ function support.checks(title)
   return checks
 end
 
---- Whether a message is the template, in which "..." stands for anything.
-function support.says(message, template)
-  local pattern = template:gsub("%p", "%%%0"):gsub("%%%.%%%.%%%.", ".-")
-  return message:find("^" .. pattern .. "$") ~= nil
+-- Printed text --------------------------------------------------------------------------------------------------------
+-- Words are compared as words and numbers as numbers: processors differ in the sign of a zero and in the last digit, so
+-- in the blanks before a number as well.
+
+-- The text of the number that begins at a place. Digits in a word (case_2, lua5.4, a hash) and in a version (0.2.0) are
+-- no number.
+local function number_at(text, at)
+  if at > 1 and text:find("^[%w_.]", at - 1) then return nil end
+  local number = text:match("^[+-]?%d+", at)
+  if not number then return nil end
+  number = number .. (text:match("^%.%d+", at + #number) or "")
+  number = number .. (text:match("^[eE][+-]?%d+", at + #number) or "")
+  local after = at + #number
+  return not text:find("^[%w_]", after) and not text:find("^%.%d", after) and number or nil
+end
+
+-- How many digits a number is printed with, and one unit of the last of them.
+local function precision(number)
+  local whole, fraction, exponent = number:match "^[+-]?(%d+)%.?(%d*)[eE]?([+-]?%d*)$"
+  local digits = (whole .. fraction):gsub("^0+", "")
+  return #digits, 10.0 ^ ((tonumber(exponent) or 0) - #fraction)
+end
+
+--- Whether two printed numbers are the same. -0 is 0. Whole numbers are counts, and must be equal. Others may differ by
+--- one unit of the last digit where three digits or more are printed: a value between two of them may be rounded to
+--- either. They may also differ by 1e-6 of their value: iterations end at 1e-8, and a run adds such errors up.
+function support.same_number(a, b)
+  local x, y = tonumber(a), tonumber(b)
+  if x == y then return true end
+  if not (a:find "[.eE]" or b:find "[.eE]") then return false end
+  local digits, unit = precision(a)
+  local digits_of_b, unit_of_b = precision(b)
+  if unit_of_b < unit then digits, unit = digits_of_b, unit_of_b end -- 1 is 0.999999 and 0.3 is 0.299
+  return math.abs(x - y) <= support.largest_of(1e-6 * math.abs(x), digits >= 3 and 1.001 * unit or 0)
+end
+
+-- A text as a list of { words = } and { number = }. Blanks before a number are left out: how many there are depends on
+-- the number. So are those after it; the words that follow then have `gap`.
+local function parts_of(text)
+  local parts, from, at = {}, 1, 1
+  local function add_words(upto)
+    local words = text:sub(from, upto)
+    local last = parts[#parts]
+    local gap = last and last.number and words:find "^ +" ~= nil
+    words = gap and words:gsub("^ +", "") or words
+    if words ~= "" or gap then parts[#parts + 1] = { words = words, gap = gap } end
+  end
+  while at <= #text do
+    local number = number_at(text, at)
+    if number then
+      local upto = at - 1
+      while upto >= from and text:sub(upto, upto) == " " do upto = upto - 1 end
+      add_words(upto)
+      parts[#parts + 1] = { number = number }
+      at = at + #number
+      from = at
+    else
+      at = at + 1
+    end
+  end
+  add_words(#text)
+  return parts
+end
+
+-- The place after the parts in a text, if they stand at a place.
+local function skip_parts(parts, text, at)
+  for _, part in ipairs(parts) do
+    if part.number then
+      local begin = text:match("^ *()", at)
+      local number = number_at(text, begin)
+      if not number or not support.same_number(number, part.number) then return nil end
+      at = begin + #number
+    else
+      if part.gap then
+        if not text:find("^ ", at) then return nil end
+        at = text:match("^ *()", at)
+      end
+      if text:sub(at, at + #part.words - 1) ~= part.words then return nil end
+      at = at + #part.words
+    end
+  end
+  return at
+end
+
+-- Whether a text is a list of pieces one after the other, from `at` to its end. piece.after: what may come before the
+-- piece: "nothing", "line" (anything within its line) or "anything".
+local function are_pieces(pieces, i, text, at)
+  local piece = pieces[i]
+  if not piece then return at == #text + 1 end
+  local last = at
+  if piece.after == "line" then last = text:find("\n", at, true) or #text + 1
+  elseif piece.after == "anything" then last = #text + 1 end
+  for place = at, last do
+    local stop = skip_parts(piece.parts, text, place)
+    if stop and are_pieces(pieces, i + 1, text, stop) then return true end
+  end
+  return false
+end
+
+-- Cuts a text at its marks: `mark` stands for `after`, plainly.
+local function cut(pieces, text, mark, after)
+  local from = 1
+  while true do
+    local at, stop = text:find(mark, from, true)
+    pieces[#pieces + 1] = { text = text:sub(from, (at or 0) - 1), after = from > 1 and after or "nothing" }
+    if not at then return pieces end
+    from = stop + 1
+  end
+end
+
+local function match(pieces, text)
+  for _, piece in ipairs(pieces) do piece.parts = parts_of(piece.text) end
+  return are_pieces(pieces, 1, text, 1)
+end
+
+--- Whether what was printed is what is shown: words as words, numbers as numbers (support.same_number). In what is
+--- shown "…" stands for anything within its line, and a line "…" for any number of lines.
+function support.prints(printed, shown)
+  local text = "\n" .. shown
+  for _ = 1, 2 do text = text:gsub("\n…\n", "\n\0") end -- twice: two such lines share a line break
+  local pieces = {}
+  for _, lines in ipairs(cut({}, text, "\0", "anything")) do
+    local first = #pieces + 1
+    cut(pieces, lines.text, "…", "line")
+    pieces[first].after = lines.after
+  end
+  return match(pieces, "\n" .. printed)
+end
+
+--- Whether a message is the template, in which "..." stands for anything; numbers as numbers.
+function support.says(message, template) return match(cut({}, template, "...", "anything"), message) end
+
+--- Whether a piece stands somewhere in a text; numbers as numbers.
+function support.has(text, piece)
+  local anything = { text = "", after = "anything" }
+  return match({ { text = "", after = "nothing" }, { text = piece, after = "anything" }, anything }, text)
 end
 
 function support.quote(text) return "'" .. tostring(text):gsub("'", "'\\''") .. "'" end
@@ -166,6 +302,27 @@ model:member { foot, model:node { 1, 0, 0 }, section = hinge.section.solid { wid
   return 'local hinge = require "hinge"\n' .. (plain and model .. "hinge." .. frame
     or "return hinge.scenario { run = function(_, job)\n" .. model .. "job:" .. frame .. "end }\n")
 end
+
+--- A scenario for studies: a bar with a mass at its end swings for `steps` steps, with a checkpoint on the way.
+support.swinging_bar = [[
+local hinge = require "hinge"
+return hinge.scenario {
+  parameters = { speed = 10, steps = 20000 },
+  run = function(p)
+    local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }
+    local model = hinge.model()
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a, "all")
+    model:member { a, b, section = hinge.section.solid { width = 0.02, depth = 0.02 }, material = steel }
+    model:mass { node = b, mass = 1 }
+    model:velocity(b, { 0, 0, p.speed })
+    local run = model:dynamic { dt = 1e-5, duration = 1e-5 * p.steps, checkpoint = { file = "c", every = 0.2 } }
+    local path = run:probe { node = b, "uz" }
+    run:finish()
+    return { uz = path.value[#path.value], largest = path.max, n = #path.value }
+  end,
+}
+]]
 
 --- The least of `n` times that a command takes, in milliseconds.
 function support.milliseconds(command, n)

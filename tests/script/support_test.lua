@@ -1,5 +1,5 @@
 -- What the tests rest on: a number that is not one is missed by every limit, and no test collects its errors so that it
--- is dropped.
+-- is dropped. Printed text is compared with numbers as numbers.
 --
 -- Run: lua5.4 tests/script/support_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -48,6 +48,46 @@ do
   inner.done()
   print, io.stderr, os.exit = print_, stderr, exit
   expect(table.concat(output):find("6 of 8 checks failed", 1, true), "checks: %s", table.concat(output))
+end
+
+-- Printed text: words as words, numbers as numbers -------------------------------------------------------------------
+
+for _, case in ipairs {
+  -- printed, shown, whether they are the same
+  { "a  0.0  0\n", "a -0.0 -0\n", true }, { "x=-0.0,y", "x=0.0,y", true }, { "-0.0 m", "0.0 m", true },
+  { "a\n-0.0 m", "a\n 0.0 m", true }, { "a\t-0\tb", "a\t0\tb", true }, { "-0.01\n", " 0.01\n", false },
+  { "12.5 m", "-12.5 m", false },
+  -- one unit of the last of three digits, whichever side; more is another number
+  { "x 1.234 y", "x 1.235 y", true }, { "x 1.234 y", "x 1.236 y", false }, { "1.412e+05 N", "1.413e+05 N", true },
+  { "1.412e+05 N", "1.414e+05 N", false }, { "1.412e+05 N", "1.412e+06 N", false }, { "9.99 m", "10.00 m", true },
+  { "0.3", "0.4", false }, { "0.3", "0.2999", true }, { "1", "0.9999999", true }, { "1", "0.999", true },
+  -- one part in a million of many digits
+  { "3.1128541 mm", "3.1128555 mm", true }, { "3.1128541 mm", "3.1128591 mm", false },
+  -- counts
+  { "246 steps", "247 steps", false }, { "2024-11-24", "2024-11-25", false },
+  -- words, versions, names and hashes with digits in them; what is not a number
+  { "case_1.50", "case_1.51", false }, { "0.2.100", "0.2.101", false }, { "3e100f", "3e101f", false },
+  { "x nan", "x 0.0", false }, { "x 0.0", "x nan", false }, { "x -nan", "x nan", false }, { "x inf", "x 1e308", false },
+  { "a 0.0 b", "a 0.0 c", false }, { "a 0.0b", "a 0.0 b", false }, { "a b", "a  b", false }, { "", "", true },
+  -- "…" within a line and as a line, for anything and for nothing else
+  { "a 1\nx\ny\nb\n", "a …\n…\nb\n", true }, { "a\nb\n", "a\n…\nb\n", true }, { "a 1\nx\nb\n", "a …\nb\n", false },
+  { "a\nx\ny\n", "a\n…\n", true }, { "a\nx\nb\ny\nc\n", "a\n…\n…\nc\n", true }, { "x\na\n", "…\na\n", true },
+  { "t 12 s, 3.0 m", "t … s, -3.0 m", false }, { "t 12 s, -0.0 m", "t … s, 0.0 m", true }, { "a 2\n", "a 1\n", false },
+} do
+  local printed, shown, same = table.unpack(case)
+  equal(support.prints(printed, shown), same, ("'%s' as '%s'"):format(printed, shown))
+end
+for _, case in ipairs {
+  { "step 12, t = -0.0 s: no", "step ..., t = 0.0 s: no", true }, { "a\nb", "...b", true }, { "", "...", true },
+  { "step 12: no", "step ...: yes", false }, { "E is -2 Pa", "E is 2 Pa", false }, { "abc", "ab", false },
+} do
+  equal(support.says(case[1], case[2]), case[3], ("'%s' says '%s'"):format(case[1], case[2]))
+end
+for _, case in ipairs {
+  { "moved by -0.0 m along x", "by 0.0 m", true }, { "3 m and 4.001 m", "4.002 m", true }, { "12.5 m", "2.5 m", false },
+  { "a 0.1 m", "0.2 m", false }, { "nothing", "anything", false }, { "x", "", true },
+} do
+  equal(support.has(case[1], case[2]), case[3], ("'%s' has '%s'"):format(case[1], case[2]))
 end
 
 -- How tests collect numbers ------------------------------------------------------------------------------------------

@@ -1,11 +1,20 @@
 #!/usr/bin/env bash
-# A Slurm cluster of this machine alone, for a test: munged, slurmctld and slurmd on the loopback address, without cgroups.
+# A Slurm cluster of this machine alone, for a test: munged, slurmctld and slurmd on the loopback address, no cgroups.
 #
 # Run     tests/slurm/cluster.sh start FOLDER      as root; prints the path of slurm.conf, for SLURM_CONF
 #         tests/slurm/cluster.sh stop FOLDER
+#         tests/slurm/cluster.sh watch FOLDER      stops it when its standard input ends, as when a test is killed
 # Needs   apt-get install slurm-wlm munge
 set -eu
+PATH=$PATH:/usr/sbin:/sbin
 what=$1 folder=$2
+
+must() {
+  "$@" || {
+    echo "$1 ended with status $?" >&2
+    exit 1
+  }
+}
 
 start() {
   mkdir -p "$folder"/{state,spool,munge}
@@ -15,7 +24,7 @@ start() {
   chown -R munge:munge "$folder/munge"
   chmod 711 "$folder/munge"
   chmod 400 "$folder/munge/key"
-  runuser -u munge -- munged --key-file="$folder/munge/key" --socket="$folder/munge/socket" \
+  must runuser -u munge -- munged --key-file="$folder/munge/key" --socket="$folder/munge/socket" \
     --pid-file="$folder/munge/pid" --log-file="$folder/munge/log" --seed-file="$folder/munge/seed"
   host=$(hostname -s)
   port=$((20000 + $$ % 20000))
@@ -53,8 +62,8 @@ NodeName=$host NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
 PartitionName=test Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
   export SLURM_CONF="$folder/slurm.conf"
-  slurmctld -f "$SLURM_CONF"
-  slurmd -f "$SLURM_CONF"
+  must slurmctld -f "$SLURM_CONF"
+  must slurmd -f "$SLURM_CONF"
   for _ in $(seq 60); do
     if sinfo -h -o %T 2>/dev/null | grep -q idle; then
       echo "$SLURM_CONF"
@@ -72,6 +81,11 @@ stop() {
   for pid in "$folder/slurmd.pid" "$folder/slurmctld.pid" "$folder/munge/pid"; do
     if [ -s "$pid" ]; then kill "$(cat "$pid")" 2>/dev/null || true; fi
   done
+}
+
+watch() {
+  cat >/dev/null
+  stop
 }
 
 "$what"

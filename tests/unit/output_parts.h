@@ -26,9 +26,11 @@ namespace hinge::output::test {
 
 namespace fs = std::filesystem;
 
+extern const char* const output_module_path;  ///< output_module.cpp
+
 template <class Function>
 Function load(const char* name) {
-    static void* module = ::dlopen(HINGE_OUTPUT_MODULE, RTLD_NOW | RTLD_LOCAL);
+    static void* module = ::dlopen(output_module_path, RTLD_NOW | RTLD_LOCAL);
     INFO((module ? "" : ::dlerror()));
     REQUIRE(module);
     const auto function = reinterpret_cast<Function>(::dlsym(module, name));

@@ -129,7 +129,7 @@ TEST_CASE("contact: a tie resists the same way whether or not the bars have pass
             CHECK(tie.energy <= 2e9 * way * way * (1 + 1e-6) + 1e-20);
             CHECK(tie.energy >= 1.7e9 * way * way);
             CHECK(tie.opening == Approx(-way).epsilon(0.2).margin(1e-15));
-            CHECK(f[2][2] + f[3][2] <= -3.4e9 * way);
+            CHECK(f[2][2] + f[3][2] <= -3.4e9 * way + 1e-6);  // N: 4e9 N/m times rounding of a position
             for (const Vec6& n : f) CHECK(n.tail<3>().norm() == 0);
         }
     }
