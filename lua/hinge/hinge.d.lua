@@ -1056,10 +1056,10 @@ function model:dynamic(options) end
 ---"whole", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01, at its end or at
 ---an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100 steps, or 20
 ---times in a short run, and at the end. The state of a failed run is that of the last check at which the balance closed
----(models of up to 200 000 elements); run.energy_error and the last row of history.csv are those of the check that failed. run.reason ends with
----a setting that held from that state to 20 steps beyond the failure, in a short trial that calls no function of the
----script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If the model has such functions, it
----names a setting that was not tried
+---(models of up to 200 000 elements); run.energy_error and the last row of history.csv are those of the check that
+---failed. run.reason ends with a setting that held from that state to 20 steps beyond the failure, in a short trial
+---that calls no function of the script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If the
+---model has such functions, it names a setting that was not tried
 ---@field energy_tolerance? number
 ---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
 ---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot

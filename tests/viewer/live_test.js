@@ -76,10 +76,11 @@ async function with_little_room(b) {
           part(k, b, 2, 1) + part(k, b, 4, 2));
         most_wrong = Math.max(most_wrong, Math.abs(f_y - f.f_y[k * f.bars + b] * f.f_y_unit));
       }
-    return { most_wrong, loose: f.loose_from.length - 1, at_end: f.loose_from[f.count] - f.loose_from[f.count - 1] };
+    return { most_wrong, count: f.count, loose: f.loose_from.length - 1, at_end: f.loose_from[f.count] - f.loose_from[f.count - 1] };
   })()`);
   expect(data.most_wrong < 2e-3, `f_y differs from what the forces give by ${data.most_wrong}`);
-  expect(data.loose === times.length && data.at_end === 2, `loose ends: ${data.at_end} in the newest of ${data.loose} frames`);
+  expect(data.loose === data.count && data.at_end === 2,
+    `loose ends: ${data.at_end} in the newest of ${data.count} frames, ${data.loose} counts of them`);
 }
 
 async function after_its_end(b, stop) {
