@@ -7,15 +7,15 @@
 --         energy_error_percent = 0 within 0.01     energy error, of the potential energy released
 local hinge = require "hinge"
 local steel  = hinge.material { E = 206e9, density = 7850, yield_stress = 325e6 }
-local floor  = hinge.material { E = 206e9, density = 450e3, yield_stress = 325e6 } -- of beams that carry floors
 local column = hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.008 }
 local beam   = hinge.section.h { depth = 0.25, width = 0.125, web = 0.006, flange = 0.009 }
+local laden  = hinge.material { E = 206e9, density = 7850 + 1610 / beam.area, yield_stress = 325e6 } -- floor: 1610 kg/m
 local model, node = hinge.model(), {}
 for i = 1, 25 do -- five nodes on each of five levels
   node[i] = model:node { 6 * ((i - 1) % 5), 0, 3.5 * ((i - 1) // 5) }
   model:fix(node[i], i <= 5 and "all" or "y,rx,rz") -- the frame stays in its plane
   if i > 5 then model:member { node[i - 5], node[i], section = column, material = steel, group = "column " .. i } end
-  if i > 5 and i % 5 ~= 1 then model:member { node[i - 1], node[i], section = beam, material = floor } end
+  if i > 5 and i % 5 ~= 1 then model:member { node[i - 1], node[i], section = beam, material = laden } end
 end
 model:gravity { 0, 0, -9.80665 }
 local rest = model:static { steps = 4 }:finish()

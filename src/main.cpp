@@ -204,6 +204,16 @@ int main(int argc, char** argv) {
 
     std::vector<std::string> verbs, words(argv + 1, argv + argc);
     for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
+    if (!words.empty() && words[0] == "help") {  // hinge help VERB is hinge VERB --help
+        words.erase(words.begin());
+        if (!words.empty() && std::find(verbs.begin(), verbs.end(), words[0]) == verbs.end())
+            return std::cerr << "hinge: there is no verb '" << words[0] << "'"
+                             << hinge::script::did_you_mean(words[0], verbs)
+                             << "; hinge --help lists the verbs, hinge reference NAME tells about a call\n",
+                   2;
+        words.resize(std::min<std::size_t>(words.size(), 1));
+        words.emplace_back("--help");
+    }
     if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
     const bool named =
         !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());

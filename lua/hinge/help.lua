@@ -2,6 +2,7 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local reference = require "hinge.reference"
+local other_words = require "hinge.other_words"
 
 local help = {}
 
@@ -164,6 +165,15 @@ function help.search(word)
   return found
 end
 
+--- What to read of a word that the reference does not use (other_words.lua), a line; nil where that is not known.
+function help.see(word)
+  local plain_word = word:lower():gsub("[-_%s]+", " ")
+  local known = other_words[plain_word] or other_words[plain_word:match "^(.*)s$" or ""]
+  if not known then return nil end
+  return ("'%s'%s see %s (%s)"):format(word, known.missing and " is not available;" or ":",
+    table.concat(known.see, ", "), known.how)
+end
+
 local function listed(found)
   local lines = {}
   for _, place in ipairs(found) do
@@ -210,6 +220,12 @@ local function tell(_, ...)
       check.show(what))
   end
   local found = name ~= "" and help.search(name) or {}
+  local see = help.see(what)
+  if see then
+    io.write(reference.wrapped(see), "\n")
+    if #found > 0 then io.write("\nThe reference mentions it here:\n\n", listed(found)) end
+    return
+  end
   if #found == 0 then
     check.fail("help: nothing is called '%s'%s; help lists the calls", name, help.suggestion(name))
   end
@@ -230,9 +246,12 @@ end
 function help.main(options)
   local name, word = options.code, options.search
   if word then
-    local found = help.search(word)
-    if #found == 0 then return not_found("the reference does not mention '%s'%s", word, help.suggestion(word)) end
-    io.write(listed(found))
+    local found, see = help.search(word), help.see(word)
+    if see then io.write(reference.wrapped(see), "\n") end
+    if #found == 0 and not see then
+      return not_found("the reference does not mention '%s'%s", word, help.suggestion(word))
+    end
+    if #found > 0 then io.write(see and "\n" or "", listed(found)) end
     return 0
   end
   local text = not name and reference.page() or help.text(name)
@@ -240,7 +259,8 @@ function help.main(options)
     io.write(text)
     return 0
   end
-  local places = #help.search(name)
+  local places, see = #help.search(name), help.see(name)
+  if see then return not_found("nothing is called '%s'; %s", name, see) end
   local more = places > 0 and ("`hinge reference -s %s` finds %s of it"):format(name, check.count(places, "mention"))
     or "`hinge reference` prints everything, `hinge reference -s WORD` searches it"
   return not_found("nothing is called '%s'%s; %s", name, help.suggestion(name), more)

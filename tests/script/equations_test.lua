@@ -1,6 +1,6 @@
 -- The table of the paper's equations in src/README.md: every equation has a row, and where a row points to, the file
 -- has that function, with the equation's number in a comment. In src/theory.md a heading names every equation, and the
--- functions that it names are there.
+-- functions that it names are there. What src/README.md says of the folders and of where else to look is so.
 --
 -- Run: lua5.4 tests/script/equations_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -88,6 +88,40 @@ for row in rows:gmatch "[^\n]+" do
   for _, number in ipairs(numbers(equations)) do listed[number] = true end
 end
 for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
+
+-- The order of the folders: a file includes headers of its own folder and of those that stand before it. Folders
+-- between two arrows include nothing of each other.
+local order = assert(readme:match "Dependencies point one way: `([^`]*)`", "src/README.md does not order the folders")
+local rank, at, folders = {}, 0, 0
+for group in (order:gsub("main%.cpp", "") .. "<-"):gmatch "(.-)<%-" do
+  at = at + 1
+  for folder in group:gmatch "%l+" do rank[folder], folders = at, folders + 1 end
+end
+expect(folders > 9, "src/README.md orders %d folders", folders)
+local listing = support.output("cd " .. support.quote(support.root .. "src")
+  .. " && grep -rHo --include='*.[hc]*' '#include \"[a-z]*/' .")
+local includes = 0
+for folder, included in listing:gmatch '%./(%l+)/[^\n]-:#include "(%l+)/' do
+  includes = includes + 1
+  expect(folder == included or (rank[included] or at) < (rank[folder] or 0),
+    "src/%s includes a header of %s: %s", folder, included, order)
+end
+expect(includes > 300, "%d lines that include a header", includes)
+
+-- Where else to look: the files are there, and no two rows name the same ones.
+local seen = {}
+for what, where in readme:match "\n## Where else to look\n(.*)$":gmatch "\n| ([^\n]-) | ([^\n]-) |%f[\n\0]" do
+  local files = {}
+  for path in where:gmatch "`([%w_]+[/%.][%w_/%.]+)`" do
+    local from = support.is_there(support.root .. path) and "" or "src/"
+    local named_alone = not path:find "/" -- in the folder of the file before it
+    expect(named_alone or support.is_there(support.root .. from .. path), "'%s': %s is not there", what, path)
+    files[#files + 1] = path
+  end
+  local first = table.concat(files, ", ", 1, math.min(2, #files))
+  expect(#files < 2 or not seen[first], "'%s' and '%s' name the same files", what, seen[first])
+  seen[first] = what
+end
 
 local theory = assert(support.read(support.root .. "src/theory.md"))
 local headed, section = {}, nil

@@ -79,6 +79,37 @@ model:damping(options)
 hinge.energy.damping
     dissipated by Rayleigh damping, where model:damping is declared
 ]], "what a search prints")
+-- Words of engineers that the reference does not use.
+for words, wanted in pairs {
+  ["-s drift"] = "'drift' is not available; see node:displacement, run:probe (the drift of a storey is the "
+    .. "difference of the displacements of two nodes)",
+  ["-s diaphragms"] = "'diaphragms' is not available; see model:connector, model:member (...)",
+  ["-s inter-storey-drift"] = "...",
+  ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
+  ["-s earthquake"] = "'earthquake': see hinge.ground, model:move (...)",
+  ["-s supports"] = "'supports': see model:fix, model:move (supports are fixed degrees of freedom of a node)\n\n...",
+} do
+  local status_of, said = asks(words)
+  equal(status_of, wanted == "..." and 2 or 0, "status of " .. words)
+  expect(wanted == "..." or support.says((said:gsub("(%S)\n(%S)", "%1 %2")), wanted .. "..."), "%s: %s", words, said)
+end
+do
+  local status_of, said, complaint = asks "drift"
+  expect(status_of == 2 and said == "" and support.says(complaint,
+    "hinge: nothing is called 'drift'; 'drift' is not available; see node:displacement, ..."),
+    "the name of what there is not: %d %s%s", status_of, said, complaint)
+end
+local help, count = require "hinge.help", 0
+for word, known in pairs(require "hinge.other_words") do
+  count = count + 1
+  for _, name in ipairs(known.see) do expect(help.text(name), "'%s': there is no %s to see", word, name) end
+  expect(known.how ~= "" and #known.see > 0 and word == word:lower(), "'%s' tells nothing", word)
+  for _, name in ipairs(known.missing and { word, word .. "s", (word:gsub(" ", "_")) } or {}) do
+    expect(not help.text(name), "'%s' is said not to be available, and the reference has %s", word, name)
+  end
+end
+expect(count > 40, "%d words", count)
+
 expect(select(2, asks "-s 'a blast of'"):find("model:load(options)\n    ... ", 1, true), "a search finds examples")
 for line in select(2, asks "-s element"):gmatch "[^\n]+" do
   expect(utf8.len(line) <= 120, "a line of %d columns: %s", utf8.len(line), line)

@@ -73,6 +73,9 @@ for command in page:gmatch "\n| `(hinge [^`]*)`" do
   status, printed, complaint = run(there .. (command:gsub("^hinge", function() return program end)))
   equal(status, 0, command .. ": " .. complaint)
   expect(not printed:find "warning:", "%s: %s", command, printed)
+  if command:find " plan " then -- its own weight acts, and no load counts the floor a second time
+    expect(printed:find "\n  gravity +on " and printed:find "\n  member loads +off ", "%s: %s", command, printed)
+  end
 end
 equal(count, 8, "commands in its README")
 for line in main:match "^.-\n\n":gmatch "%-%-   (hinge .-)   " do

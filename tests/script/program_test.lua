@@ -38,6 +38,17 @@ for arguments, wanted in pairs {
     expect(printed:find(part, 1, true), "%s does not say '%s':\n%s", arguments, part, printed)
   end
 end
+for words, as in pairs { ["help"] = "--help", ["help run"] = "run --help", ["help reference"] = "reference --help" } do
+  local status, printed = run(hinge .. " " .. words)
+  equal(status, 0, words)
+  equal(printed, select(2, run(hinge .. " " .. as)), words)
+end
+do
+  local status, printed, complaint = run(hinge .. " help rn")
+  equal(status, 2, "help on a verb that there is not")
+  equal(printed .. complaint, "hinge: there is no verb 'rn' (did you mean 'run'?); hinge --help lists the verbs, "
+    .. "hinge reference NAME tells about a call\n", "help on a verb that there is not")
+end
 
 -- Scripts read the version from the first line; the commit is there where it is known.
 local _, about = run(hinge .. " --version")

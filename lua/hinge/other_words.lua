@@ -1,0 +1,53 @@
+-- Words that engineers look for and that the reference does not use, or uses for something else. hinge reference and
+-- help answer with the calls to read instead.
+--
+-- see: names of the reference, the nearest first. missing: hinge has no such thing. how: what these calls do for it.
+local function there(see, how) return { see = see, how = how } end
+local function missing(see, how) return { see = see, how = how, missing = true } end
+
+local floors = missing({ "model:load", "model:mass" }, "a floor is load and mass on the beams, without stiffness")
+local drift = missing({ "node:displacement", "run:probe" },
+  "the drift of a storey is the difference of the displacements of two nodes")
+local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natural periods of the models of a script")
+local no_law = missing({ "hinge.material", "model:fracture" }, "members yield without hardening, and break")
+local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
+local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
+local released = there({ "model:connector", "model:fix" },
+  "a pin is two nodes at one place, with a connector that is stiff in all directions but one")
+local rigid = missing({ "model:connector" }, "a connector with high stiffness joins two nodes")
+local shaken = there({ "hinge.ground", "model:move" },
+  "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
+local used = missing({ "run:read", "member:state" }, "f_y of a section, eq 14, is 1 where it is fully plastic")
+local utilised = there({ "run:read", "member:state" }, used.how)
+local named = missing({ "section.h", "section.box", "section.general" }, "sections are given by their dimensions")
+
+return {
+  ["acceleration record"] = shaken, accelerogram = shaken, ["ground motion"] = shaken, earthquake = shaken,
+  ["time history"] = shaken, seismic = shaken,
+  ["response spectrum"] = missing({ "hinge.ground", "model:move" }, "runs follow a record in time"),
+  drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
+  diaphragm = missing({ "model:connector", "model:member" }, "connectors or braces keep the nodes of a floor together"),
+  slab = floors, floor = floors, plate = floors, shell = floors, wall = floors, membrane = floors,
+  ["own weight"] = there({ "model:gravity" }, "gravity acts on the density of members and on point masses"),
+  ["dead load"] = there({ "model:case", "model:load", "model:gravity" }, "a load case holds loads under a name"),
+  ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),
+  pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
+  mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
+  hardening = no_law, softening = no_law, fibre = no_law, fiber = no_law, concrete = no_law,
+  temperature = temperature, fire = temperature, creep = temperature,
+  support = support, restraint = support, ["boundary condition"] = support,
+  ["moment release"] = released, pin = released, pinned = released,
+  diagram = there({ "hinge.picture", "member:forces" }, "show = \"Mx\" of a view draws moments along the members"),
+  ["rigid link"] = rigid, ["rigid body"] = rigid, ["rigid offset"] = rigid,
+  truss = there({ "model:connector", "model:fix" }, released.how),
+  cable = missing({ "model:connector" }, "a curve of a connector may resist in tension alone"),
+  prestress = missing({ "model:connector" }, "a curve of a connector may have a force at zero deformation"),
+  utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
+  imperfection = missing({ "model:node", "model:load" }, "nodes out of line, or a small load to the side"),
+  isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),
+  link = there({ "model:connector" }, "springs, dashpots, curves and functions between two nodes"),
+  restart = there({ "run:checkpoint", "run:resume", "hinge.resume" }, "a run goes on from its checkpoint, bit by bit"),
+  ipe = named, heb = named, ["section library"] = named,
+  convergence = there({ "hinge.cost", "hinge.static_options" }, "hinge cost SCRIPT compares settings"),
+  soil = missing({ "model:ground", "model:connector" }, "the ground presses on what falls; springs hold a foundation"),
+}
