@@ -84,17 +84,20 @@ void add_check(CLI::App& app, Request& request) {
 void add_cost(CLI::App& app, Request& request) {
     auto* verb = app.add_subcommand(
         "cost",
-        "Compare a scenario's accuracy settings: what each costs in time and how far it is from a finer reference");
+        "Compare a scenario's accuracy settings: what each costs in time, and its error with a band; of chaotic "
+        "answers mean and scatter");
     verb->add_option("script", request.script, "Lua script that returns a hinge.scenario")->required();
     verb->add_option("settings", request.overrides,
                      "Parameters of the script's scenario, key=value; an accuracy setting given here is not varied");
-    verb->add_option("--within", request.within, "Largest error accepted, such as 1% or 0.01 (default 1%)");
+    verb->add_option("--within", request.within,
+                     "Largest error accepted, its band included, such as 1% or 0.01 (default 1%)");
     verb->add_option("--quantity", request.quantity,
                      "Compare settings by this answer alone (default: by the worst of all)");
     verb->add_option("--case", request.case_name, "One of the scenario's cases");
     verb->add_option(
         "--budget", request.budget,
-        "Time limit, such as 60s, 5min or 1h; finished runs are kept, and a second call goes on from them");
+        "Time limit, such as 60 (seconds), 60s, 5min or 1h; measured times decide what is run, and what is left out is "
+        "named; finished runs are kept, and a second call goes on from them");
     verb->add_flag("--effects", request.effects,
                    "Leave out one effect at a time instead (contact, plasticity, ...), and print what each changes in "
                    "the answers and costs in time");

@@ -10,6 +10,7 @@ local benches = require "hinge.cost.bench"
 local effects = require "hinge.cost.effects"
 local ladder = require "hinge.cost.ladder"
 local methods = require "hinge.cost.methods"
+local scatter = require "hinge.cost.scatter"
 local verdict = require "hinge.cost.verdict"
 
 local cost = {}
@@ -86,23 +87,24 @@ local function run_settings(bench, knobs, settings)
   return compared, failed, left_out
 end
 
--- The two references with their answers, or nil and why not.
+-- The references that have an answer, at most two, and why it is not two.
 local function run_references(bench, knobs, compared)
-  local refs = references(knobs, compared)
+  local refs, done = references(knobs, compared), {}
   for i, r in ipairs(refs) do
     local estimate = still_to_come(bench, knobs, compared)
     bench:progress("reference " .. i .. ", " .. r.label, i, 2, estimate)
     if not bench:record(r) and not bench:fits(bench:estimate(r)) then
-      return nil, ("the budget leaves no time for the reference (%s) and its own check, about %.2g s; "
+      return done, ("the budget leaves no time for the reference (%s) and its own check, about %.2g s; "
         .. "a call with a larger budget continues from here"):format(r.label, estimate)
     end
     r.record = bench:run(r)
     if not r.record then
-      return nil, ("the budget ended in the reference (%s); give a larger one"):format(r.label)
+      return done, ("the budget ended in the reference (%s); give a larger one"):format(r.label)
     end
-    if r.record.failed then return nil, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
+    if r.record.failed then return done, ("the reference (%s) has no answer: %s"):format(r.label, r.record.failed) end
+    done[i] = r
   end
-  return refs
+  return done
 end
 
 -- Settings and references as many as fit. With the references measured there may be room for more settings, which are
@@ -111,11 +113,11 @@ local function compare_within(bench, knobs)
   local found
   repeat
     local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
-    local refs, problem
+    local refs, problem = {}, nil
     if #compared > 0 then refs, problem = run_references(bench, knobs, compared) end
-    local more = not found or refs and #compared > #found[1]
+    local more = not found or #refs == 2 and #compared > #found[1]
     if more then found = table.pack(compared, failed, left_out, refs, problem) end
-  until not more or not refs or #left_out == 0
+  until not more or #refs < 2 or #left_out == 0
   return table.unpack(found, 1, 5)
 end
 
@@ -155,25 +157,49 @@ function cost.compare(scenario, options)
       or "the budget ended before the first setting was finished; give a larger one")
   end
   local notes = { problem }
-  local scatter, silent = bench:scatter(default_of(knobs, compared))
+  local spread, silent = bench:scatter(default_of(knobs, compared))
   notes[#notes + 1] = silent
-  local moving = bench:time_alternately(compared, o.repeats)
-  local quantities = verdict.answers(refs, scatter, moving, compared, o.within)
+  local both = refs[2] and refs
+  local function weigh(moving)
+    local quantities = verdict.answers(both, spread, moving, compared, o.within)
+    return quantities, verdict.estimates(knobs, compared, refs, quantities, o.within)
+  end
+  -- an answer that differs from run to run is no chaos: one more run of each setting tells, before others are changed
+  local moving = bench:time_alternately(compared, scatter.called(weigh {}, o.quantity) and math.min(o.repeats, 2)
+    or o.repeats)
+  local quantities, finest = weigh(moving)
   if o.quantity and not quantities[o.quantity] then
     check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities))
   end
-  if refs then verdict.errors(compared, refs, quantities, o.quantity) end
-  local orders = verdict.orders(knobs, compared, refs, quantities, o.quantity)
+  if scatter.called(quantities, o.quantity) then
+    -- first one setting alone: it shows whether the scatter explains what the references differ by
+    local note = bench:vary { (verdict.finest(knobs, compared)) }
+    scatter.settle(compared, refs, quantities)
+    if scatter.chaotic(quantities, o.quantity) then
+      note = bench:vary(compared)
+      scatter.settle(compared, refs, quantities)
+    end
+    notes[#notes + 1] = note
+  end
+  for name in pairs(bench:time_alternately(compared, o.repeats)) do
+    if quantities[name] then quantities[name] = { state = "moving", kind = quantities[name].kind } end
+  end
+  local by = verdict.errors(compared, refs, quantities, o.quantity)
+  local orders = verdict.orders(knobs, compared, refs, by)
+  local finest_label = finest.label
+  verdict.describe(quantities)
   local front, best = verdict.front(compared, o.within)
   local equal = methods.compare(knobs, compared, o.within, best)
-  for i, r in ipairs(refs or {}) do
-    refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers }
+  for i, r in ipairs(refs) do
+    refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers,
+      errors = r.errors, estimates = r.estimates, error = r.error, high = r.high }
   end
   local result = {
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
-    knobs = knobs, settings = compared, failed = failed, left_out = left_out, references = refs,
+    knobs = knobs, settings = compared, failed = failed, left_out = left_out, references = refs[2] and refs,
+    finer = refs, finest = finest_label, compared_by = check.keys(by),
     quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
-    complete = #left_out == 0 and refs ~= nil, elapsed = bench:elapsed(),
+    complete = #left_out == 0 and refs[2] ~= nil, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.report".write(result, o.out) end
   return result

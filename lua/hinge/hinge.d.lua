@@ -1625,14 +1625,17 @@ function hinge.study(scenario, options) end
 
 -- What accuracy costs -------------------------------------------------------------------------------------------------
 
----Runs a scenario with each of its accuracy settings, and compares the answers with a reference. The runs are in this
----process, each with its own models. The reference is finer than all settings, and a second reference tests it. An
----answer has no error if the two references differ by more than half of `within`, or if it changes as much under small
----changes of the input. Answers are the numbers and lists of numbers that the scenario returns, and the probes of its
----runs (as histories). The scenario prints and draws nothing meanwhile. `hinge cost SCRIPT` prints the result. With
----effects = true the settings do not change. The scenario runs with its parameters, and once more without each effect
----that its models declare (gravity, large displacement, plasticity, fracture, contact, friction).
----`hinge cost SCRIPT --effects` prints this result.
+---Runs a scenario with each of its accuracy settings, and compares the answers with a reference. The runs are in
+---this process, each with its own models. The reference is finer than all settings, and a second reference tests it.
+---The error of an answer has a band: from the order of convergence if that is clear (Richardson), else from the
+---scatter of the finest runs. An answer is chaotic if it changes by more than half of `within` under relative
+---changes of 1e-9, or if the two references differ by no more than runs of one setting do. Such runs have their time
+---step, if it is varied, shorter by one to four thousandths, and all other numbers that are not whole changed by
+---1e-9. A chaotic answer has mean and scatter in place of an error. Answers are the numbers and lists of numbers
+---that the scenario returns, and the probes of its runs (as histories). The scenario prints and draws nothing
+---meanwhile. `hinge cost SCRIPT` prints the result. With effects = true the settings do not change. The scenario
+---runs with its parameters, and once more without each effect that its models declare (gravity, large displacement,
+---plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints this result.
 ---```lua
 ---local scenario = hinge.scenario {
 ---  accuracy = { dt = { 2e-4, 4e-4 } },
@@ -1655,8 +1658,9 @@ function hinge.cost(scenario, options) end
 ---@field case? string
 ---changes of the scenario's parameters; an accuracy setting among them stays fixed
 ---@field parameters? table<string, any>
----s, limit of the time. Cheap settings come first. A setting is not begun if the time is too short for it and its
----references. The plot takes about a second more. Default: no limit
+---s, limit of the time. Cheap settings come first. A setting is not begun if the time, by what finished runs took,
+---is too short for it and its references; `left_out` has it. If there is no time for references, the error comes
+---from the settings themselves. The plot takes about a second more. Default: no limit
 ---@field budget? number
 ---how often each setting is timed, in alternating order; default 3. If it is more than 1, short settings are timed more
 ---often, up to 21 times or 0.1 s
@@ -1682,7 +1686,12 @@ function hinge.cost(scenario, options) end
 ---@class hinge.cost_result
 ---@field settings hinge.cost_setting[] settings with an answer, the cheapest first
 ---@field front hinge.cost_setting[] the Pareto front: no other setting is both cheaper and better
----@field cheapest? hinge.cost_setting with an error up to `within`
+---@field cheapest? hinge.cost_setting whose error, with its band, is up to `within`
+---the answers that count for the error of a setting: all that are sound; if none is, all that have a band
+---@field compared_by string[]
+---@field finest string label of the finest run: a reference or, if no reference was run, a setting
+---references that were run, up to two
+---@field finer { values: table, label: string, seconds: number, answers: table, high?: number }[]
 ---@field quantities table<string, hinge.cost_quantity> by answer
 ---@field orders table<string, hinge.cost_order> by name of the number: the order of convergence
 ---for each setting without a finer side (formulation, integrator, ...): the time of its values at equal error, the
@@ -1704,13 +1713,23 @@ function hinge.cost(scenario, options) end
 ---@field case? string
 
 ---@class hinge.cost_quantity
----"sound"; "chaotic": it changes much under small changes of the input; "unsettled": the references differ; "moving":
----it differs from run to run; "unknown": there is no reference
+---"sound"; "chaotic": it changes much under small changes of the input; "unsettled": the references differ by more
+---than half of `within`; "moving": it differs from run to run; "unknown": there are no two references
 ---@field state string
 ---@field kind string "number" or "history"
----@field value? number of the references
+---@field value? number of the finest run
 ---@field agreement? number difference between the two references
 ---@field scatter? number as a part of the value, or of the largest value of a history
+---where the band of the errors comes from. "order": the observed order of convergence (Richardson); "theory": two
+---values, the order in theory and a safety factor of 3; "scatter": of the finest three runs, and of runs that are
+---changed slightly; "grows": refinements change it in one direction by no less each time, errors are lower bounds;
+---"open": there is one run alone, errors are lower bounds; "exact". nil: it is moving
+---@field by? string
+---@field half? number by so much the best known value may be off, as a part of it; half the width of the bands
+---@field order? number observed, if by = "order"; of all numbers together, in terms of halved steps
+---@field extrapolated? number the value without error by the observed order, if by = "order"
+---@field standard? string if chaotic: label of the finest setting with changed runs
+---@field alike? string[] if chaotic: labels of the settings whose means cannot be told apart from that of `standard`
 
 ---@class hinge.cost_order
 ---@field observed? number the median over the answers; math.huge: exact
@@ -1767,13 +1786,22 @@ function hinge.cost(scenario, options) end
 ---@class hinge.cost_setting
 ---@field values table<string, any>
 ---@field label string
----error of the answer with the largest one, as a part of its value. It is not below the difference of the references.
----nil: no answer has an error
+---estimated error of the answer with the largest one, as a part of its value. nil: no answer has an error
 ---@field error? number
+---@field low? number lower end of the band of that error
+---@field high? number upper end of the bands of all answers that count; math.huge: not known
 ---@field worst? string the answer's name
----@field below? boolean its error is below the difference of the references
----by answer; for histories, the root mean square difference over the largest value of the reference
+---@field below? boolean the error may be 0; `error` is the upper end of the band
+---@field above? boolean only a lower bound is known, which is `error`
+---by answer: the difference from the finest run, as a part of its value; for histories, the root mean square
+---difference over the largest value
 ---@field errors table<string, number>
+---by answer: the difference again, the estimated error and its band, as parts of the best known value
+---@field estimates table<string, { difference: number, error: number, low: number, high: number }>
+---by chaotic answer. runs: how many; scatter: standard deviation as a part of the mean; difference: of the mean from
+---that of the finest setting, as a part of it; apart: the scatter does not explain the difference (Welch's test, 95
+---%)
+---@field means? table<string, { mean?: number, runs: integer, scatter: number, difference: number, apart: boolean }>
 ---@field answers table<string, number|{ x: number[], y: number[] }>
 ---@field seconds number time of the steps of all runs, the median of `times`; for a scenario without runs, of all
 ---@field times number[]

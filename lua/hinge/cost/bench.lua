@@ -9,6 +9,8 @@ local store = require "hinge.cost.store"
 local Bench = {}
 Bench.__index = Bench
 local perturbations = 3
+local few = 4         -- runs of a setting that are changed to see its scatter, beside the unchanged one
+local shortened = 100 -- variations above it have a shorter time step
 local enough = 0.1 -- s; what takes less is timed more often, until all its times together are that long
 local most_repeats = 21
 
@@ -26,8 +28,8 @@ function Bench:elapsed() return core.clock() - self.start end
 --- Whether so many seconds more are within the budget.
 function Bench:fits(seconds) return not self.budget or self:elapsed() + seconds <= self.budget end
 
--- The parameters of a setting; `variation` > 0: every number that is not whole changed by a part of
--- 1e-9 or so, and how many were.
+-- The parameters of a setting; `variation` > 0: every number that is not whole changed by a part of 1e-9 or so, and how
+-- many were. Above `shortened` a time step among the settings is shorter by 1, 2, ... thousandths.
 function Bench:parameters(setting, variation)
   local p = {}
   for name, value in pairs(self.base) do p[name] = value end
@@ -36,7 +38,14 @@ function Bench:parameters(setting, variation)
   local names = {}
   for name in pairs(p) do names[#names + 1] = name end
   table.sort(names)
-  return measure.perturbed(p, names, self.part, variation)
+  if variation <= shortened then return measure.perturbed(p, names, self.part, variation) end
+  local changed, count = measure.perturbed(p, names, self.part, variation - shortened)
+  local plain = self:record(setting)
+  if type(setting.values.dt) == "number" then
+    changed.dt = measure.shortened(setting.values.dt, variation - shortened, plain and plain.longest)
+    count = count + 1
+  end
+  return changed, count
 end
 
 function Bench:key(setting, variation)
@@ -181,6 +190,39 @@ function Bench:scatter(setting)
     end
   end
   return scatter
+end
+
+--- Runs each setting a few times more, changed slightly, and keeps the records in `varied` of it: the time step, if it
+-- is among the settings, is shorter by one to four thousandths, other numbers change by 1e-9. Returns why not, or what
+-- the budget left out.
+function Bench:vary(compared)
+  local _, changed = self:parameters(compared[1], shortened + 1)
+  if changed == 0 then
+    return "the scenario has no number to change slightly, so the scatter of its answers is unknown"
+  end
+  local left_out, failed = {}, 0
+  for i, s in ipairs(compared) do
+    s.varied = {}
+    for k = 1, few do
+      local own = s.record.seconds[1] + s.record.outside
+      self:progress("changed slightly, " .. s.label, i - 1, #compared, (few - k + 1) * own)
+      local record = (self:record(s, shortened + k) or self:fits(own)) and self:run(s, shortened + k)
+      if not record then
+        left_out[#left_out + 1] = s
+        -- those of the check for chaos, where this setting was checked
+        for v = 1, k == 1 and perturbations or 0 do s.varied[#s.varied + 1] = self:record(s, v) end
+        break
+      end
+      if record.failed then failed = failed + 1 else s.varied[#s.varied + 1] = record end
+    end
+  end
+  local notes = {}
+  if failed > 0 then notes[1] = ("%d runs that were changed slightly failed"):format(failed) end
+  if #left_out > 0 then
+    notes[#notes + 1] = ("the budget left out runs that show the scatter of %d of %d settings, such as %s, "
+      .. "about %.2g s each"):format(#left_out, #compared, left_out[1].label, left_out[1].record.seconds[1])
+  end
+  return notes[1] and table.concat(notes, "; ")
 end
 
 --- A line on stderr: the work in hand, its progress, and the time left.

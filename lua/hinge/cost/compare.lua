@@ -67,6 +67,64 @@ function compare.error(answer, reference)
   return d / (scale > 0 and scale or size(answer))
 end
 
+--- The size of an answer: a number without its sign, the largest value of a history.
+compare.size = size
+--- The difference of two answers, root mean square for histories; math.huge if they cannot be compared.
+compare.distance = distance
+
+-- The values of a history at the abscissae of another one. Curves that turn back are taken step by step. nil if they do
+-- not go together.
+local function values_along(base, h)
+  if type(base) ~= type(h) then return nil end
+  if h == base then return h.y end
+  if #base.x < 2 or #h.x < 2 or not rises(base.x) or not rises(h.x) then return #base.y == #h.y and h.y or nil end
+  local values, k = {}, 1
+  for i, x in ipairs(base.x) do
+    if x > h.x[#h.x] * (1 + 1e-9) then break end
+    values[i], k = value_at(h, x, k)
+  end
+  return #values > 0 and values or nil
+end
+
+--- f of the values of several answers, as an answer: f(a, b, ...) of numbers; of histories f at each abscissa of the
+--- last one, as far as all of them go. nil if they do not go together.
+function compare.combined(f, ...)
+  local all = { ... }
+  local base = all[#all]
+  if type(base) == "number" then
+    for _, a in ipairs(all) do
+      if type(a) ~= "number" then return nil end
+    end
+    return f(...)
+  end
+  local columns, rows = {}, #base.y
+  for i, h in ipairs(all) do
+    columns[i] = values_along(base, h)
+    if not columns[i] then return nil end
+    rows = math.min(rows, #columns[i])
+  end
+  local result, cells = { x = table.move(base.x, 1, rows, 1, {}), y = {} }, {}
+  for k = 1, rows do
+    for i, column in ipairs(columns) do cells[i] = column[k] end
+    result.y[k] = f(table.unpack(cells))
+  end
+  return result
+end
+
+--- Whether the change from a to b goes on in the change from b to c: the cosine of the angle between both changes, for
+--- numbers 1, -1, or 0 where nothing changes.
+function compare.going_on(a, b, c)
+  local before = compare.combined(function(x, y) return y - x end, a, b, c)
+  local after = compare.combined(function(_, y, z) return z - y end, a, b, c)
+  if not before then return 0 end
+  if type(before) == "number" then return before * after > 0 and 1 or before * after < 0 and -1 or 0 end
+  local along, first, second = 0, 0, 0
+  for i, v in ipairs(before.y) do
+    along, first, second = along + v * after.y[i], first + v * v, second + after.y[i] * after.y[i]
+  end
+  return first * second > 0 and along / math.sqrt(first * second) or 0
+end
+
 --- The order of convergence p from answers at three step sizes h1 > h2 > h3: (h1^p - h2^p) / (h2^p - h3^p) is the ratio
 -- of their differences. nil if none between 0.02 and 16 fits; math.huge (exact) if the differences are 0.
 function compare.order(h, answers)

@@ -12,7 +12,8 @@ local sides = {
     why = "linear elements; asi-gauss is exact in elastic statics" },
   { "^steps$", finer = "larger", ratio = 2, order = 1, work = 1, why = "backward steps of load, where members yield" },
   { "tolerance$", finer = "smaller", ratio = 10, order = 1, work = 0.05, why = "what is left out of balance" },
-  { "^turn$", finer = "smaller", ratio = 2, order = 1, work = 0.2, why = "stiffness of elements that have rotated" },
+  { "^rebuild_angle$", finer = "smaller", ratio = 2, order = 1, work = 0.2,
+    why = "stiffness of elements that have rotated" },
 }
 
 -- Words, the finest first: the reference has the first one that is compared. For other words it has the default of the
@@ -48,6 +49,14 @@ local function usual(name, value)
     if word ~= value then list[#list + 1] = word end
   end
   return #list > 1 and list or nil
+end
+
+--- The names in the rules above, as they are written there: each has to be an option that there is.
+function ladder.named()
+  local names = {}
+  for _, side in ipairs(sides) do names[#names + 1] = side[1] end
+  for name in pairs(words) do names[#names + 1] = "^" .. name .. "$" end
+  return names
 end
 
 --- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }.

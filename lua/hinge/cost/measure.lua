@@ -57,13 +57,17 @@ local function harvest(result, histories, run)
     result.effects[effect.name] = result.effects[effect.name] or effect.active or nil
   end
   result.hashes[#result.hashes + 1] = run.hash
+  if run.kind == "dynamic" and run.planned_steps > (result.longest and result.longest.steps or 0) then
+    result.longest = { steps = run.planned_steps, time = run.time }
+  end
   if run.verdict == "failed" then result.failed = run.reason end
 end
 
 --- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =,
 -- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
 -- remainder = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
--- hashes = of the states at the end, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
+-- hashes = of the states at the end, longest = { steps =, time = } of the dynamic run with the most steps, failed = why
+-- it has no answer }; nil when `deadline` (of core.clock) came first.
 -- Each call makes its own models.
 function measure.once(scenario, parameters, case, deadline, without)
   local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {} }
@@ -131,6 +135,14 @@ function measure.perturbed(parameters, names, part, variation)
     end
   end
   return copy, count
+end
+
+--- A time step that is shorter by `number` thousandths or so: the longest run, if it was made with this step, still
+--- takes a whole number of steps, and ends at the same time.
+function measure.shortened(dt, number, longest)
+  local steps = longest and longest.steps or 0
+  if steps == 0 or math.abs(longest.time / steps / dt - 1) > 1e-6 then return dt * (1 - number / 1000) end
+  return longest.time / (steps + number * math.max(1, steps // 1000))
 end
 
 return measure

@@ -1,6 +1,8 @@
 -- The work-precision plot: error against time, a line for each method, the front marked.
+local check = require "hinge.check"
 local ladder = require "hinge.cost.ladder"
 local methods = require "hinge.cost.methods"
+local words = require "hinge.cost.words"
 
 local plot = {}
 local exact = 1e-10   -- errors below it are rounding: drawn beneath all others
@@ -13,21 +15,15 @@ local function method_of(result, s)
   for _, knob in ipairs(result.knobs) do
     if not knob.side then
       parts[#parts + 1] = (type(s.values[knob.name]) == "string" and "" or knob.name .. " ")
-        .. ladder.text(s.values[knob.name])
+        .. words.value(knob.name, s.values[knob.name])
     end
   end
   return table.concat(parts, ", ")
 end
 
--- What tells a setting from the others of its line: "dt 0.002, 4 elements".
-local function label_of(numbers, s)
-  local parts = {}
-  for _, knob in ipairs(numbers) do
-    local text = ladder.text(s.values[knob.name])
-    parts[#parts + 1] = knob.name == "elements_per_member" and text .. " elements" or knob.name .. " " .. text
-  end
-  return table.concat(parts, ", ")
-end
+-- What tells a setting on the front from the others of its line: "2 ms, 4 elements". Labels of all settings would hide
+-- the points.
+local function label_of(numbers, s) return s.front and words.label(numbers, s.values) or "" end
 
 -- The settings with an error by method: { { name =, settings = }, ... }, by name.
 local function group(result)
@@ -88,9 +84,45 @@ local function hides(line, others)
   return 2 * hidden >= #line.x
 end
 
+-- The chaotic answer that is drawn where no setting has an error: the chosen one, else the first one with numbers.
+local function chaotic(result)
+  for _, name in ipairs(check.keys(result.quantities)) do
+    if (result.quantity or name) == name and result.quantities[name].alike
+      and result.quantities[name].kind == "number" then return name end
+  end
+end
+
+-- Means against time, each with a bar of one standard deviation to both sides; named are those that cannot be told
+-- apart from the finest.
+local function draw_means(result, job, name)
+  local means = { name = "mean", style = "points", colour = "blue", x = {}, y = {}, labels = {} }
+  local alike = { name = "not told apart from the finest", style = "points", colour = "black", x = {}, y = {},
+    labels = {} }
+  local series = {}
+  for _, s in ipairs(result.settings) do
+    local m = s.means and s.means[name]
+    if m then
+      local half = m.scatter * math.abs(m.mean)
+      series[#series + 1] = { name = #series == 0 and "one standard deviation" or nil, colour = "sky",
+        x = { s.seconds, s.seconds }, y = { m.mean - half, m.mean + half } }
+      local to = m.apart and means or alike
+      local i = #to.x + 1
+      to.x[i], to.y[i], to.labels[i] = s.seconds, m.mean, m.apart and "" or words.label(result.knobs, s.values)
+    end
+  end
+  if #means.x > 0 then series[#series + 1] = means end
+  series[#series + 1] = alike
+  job:plot({ title = "Mean and scatter against time, " .. name, x_label = "time of the steps, s", y_label = name,
+    log_x = true, series = series, width = 1200, height = 760 }, "cost.png")
+end
+
 function plot.draw(result, job)
   local groups, numbers, least = group(result), {}, math.huge
-  if #groups == 0 then return end
+  if #groups == 0 then
+    local name = chaotic(result)
+    if name then draw_means(result, job, name) end
+    return
+  end
   for _, knob in ipairs(result.knobs) do numbers[#numbers + 1] = knob.side and knob end
   for _, s in ipairs(result.settings) do
     if s.error and s.error > exact then least = math.min(least, s.error) end

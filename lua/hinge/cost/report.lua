@@ -5,29 +5,42 @@ local jobs = require "hinge.job"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 local paper = require "hinge.paper"
+local headline = require "hinge.cost.headline"
 local plot = require "hinge.cost.plot"
 local text = require "hinge.cost.text"
+local words = require "hinge.cost.words"
 
 local report = {}
 local percent, bytes, sorted = text.percent, text.bytes, text.sorted
 local most_rows = 14 -- reasons shown; summary.json has them all
+local most_chaotic = 4 -- answers with a table of means
 local most_settings = 12 -- settings in a table; cost.csv has them all
 
 local states = {
-  chaotic = "chaotic: it changes by %s when every number changes by a relative %g, so it has no error",
-  unsettled = "not converged: two references, each finer than all settings, differ by %s; "
-    .. "give finer settings, or a larger --within",
+  chaotic = "is chaotic: it scatters by %s in runs that are changed slightly, so it has no error",
+  unsettled = "is not converged to what --within asks: two references, each finer than all settings, differ by %s; ",
   moving = "differs from run to run of the same setting (%s): a measured time, or a random number; left out",
 }
+local bases = {
+  order = "the order of convergence is clear, so the error is estimated from it (Richardson)",
+  theory = "the error is estimated with the theoretical order and a safety factor of 3",
+  scatter = "no order of convergence is clear, so its band is the scatter of the finest answers",
+  grows = "refinements change it in one direction by no less each time, so only a lower bound of its error is known",
+  open = "only a lower bound of its error is known",
+  exact = "",
+}
 
--- Why answers have no error. Answers with the same reason are on one line.
+-- Why answers have no error, or one that is larger than what was asked.
 local function doubts(result)
   local lines = {}
   for _, name in ipairs(sorted(result.quantities)) do
     local q = result.quantities[name]
     if states[q.state] then
       local size = q.state == "chaotic" and q.scatter or q.agreement
-      lines[#lines + 1] = ("%s %s"):format(name, states[q.state]:format(percent(size), result.perturbation))
+      lines[#lines + 1] = ("%s %s%s"):format(name, states[q.state]:format(percent(size)),
+        q.state == "unsettled" and bases[q.by or "open"] or "")
+    elseif q.state == "unknown" then
+      lines[#lines + 1] = ("%s has no reference: %s"):format(name, bases[q.by or "open"])
     end
   end
   if #lines > most_rows then
@@ -77,15 +90,18 @@ end
 local function settings_table(result)
   local head = { "" }
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
-  for _, title in ipairs { "error", "worst in", "time", "s", "memory", "energy error" } do head[#head + 1] = title end
+  local any = false
+  for _, s in ipairs(result.settings) do any = any or s.error ~= nil end
+  if any then table.move({ "error", "band", "worst in" }, 1, 3, #head + 1, head) end
+  table.move({ "time", "s", "memory", "energy error" }, 1, 4, #head + 1, head)
   local rows = {}
   for _, i in ipairs(shown(result)) do
     local s = result.settings[i]
     local row = { ("%d%s"):format(i, s.front and " *" or "") }
     for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
-    table.move({ (s.below and s.error > 1e-12 and "< " or "") .. percent(s.error), s.worst or "-",
-      ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.remainder) },
-      1, 6, #row + 1, row)
+    if any then table.move({ text.error(s), text.band(s), s.worst or "-" }, 1, 3, #row + 1, row) end
+    table.move({ ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.remainder) },
+      1, 4, #row + 1, row)
     rows[#rows + 1] = row
   end
   local fewest, most = math.huge, 0
@@ -97,12 +113,44 @@ local function settings_table(result)
       left_out > 0 and ("; the best %d, %d more in cost.csv"):format(#rows, left_out) or ""), head, rows)
 end
 
+-- The values of answers that are numbers, by setting.
+local function values_table(result, names)
+  local head, rows, numbers = { "setting" }, {}, {}
+  for _, name in ipairs(names) do
+    if result.quantities[name].kind == "number" then
+      numbers[#numbers + 1] = name
+      head[#head + 1] = name
+    end
+  end
+  if #numbers == 0 then return end
+  local function add(title, value_of, given)
+    local row, any = { title }, not given
+    for k, name in ipairs(numbers) do
+      local value = value_of(name)
+      row[k + 1] = value and text.number(value) or "-"
+      any = any or value ~= nil
+    end
+    if any then rows[#rows + 1] = row end
+  end
+  for _, i in ipairs(shown(result)) do
+    add(tostring(i), function(name) return tonumber(result.settings[i].answers[name]) end)
+  end
+  add("finest run", function(name) return result.quantities[name].value end)
+  add("extrapolated", function(name) return result.quantities[name].extrapolated end, true)
+  fitting_table(("Value of each answer by setting; finest run: %s"):format(result.finest), head, rows, "answers")
+end
+
+local bases_short = { order = "order %.2g", theory = "two values", scatter = "scatter", grows = "grows",
+  open = "unknown", exact = "exact" }
+
 local function answers_table(result)
   local largest = {}
   for name, q in pairs(result.quantities) do
-    if q.state == "sound" then
+    if q.by and q.state ~= "chaotic" then
       largest[name] = 0
-      for _, s in ipairs(result.settings) do largest[name] = compare.larger(largest[name], s.errors[name]) end
+      for _, s in ipairs(result.settings) do
+        largest[name] = compare.larger(largest[name], s.errors[name] or math.huge)
+      end
     end
   end
   local names = sorted(largest, function(a, b) return largest[a] > largest[b] or largest[a] == largest[b] and a < b end)
@@ -116,10 +164,48 @@ local function answers_table(result)
     for k, name in ipairs(names) do row[k + 1] = percent(result.settings[i].errors[name]) end
     rows[#rows + 1] = row
   end
-  local references = { "references" }
-  for k, name in ipairs(names) do references[k + 1] = percent(result.quantities[name].agreement) end
-  rows[#rows + 1] = references
-  fitting_table("Error of each answer by setting, and by how much the references differ", head, rows, "answers")
+  local apart, half, by = { "references" }, { "band +/-" }, { "from" }
+  for k, name in ipairs(names) do
+    local q = result.quantities[name]
+    apart[k + 1] = percent(q.agreement)
+    half[k + 1] = q.half == math.huge and "unknown" or percent(q.half)
+    by[k + 1] = (bases_short[q.by] or "-"):format(q.order)
+  end
+  if result.references then rows[#rows + 1] = apart end
+  table.move({ half, by }, 1, 2, #rows + 1, rows)
+  fitting_table("Error of each answer by setting: its difference from the finest run; below, what that run itself "
+    .. "leaves open", head, rows, "answers")
+  values_table(result, names)
+end
+
+-- Means and scatter of chaotic answers, and the settings whose means cannot be told apart.
+local function chaos_tables(result)
+  local count = 0
+  for _, name in ipairs(sorted(result.quantities)) do
+    local q = result.quantities[name]
+    if q.alike and (not result.quantity or result.quantity == name) then
+      count = count + 1
+      if count <= most_chaotic then
+        local rows, alike = {}, {}
+        for _, i in ipairs(shown(result)) do
+          local m = (result.settings[i].means or {})[name]
+          if m then
+            local standard = result.settings[i].label == q.standard
+            rows[#rows + 1] = { tostring(i), m.mean and text.number(m.mean) or "-", percent(m.scatter),
+              tostring(m.runs), standard and "-" or percent(m.difference),
+              standard and "the finest" or m.apart and "yes" or "no" }
+            if not m.apart and not standard then alike[#alike + 1] = tostring(i) end
+          end
+        end
+        paper.table(("%s is chaotic: mean and scatter (standard deviation) over runs that are changed slightly")
+          :format(name), { "setting", "mean", "scatter", "runs", "from the finest's mean", "told apart (95 %)" }, rows)
+        print(#alike > 0 and ("  the mean of %s %s cannot be told apart from that of %s"):format(
+          #alike == 1 and "setting" or "settings", words.list(alike), q.standard)
+          or #rows > 1 and ("  no mean agrees with that of %s"):format(q.standard) or "")
+      end
+    end
+  end
+  if count > most_chaotic then print(("  %d more chaotic answers in cost.csv"):format(count - most_chaotic)) end
 end
 
 local function stages_of(settings)
@@ -182,8 +268,10 @@ end
 
 --- Prints it all.
 function report.show(result)
+  for _, line in ipairs(headline.lines(result)) do print(line) end
   settings_table(result)
   answers_table(result)
+  chaos_tables(result)
   stages_table(result)
   equal_tables(result)
   orders_table(result)
@@ -198,15 +286,11 @@ function report.show(result)
   end
   for _, line in ipairs(doubts(result)) do print(line) end
   for _, note in ipairs(result.notes) do print("note: " .. note) end
-  for _, s in ipairs(result.failed) do print(("no answer: %s: %s"):format(s.label, s.failed)) end
-  local out = result.left_out[1]
-  if out then
-    print(("left out because of the budget: %s, such as %s, about %.2g s and %.2g s for its reference")
-      :format(check.count(#result.left_out, "setting"), out.label, out.estimate, out.rest))
-  end
-  local sound, all = 0, 0
-  for _, q in pairs(result.quantities) do sound, all = sound + (q.state == "sound" and 1 or 0), all + 1 end
-  local by = result.quantity or ("%d of %d answers"):format(sound, all)
+  for _, line in ipairs(headline.failures(result)) do print(line) end
+  for _, line in ipairs(headline.left_out(result)) do print(line) end
+  local all = 0
+  for _ in pairs(result.quantities) do all = all + 1 end
+  local by = result.quantity or ("%d of %d answers"):format(#result.compared_by, all)
   if result.cheapest then
     print(("cheapest within %s (compared by %s): %s, %s, %.3g s")
       :format(percent(result.within), by, result.cheapest.label, percent(result.cheapest.error),
@@ -216,26 +300,52 @@ function report.show(result)
   end
 end
 
+-- The columns of each answer: { title, function of the setting }. difference: from the finest run.
+local function answer_columns(result, names)
+  local columns = {}
+  local function add(title, f) columns[#columns + 1] = { title, f } end
+  for _, name in ipairs(names) do
+    local q = result.quantities[name]
+    if q.kind == "number" then
+      add("value of " .. name, function(s) return s.answers and tonumber(s.answers[name]) end)
+    end
+    if q.alike then
+      for _, what in ipairs { "mean", "scatter", "runs" } do
+        add(("%s of %s"):format(what, name), function(s) return s.means and s.means[name] and s.means[name][what] end)
+      end
+    elseif q.by then
+      add("difference of " .. name, function(s) return s.errors and s.errors[name] end)
+      for _, what in ipairs { "error", "low", "high" } do
+        add(("%s of %s"):format(what, name),
+          function(s) return s.estimates and s.estimates[name] and s.estimates[name][what] end)
+      end
+    end
+  end
+  return columns
+end
+
 local function csv(result)
   local names, stages, lines = sorted(result.quantities), stages_of(result.settings), {}
   local function add(cells) lines[#lines + 1] = text.csv_line(cells) end
   local head = {}
   for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
-  local titles = "error worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"
+  local titles = "error low high worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"
   for title in titles:gmatch "%S+" do head[#head + 1] = title end
   for _, stage in ipairs(stages) do head[#head + 1] = "seconds of " .. stage end
-  for _, name in ipairs(names) do head[#head + 1] = "error of " .. name end
+  local columns = answer_columns(result, names)
+  for _, column in ipairs(columns) do head[#head + 1] = column[1] end
   add(head)
   for _, list in ipairs { result.settings, result.failed } do
     for _, s in ipairs(list) do
       local row = {}
       for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
-      for _, cell in ipairs { s.error or "", s.worst or "", s.seconds or "", s.ratio or "", s.times and #s.times or 0,
+      for _, cell in ipairs { s.error or "", s.low or "", s.high or "", s.worst or "", s.seconds or "", s.ratio or "",
+        s.times and #s.times or 0,
         s.outside or "", s.memory or "", s.remainder or "", s.front or false, s.meets or false, s.failed or "" } do
         row[#row + 1] = cell
       end
       for _, stage in ipairs(stages) do row[#row + 1] = s.stages and s.stages[stage] or "" end
-      for _, name in ipairs(names) do row[#row + 1] = s.errors and s.errors[name] or "" end
+      for _, column in ipairs(columns) do row[#row + 1] = column[2](s) or "" end
       add(row)
     end
   end
@@ -279,6 +389,7 @@ function report.write(result, out)
   for i, r in ipairs(result.references or {}) do
     summary.references[i] = { label = r.label, values = r.values, seconds = r.seconds }
   end
+  summary.finer, summary.words = nil, headline.lines(result)
   for i, s in ipairs(result.front) do summary.front[i] = s.label end
   summary.version = core.version
   core.write_json(out .. "/summary.json", summary)

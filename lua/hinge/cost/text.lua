@@ -8,6 +8,22 @@ function text.percent(part)
   return ("%.3g %%"):format(100 * part)
 end
 
+--- A number with four digits, as short as it can be written.
+function text.number(value) return ("%.4g"):format(value) end
+
+--- The error of a setting: "< 1 %" where it is nearer than the finest run is known, "> 1 %" where only that is known.
+function text.error(s)
+  return (s.below and s.error > 1e-12 and "< " or s.above and s.error > 1e-12 and "> " or "") .. text.percent(s.error)
+end
+
+--- The band of an error: "0.1 to 0.2 %".
+function text.band(s)
+  if not s.high then return "-" end
+  if s.high == math.huge then return "unknown" end
+  if s.high < 1e-12 then return "exact" end
+  return ("%s to %s"):format(s.low < 1e-12 and "0" or ("%.3g"):format(100 * s.low), text.percent(s.high))
+end
+
 function text.bytes(n) return n and ("%.1f MB"):format(n / 1e6) or "-" end
 
 --- The keys of a map.

@@ -1,6 +1,7 @@
 -- Results when all settings have been run: which answers can be trusted, the errors, the orders of convergence, and the
 -- Pareto front.
 local compare = require "hinge.cost.compare"
+local estimate = require "hinge.cost.estimate"
 local ladder = require "hinge.cost.ladder"
 
 local verdict = {}
@@ -24,29 +25,143 @@ function verdict.answers(refs, scatter, moving, compared, within)
   return quantities
 end
 
---- The errors of each setting by answer, and one error of the setting: the largest of the trusted answers, or that of
---- the
--- chosen answer. It is not below the difference of the references.
-function verdict.errors(compared, refs, quantities, chosen)
+--- The setting that stands for the finest among some, and whether all its knobs have their finest value.
+function verdict.finest(knobs, compared)
+  local best, most = nil, -1
   for _, s in ipairs(compared) do
-    s.errors = {}
-    for name, q in pairs(quantities) do
-      if q.state == "sound" then
-        local error = compare.error(s.record.answers[name], refs[2].record.answers[name])
-        s.errors[name] = error
-        local bounded = compare.larger(error, q.agreement)
-        if (not chosen or chosen == name)
-          and (not s.error or bounded > s.error or bounded == s.error and name < s.worst) then
-          s.error, s.worst, s.below = bounded, name, error < q.agreement
+    local finest = 0
+    for _, knob in ipairs(knobs) do
+      if s.values[knob.name] == ladder.finest(knob, compared) then finest = finest + 1 end
+    end
+    if finest > most or finest == most and s.weight > best.weight then best, most = s, finest end
+  end
+  return best, most == #knobs
+end
+
+-- The settings that differ from the finest one in this number alone and are no finer, the coarsest first.
+local function line_to(finest, knob, knobs, compared)
+  local line = {}
+  for _, s in ipairs(compared) do
+    local along = ladder.finer(knob, s.values[knob.name], finest.values[knob.name]) <= 1
+    for _, other in ipairs(knobs) do
+      along = along and (other == knob or s.values[other.name] == finest.values[other.name])
+    end
+    if along then line[#line + 1] = s end
+  end
+  table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
+  return line
+end
+
+-- The order in which all numbers converge together when each is refined by its ratio, in terms of halved steps.
+local function joint_order(knobs)
+  local least
+  for _, knob in ipairs(knobs) do
+    if knob.side then least = math.min(least or math.huge, (knob.side.order or 1) * math.log(knob.side.ratio, 2)) end
+  end
+  return least or 1
+end
+
+--- What is known of the exact value of each answer, into `found` and `finest` of it: from the finest setting and the
+--- references, which refine all numbers together. Without a reference it comes from one line of settings a number.
+-- refs: the references that have an answer, none to two of them. Answers that differ by less than `within` have
+-- settled.
+function verdict.estimates(knobs, compared, refs, quantities, within)
+  local best, whole = verdict.finest(knobs, compared)
+  local levels = whole and { best } or {}
+  table.move(refs, 1, #refs, #levels + 1, levels)
+  local finest = levels[#levels] or best
+  local h = table.move({ 4, 2, 1 }, 4 - #levels, 3, 1, {})
+  for name, q in pairs(quantities) do
+    local last = finest.record.answers[name]
+    local answers, parts = {}, {}
+    for i, s in ipairs(levels) do answers[i] = s.record.answers[name] end
+    if q.state == "moving" or last == nil then q.found = nil
+    elseif #refs > 0 then
+      q.found = #answers == #levels and estimate.along(h, answers, joint_order(knobs), within)
+        or { by = "open", answer = last, half = math.huge }
+    else
+      for _, knob in ipairs(knobs) do
+        if knob.side then
+          local line, sizes, values = line_to(finest, knob, knobs, compared), {}, {}
+          for i = math.max(1, #line - 2), #line do
+            sizes[#sizes + 1] = 1 / ladder.finer(knob, line[i].values[knob.name], finest.values[knob.name])
+            values[#values + 1] = line[i].record.answers[name]
+          end
+          parts[#parts + 1] = #values == #sizes and estimate.along(sizes, values, knob.side.order or 1, within)
+            or { by = "open", answer = last, half = math.huge }
         end
+      end
+      q.found = #parts > 0 and estimate.together(last, parts) or { by = "open", answer = last, half = math.huge }
+    end
+    q.finest = last
+  end
+  return finest
+end
+
+-- The answers by which settings are compared: the chosen one; else those that can be trusted; else, one kind after the
+-- other, those with a band and those with a lower bound.
+local function ranked(quantities, chosen)
+  local kinds = { {}, {}, {} }
+  for name, q in pairs(quantities) do
+    if q.found and q.state ~= "chaotic" and (not chosen or chosen == name) then
+      local open = q.found.by == "open" or q.found.by == "grows"
+      kinds[chosen and 1 or q.state == "sound" and 1 or open and 3 or 2][name] = q
+    end
+  end
+  return next(kinds[1]) and kinds[1] or next(kinds[2]) and kinds[2] or kinds[3]
+end
+
+-- The largest error of a setting among some answers, and the answer that has it. A setting that is nearer than the
+-- finest one is known has the end of its band.
+local function worst_of(s, names)
+  for name, q in pairs(names) do
+    local e = s.estimates[name]
+    if e then
+      local above, below = e.high == math.huge, e.low == 0 and e.high > 0 and e.high < math.huge
+      local error = below and e.high or e.error
+      s.high = compare.larger(s.high or 0, e.high)
+      if not s.error or error > s.error or error == s.error and name < s.worst then
+        s.error, s.worst, s.low, s.below, s.above, s.by = error, name, e.low, below, above, q.found.by
       end
     end
   end
 end
 
---- For each knob with a known finer side: the order of convergence of the answers, from its finest three values. All
+--- The errors of each setting by answer, and one error of the setting: the largest of the answers by which settings are
+--- compared. The same for the references. Returns these answers.
+function verdict.errors(compared, refs, quantities, chosen)
+  local names = ranked(quantities, chosen)
+  for _, list in ipairs { compared, refs } do
+    for _, s in ipairs(list) do
+      s.errors, s.estimates = {}, {}
+      for name, q in pairs(quantities) do
+        if q.found and q.state ~= "chaotic" then
+          s.estimates[name] = estimate.error(s.record.answers[name], q.found, q.finest)
+          s.errors[name] = s.estimates[name].difference
+        end
+      end
+      worst_of(s, names)
+    end
+  end
+  return names
+end
+
+--- Puts what is known of the exact values into fields for the script and for summary.json: see hinge.cost_quantity.
+function verdict.describe(quantities)
+  for _, q in pairs(quantities) do
+    local found, size = q.found, q.found and compare.size(q.found.answer)
+    if found then
+      q.by, q.order = found.by, found.order
+      q.half = size > 0 and found.half / size or found.half > 0 and math.huge or 0
+      q.extrapolated = q.kind == "number" and found.by == "order" and found.answer or nil
+    end
+    q.value, q.found, q.finest = q.kind == "number" and q.finest or nil, nil, nil
+  end
+end
+
+--- For each knob with a known finer side: the order of convergence of some answers, from its finest three values. All
 -- other knobs have their finest value.
-function verdict.orders(knobs, compared, refs, quantities, chosen)
+function verdict.orders(knobs, compared, refs, names)
   local result, sided = {}, 0
   for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
   for _, knob in ipairs(knobs) do
@@ -59,11 +174,11 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
         end
         if along then line[#line + 1] = s end
       end
-      if sided == 1 and refs then table.move(refs, 1, 2, #line + 1, line) end
+      if sided == 1 then table.move(refs, 1, #refs, #line + 1, line) end
       table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
       local found, all, n = {}, {}, #line
-      for name, q in pairs(quantities) do
-        if n >= 3 and q.state == "sound" and (not chosen or chosen == name) then
+      for name in pairs(names) do
+        if n >= 3 then
           local h, answers = {}, {}
           for i = 1, 3 do
             h[i] = 1 / ladder.finer(knob, line[n - 3 + i].values[knob.name], line[n - 2].values[knob.name])
@@ -82,8 +197,7 @@ function verdict.orders(knobs, compared, refs, quantities, chosen)
 end
 
 --- Sets the time of each setting and whether it is on the Pareto front, and sorts the settings by time. Returns the
---- front
--- and the cheapest setting with an error up to `within`.
+--- front and the cheapest setting whose error, with its band, is up to `within`.
 function verdict.front(compared, within)
   local cheapest, items = math.huge, {}
   for i, s in ipairs(compared) do
@@ -100,9 +214,10 @@ function verdict.front(compared, within)
   for _, s in ipairs(compared) do
     s.ratio, s.front = s.seconds / cheapest, s.front or false
     s.errors = s.errors or {}
-    s.meets = s.error ~= nil and s.error <= within
+    s.meets = s.high ~= nil and s.high <= within * (1 + rounding)
     best = best or s.meets and s or nil
-    s.answers, s.record, s.weight, s.place = s.record.answers, nil, nil, nil
+    s.answers = s.record.answers
+    s.record, s.weight, s.place, s.varied = nil, nil, nil, nil
   end
   return front, best
 end

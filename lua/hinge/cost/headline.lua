@@ -1,0 +1,192 @@
+-- The result of hinge cost in words: its first lines, the settings that failed, and what the budget left out.
+local text = require "hinge.cost.text"
+local words = require "hinge.cost.words"
+
+local headline = {}
+local near = 1.1       -- settings whose bounds differ by less are the same to the words; the cheaper one is named
+local cheaper = 2      -- a setting that takes less than half the time is worth a word beside the wanted one,
+local far = 10         -- if its error is at most ten times the wanted one
+local better = 2       -- so is one with less than half the error
+local most_left_out = 6
+local other_method = 100 -- farther away than any number of the same method
+
+local percent, sorted = text.percent, text.sorted
+
+local function time(seconds) return words.seconds(seconds, 2) end
+
+-- Settings and finer runs with a finite bound of the error, the cheapest first.
+local function candidates(result)
+  local all = {}
+  for _, list in ipairs { result.settings, result.finer or {} } do
+    for _, s in ipairs(list) do
+      if s.high and s.high < math.huge then all[#all + 1] = s end
+    end
+  end
+  table.sort(all, function(a, b) return a.seconds < b.seconds end)
+  return all
+end
+
+local function first(all, fits)
+  for _, s in ipairs(all) do
+    if fits(s) then return s end
+  end
+end
+
+local function bound(part) return part < 1e-10 and "exact to rounding" or "within " .. words.bound(part) end
+
+-- "dt 1 ms with two elements is within 3 % in 4 s; 1 % takes 31 s (dt 250 us with four elements)"
+local function main_line(result, all)
+  local within, knobs = result.within, result.knobs
+  local function name(s) return words.setting(knobs, s.values) end
+  local function takes(s, part)
+    return ("%s takes %s (%s)"):format(words.bound(part), time(s.seconds), name(s))
+  end
+  local wanted = result.cheapest
+  if wanted then
+    local early
+    for _, s in ipairs(all) do
+      if s.seconds * cheaper <= wanted.seconds and s.high <= far * within and (not early or s.high < early.high) then
+        early = s
+      end
+    end
+    if early then
+      return ("%s is %s in %s; %s"):format(name(early), bound(early.high), time(early.seconds), takes(wanted, within))
+    end
+    local exact = wanted.high < 1e-10
+    local next_one = not exact and first(all, function(s) return s.high * better <= wanted.high end)
+    return ("%s is %s in %s%s"):format(name(wanted), exact and "exact to rounding" or "within " .. words.bound(within),
+      time(wanted.seconds), next_one and "; " .. (next_one.high < 1e-10
+        and ("%s is exact in %s"):format(name(next_one), time(next_one.seconds))
+        or takes(next_one, next_one.high)) or "")
+  end
+  local least = math.huge
+  for _, s in ipairs(result.settings) do least = math.min(least, s.high or math.huge) end
+  local best = first(all, function(s) return s.high <= near * least end)
+  local fine = first(all, function(s) return s.high <= within end)
+  local finest = all[#all]
+  return ("%s is %s in %s; %s"):format(name(best), bound(best.high), time(best.seconds), fine and takes(fine, within)
+    or finest ~= best and finest.high < best.high and ("%s is not reached: the finest run (%s, %s) is %s"):format(
+      percent(within), name(finest), time(finest.seconds), bound(finest.high))
+    or percent(within) .. " is not reached")
+end
+
+-- The chaotic answers in words: mean and scatter of the cheapest setting that cannot be told apart from the finest.
+local function chaotic_line(result, name)
+  local q, least, standard, alike, all = result.quantities[name], nil, nil, 0, 0
+  for _, s in ipairs(result.settings) do
+    local m = s.means and s.means[name]
+    if m then
+      all = all + 1
+      if not m.apart then
+        alike = alike + 1
+        least = least or s
+      end
+      if s.label == q.standard then standard = s end
+    end
+  end
+  if not least then
+    return ("%s is chaotic: runs that are changed slightly scatter by %s"):format(name, percent(q.scatter))
+  end
+  local m = least.means[name]
+  local value = m.mean and ("%s with a scatter of %.2g"):format(text.number(m.mean), m.scatter * math.abs(m.mean))
+    or ("a scatter of %s of its largest value"):format(percent(m.scatter))
+  local fine = ("%s (%s)"):format(words.setting(result.knobs, standard.values), time(standard.seconds))
+  local rest
+  if alike == all then
+    rest = all > 1 and "no setting can be told apart from the finest, " .. fine
+      or "no other setting was run often enough"
+  elseif least == standard then
+    rest = "the means of all other settings differ from it"
+  else
+    rest = ("this mean cannot be told apart from that of %s, as %d of %d cannot"):format(fine, alike, all)
+  end
+  return ("%s is chaotic: %s in %d runs of %s (%s each); %s"):format(name, value, m.runs,
+    words.setting(result.knobs, least.values), time(least.seconds), rest)
+end
+
+--- The result in words: the first line is the answer; a second one names the answers that it does not hold for.
+function headline.lines(result)
+  local all, lines, apart, chaotic = candidates(result), {}, {}, {}
+  for _, name in ipairs(sorted(result.quantities)) do
+    local q = result.quantities[name]
+    if not result.quantity or result.quantity == name then
+      if q.state == "chaotic" then chaotic[#chaotic + 1] = name end
+    end
+  end
+  local by = {}
+  for _, name in ipairs(result.compared_by) do by[name] = true end
+  local bounded = false
+  for _, s in ipairs(result.settings) do bounded = bounded or (s.high and s.high < math.huge) end
+  if bounded then
+    lines[1] = main_line(result, all)
+    for _, name in ipairs(sorted(result.quantities)) do
+      local q = result.quantities[name]
+      if not by[name] and not result.quantity and q.state ~= "moving" then
+        apart[#apart + 1] = name .. (q.state == "chaotic" and " (chaotic)"
+          or q.half and q.half < math.huge and q.by ~= "grows" and (" (known to %s)"):format(words.bound(q.half))
+          or " (does not converge)")
+      end
+    end
+    if #apart > 0 then lines[2] = "this does not hold for " .. words.list(apart, 4) end
+  elseif #chaotic > 0 then
+    for i = 1, math.min(#chaotic, 2) do lines[i] = chaotic_line(result, chaotic[i]) end
+  elseif #result.compared_by > 0 then
+    lines[1] = ("no setting has a known error: %s %s"):format(words.list(result.compared_by, 3),
+      result.finer[1] and "does not get nearer to a value with finer settings" or "has no finer run to compare with")
+  else
+    lines[1] = "no setting can be compared: every answer differs from run to run of the same setting"
+  end
+  return lines
+end
+
+-- The setting with an answer that is nearest to a failed one: of the same method if there is one, then by its numbers.
+local function nearest_that_works(result, failed)
+  local best, least = nil, math.huge
+  for _, s in ipairs(result.settings) do
+    local apart = 0
+    for _, knob in ipairs(result.knobs) do
+      local a, b = s.values[knob.name], failed.values[knob.name]
+      if a ~= b then apart = apart + (knob.side and math.abs(math.log(a / b)) or other_method) end
+    end
+    if apart < least then best, least = s, apart end
+  end
+  return best
+end
+
+--- Settings without an answer, a line for each reason, with the nearest setting that has one.
+function headline.failures(result)
+  local lines, of = {}, {}
+  for _, s in ipairs(result.failed) do
+    local reason = s.failed:match "^[^\n]*"
+    if not of[reason] then
+      of[reason] = { s }
+      lines[#lines + 1] = reason
+    else
+      table.insert(of[reason], s)
+    end
+  end
+  for i, reason in ipairs(lines) do
+    local settings = of[reason]
+    local works = nearest_that_works(result, settings[1])
+    lines[i] = ("no answer: %s%s: %s%s"):format(words.setting(result.knobs, settings[1].values),
+      #settings > 1 and (" and %d more"):format(#settings - 1) or "", reason,
+      works and ("; the nearest setting with an answer is %s"):format(words.setting(result.knobs, works.values)) or "")
+  end
+  return lines
+end
+
+--- What the budget left out, with the time that each would take.
+function headline.left_out(result)
+  local n = #result.left_out
+  if n == 0 then return {} end
+  local parts, own, rest = {}, 0, 0
+  for i, s in ipairs(result.left_out) do
+    parts[i] = ("%s (%s)"):format(words.setting(result.knobs, s.values),
+      s.estimate > 0 and "about " .. time(s.estimate) or "was run")
+    own, rest = own + s.estimate, math.max(rest, s.rest)
+  end
+  return { ("left out because of the budget: %d %s, %s; with their references and checks they take about %s more")
+    :format(n, n == 1 and "setting" or "settings", words.list(parts, most_left_out), time(own + rest)) }
+end
+
+return headline
