@@ -1605,7 +1605,8 @@ function hinge.study(scenario, options) end
 ---@field folder string its folder, within the study's
 
 ---The chance that a result is true, as a normal distribution of a parameter, or of its logarithm where all its values
----are positive; by maximum likelihood.
+---are positive; by maximum likelihood. It takes three values of the parameter and eight cases whose outcomes overlap
+---and show a trend beyond chance (95 %); else `notes` say why there is none.
 ---@class hinge.fragility
 ---@field quantity string
 ---@field parameter string

@@ -88,7 +88,7 @@ local function chaotic_line(result, name)
     return ("%s is chaotic: runs that are changed slightly scatter by %s"):format(name, percent(q.scatter))
   end
   local m = least.means[name]
-  local value = m.mean and ("%s with a scatter of %.2g"):format(text.number(m.mean), m.scatter * math.abs(m.mean))
+  local value = m.mean and ("%.4g with a scatter of %.2g"):format(m.mean, m.scatter * math.abs(m.mean))
     or ("a scatter of %s of its largest value"):format(percent(m.scatter))
   local fine = ("%s (%s)"):format(words.setting(result.knobs, standard.values), time(standard.seconds))
   local rest

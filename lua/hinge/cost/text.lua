@@ -8,8 +8,8 @@ function text.percent(part)
   return ("%.3g %%"):format(100 * part)
 end
 
---- A number with four digits, as short as it can be written.
-function text.number(value) return ("%.4g"):format(value) end
+--- A number with six digits, as short as it can be written.
+function text.number(value) return ("%.6g"):format(value) end
 
 --- The error of a setting: "< 1 %" where it is nearer than the finest run is known, "> 1 %" where only that is known.
 function text.error(s)

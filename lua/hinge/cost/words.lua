@@ -42,6 +42,7 @@ function words.label(knobs, values)
     local name, value = knob.name, values[knob.name]
     local text = words.value(name, value)
     parts[#parts + 1] = is_elements(name) and text .. (value == 1 and " element" or " elements")
+      or name == "steps" and text .. " steps"
       or (type(value) == "string" or name == "dt" and not alone) and text or name .. " " .. text
   end
   return table.concat(parts, ", ")
@@ -57,7 +58,8 @@ function words.setting(knobs, values)
     elseif type(value) == "string" then
       others[#others + 1] = value
     else
-      numbers[#numbers + 1] = name .. " " .. words.value(name, value)
+      local text = words.value(name, value)
+      numbers[#numbers + 1] = name == "steps" and text .. " steps" or name .. " " .. text
     end
   end
   local text = table.concat(numbers, ", ")

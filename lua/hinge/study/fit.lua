@@ -37,6 +37,29 @@ local function probit(x, y)
     covariance = { H22 / determinant, -H12 / determinant, H11 / determinant } }
 end
 
+-- Whether a curve explains the cases better than one chance for all of them: the ratio of likelihoods, 95 %.
+local function better_than_chance(p, t, y, ones)
+  local all, gain = ones / #y, 0
+  for i, value in ipairs(t) do
+    local chance = draws.normal_part(p.a + p.b * (value - p.mean) / p.deviation)
+    gain = gain + (y[i] == 1 and math.log(math.max(chance, 1e-300) / all)
+      or math.log(math.max(1 - chance, 1e-300) / (1 - all)))
+  end
+  return 2 * gain > 3.841458820694124
+end
+
+-- Why there is no curve where the outcomes do not overlap: between which values they change.
+function fit.step(x, y)
+  local highest, lowest = { [0] = -math.huge, [1] = -math.huge }, { [0] = math.huge, [1] = math.huge }
+  for i, value in ipairs(x) do
+    highest[y[i]], lowest[y[i]] = math.max(highest[y[i]], value), math.min(lowest[y[i]], value)
+  end
+  local low, high = math.min(highest[0], highest[1]), math.max(lowest[0], lowest[1])
+  if not (low < high) then return "the cases show no trend; more of them would tell" end
+  return ("the outcome changes between %.5g and %.5g, without scatter; more cases between them, or random draws of "
+    .. "what is uncertain, would tell"):format(low, high)
+end
+
 --- The chance that `y` (numbers 0 and 1) is 1 as a function of x: a normal distribution's, or that of log x where
 -- all x are positive (lognormal), by maximum likelihood. Returns { median =, dispersion =, log =, at = function(x) ->
 -- chance, low, high }: a band that holds the curve with 95 % at each x (from the information matrix); nil and why where
@@ -48,8 +71,9 @@ function fit.fragility(x, y, as_log)
   local t = {}
   for i = 1, #x do t[i] = as_log and math.log(x[i]) or x[i] end
   local p = probit(t, y)
-  if not p or p.b == 0 then
-    return nil, "the outcome changes at one value, without scatter; more cases near it would tell"
+  if not p or p.b == 0 then return nil, fit.step(x, y) end
+  if not better_than_chance(p, t, y, ones) then
+    return nil, "the cases show no trend beyond chance (95 %); more of them, or other values, would tell"
   end
   local median = p.mean - p.a / p.b * p.deviation
   return {

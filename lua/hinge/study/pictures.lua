@@ -8,6 +8,7 @@ local tables = require "hinge.study.table"
 
 local pictures = {}
 local most = 24 -- pictures of one study
+local least_values, least_cases = 3, 8 -- that a fragility curve takes
 
 -- Parameters that are numbers and take more than one value: { name =, values = sorted }.
 local function numeric(of)
@@ -87,7 +88,14 @@ local function fragility(of, quantity, axis)
       positive = positive and x[#x] > 0
     end
   end
+  if #axis.values < least_values then
+    return nil, ("a curve takes %d values, and there are %d"):format(least_values, #axis.values)
+  end
   local curve, why = fit.fragility(x, y, positive)
+  if curve and #x < least_cases then
+    curve, why = nil, ("a curve takes %d cases, and there are %d; list more values, or draw what is uncertain")
+      :format(least_cases, #x)
+  end
   if not curve then return nil, why end
   local line, band = { x = {}, y = {} }, { name = "95 % band", x = {}, low = {}, high = {}, colour = "blue" }
   local first, last = axis.values[1], axis.values[#axis.values]
@@ -183,17 +191,19 @@ function pictures.draw(of)
     if #axes == 0 then draw(by_name(known, quantity), file_name(quantity .. ".png")) end
     local truth = false
     for _, c in ipairs(known.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
+    local reasons = {}
     for _, axis in ipairs(axes) do
-      if truth and not of.proposed and #known.cases >= 8 and #axis.values >= 5 then
-        local plot, why, curve = fragility(known, quantity, axis)
-        if curve then of.fragility[#of.fragility + 1] = curve end
-        if why then
-          of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity, axis.name, why)
-        end
-        draw(plot, file_name(("chance_of_%s-%s.png"):format(quantity, axis.name)))
-      else
-        draw(against(known, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name)))
-      end
+      local plot, why, curve
+      if truth and not of.proposed then plot, why, curve = fragility(known, quantity, axis) end
+      if curve then of.fragility[#of.fragility + 1] = curve end
+      if why and not reasons[why] then reasons[why], reasons[#reasons + 1] = {}, why end
+      if why then table.insert(reasons[why], axis.name) end
+      if plot then draw(plot, file_name(("chance_of_%s-%s.png"):format(quantity, axis.name)))
+      else draw(against(known, quantity, axis), file_name(("%s-%s.png"):format(quantity, axis.name))) end
+    end
+    for _, why in ipairs(reasons) do
+      of.notes[#of.notes + 1] = ("no fragility curve of %s against %s: %s"):format(quantity,
+        table.concat(reasons[why], ", "), why)
     end
   end
   if #axes > 1 and #known.cases >= 8 then

@@ -95,8 +95,9 @@ end
 local function show(of, options)
   local width = core.width() or 120
   if #of.cases <= 24 and options.quiet == nil then
-    local lines, left_out = tables.lines(of, width)
+    local lines, left_out, footer = tables.lines(of, width)
     for _, line in ipairs(lines) do print(line) end
+    for _, line in ipairs(footer) do print(line) end
     if left_out > 0 then print(("  and %s more: results.csv"):format(check.count(left_out, "column"))) end
   end
   local parts = {}

@@ -61,33 +61,81 @@ local function short(value)
   return value == nil and "" or tostring(value)
 end
 
---- The cases as lines of text, `width` columns at most: what varied, the verdict, and as many results as have room.
+-- A column: its texts, the head first, its width with the blanks before it, and whether all cases have the same.
+local function column(name, cases, f)
+  local c = { name = name, texts = { name }, same = #cases > 1 }
+  local widest, whole = #name, cases[1] and csv(f(cases[1]))
+  for i, one in ipairs(cases) do
+    local value = f(one)
+    c.texts[i + 1] = short(value)
+    widest = math.max(widest, #c.texts[i + 1])
+    c.same = c.same and csv(value) == whole -- with all digits
+  end
+  c.width = widest + 2
+  return c
+end
+
+-- The columns of a list that fit into so much room, the first ones first, and the room that is left.
+local function fitting(list, room)
+  local chosen = {}
+  for _, c in ipairs(list) do
+    if c.width <= room then
+      chosen[c], room = true, room - c.width
+    end
+  end
+  return chosen, room
+end
+
+--- The cases as lines of text, `width` columns at most: number, results, what varied, verdict. What is the same in all
+--- cases is in the footer, as lines of text. Returns the lines, how many columns had no room, and the footer.
+-- Results and what varied share the room: what varied has what it needs, up to half of it.
 function tables.lines(study, width)
-  local columns = { { "number", function(c) return short(c.number) end } }
-  if study.has_cases then columns[#columns + 1] = { "case", function(c) return short(c.case) end } end
-  for _, name in ipairs(study.varied) do
-    columns[#columns + 1] = { name, function(c) return short(c.parameters[name]) end }
+  local cases, constants = study.cases, {}
+  local first = { column("number", cases, function(c) return c.number end) }
+  if study.has_cases then first[2] = column("case", cases, function(c) return c.case end) end
+  local results, varied = {}, {}
+  local function add(list, c) table.insert(c.same and constants or list, c) end
+  for _, name in ipairs(tables.quantities(cases)) do
+    add(results, column(name, cases, function(c) return c.results[name] end))
   end
-  columns[#columns + 1] = { "verdict", function(c) return short(c.verdict) end }
-  for _, name in ipairs(tables.quantities(study.cases)) do
-    columns[#columns + 1] = { name, function(c) return short(c.results[name]) end }
-  end
-  local lines, used, left_out = {}, 0, 0
-  for i = 0, #study.cases do lines[i + 1] = "" end
-  for _, column in ipairs(columns) do
-    local texts, widest = { column[1] }, #column[1]
-    for i, c in ipairs(study.cases) do
-      texts[i + 1] = column[2](c)
-      widest = math.max(widest, #texts[i + 1])
+  for _, name in ipairs(study.varied) do add(varied, column(name, cases, function(c) return c.parameters[name] end)) end
+  add(varied, column("verdict", cases, function(c) return c.verdict end))
+  local room, wanted = width, 0
+  for _, c in ipairs(first) do room = room - c.width end
+  for _, c in ipairs(varied) do wanted = wanted + c.width end
+  local kept = math.min(wanted, math.floor(room / 2))
+  local chosen, rest = fitting(results, room - kept)
+  local others
+  others, rest = fitting(varied, kept + rest)
+  local more = {}
+  for _, c in ipairs(results) do more[#more + 1] = not chosen[c] and c or nil end
+  more = fitting(more, rest)
+  local lines, left_out = {}, 0
+  for i = 0, #cases do lines[i + 1] = "" end
+  for k, list in ipairs { first, results, varied } do
+    for _, c in ipairs(list) do
+      if k == 1 or chosen[c] or others[c] or more[c] then
+        for i, text in ipairs(c.texts) do lines[i] = lines[i] .. (" "):rep(c.width - #text) .. text end
+      else
+        left_out = left_out + 1
+      end
     end
-    if used + widest + 2 > width and used > 0 then
-      left_out = left_out + 1
-    else
-      used = used + widest + 2
-      for i, text in ipairs(texts) do lines[i] = lines[i] .. "  " .. (" "):rep(widest - #text) .. text end
-    end
   end
-  return lines, left_out
+  return lines, left_out, tables.footer(constants, #cases, width)
+end
+
+--- What is the same in all cases, in lines of text no wider than `width`.
+function tables.footer(constants, count, width)
+  local lines, line = {}, ("  the same in all %d cases:"):format(count)
+  for i, c in ipairs(constants) do
+    local part = (" %s %s%s"):format(c.name, c.texts[2] == "" and "(none)" or c.texts[2], i < #constants and "," or "")
+    if #line + #part > width then
+      lines[#lines + 1], line = line, "   "
+    end
+    line = line .. part
+  end
+  if #constants > 0 then lines[#lines + 1] = line end
+  return lines
 end
 
 return tables
