@@ -51,6 +51,15 @@ Released held_by(const Tie& tie) {
     return held;
 }
 
+/// Every contact that is told to end has been told to begin, also one that begins or ends between two steps.
+void note_pressing(const SurfaceContact& contact, bool before, double time, ContactCounts& counts,
+                   std::vector<ContactEvent>& events) {
+    const bool now = contact.penetration > 0;
+    if (before == now) return;
+    ++(now ? counts.bound : counts.released);
+    events.push_back({time, {contact.element[0], contact.element[1]}, now});
+}
+
 }  // namespace
 
 int Contact::rule(const ContactSettings& settings) {
@@ -355,8 +364,10 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
         contact::look(contact, motion.position, motion.rotation);
     }
     contact::settle(contact, motion.position, motion.rotation);
+    note_pressing(contact, false, now_, counts_, events_);
     surface_contacts_.push_back(contact);
 }
+
 
 // Pairs that have parted are free again.
 void Contact::end_surface_contacts() {
@@ -376,8 +387,7 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
         if (before != now) {
             out.missed = true;
             out.work += missed_impulse(contact, dt, rotation, impulse);
-            ++(now ? counts_.bound : counts_.released);
-            events_.push_back({time, {contact.element[0], contact.element[1]}, now});
+            note_pressing(contact, before, now_, counts_, events_);
         }
         out.heat += contact.heat;
         contact::settle(contact, position, rotation);
@@ -412,9 +422,11 @@ void Contact::follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3
                 if (bar.element == contact.element[i])
                     contact.end[2 * i] = bar.end(0), contact.end[2 * i + 1] = bar.end(1);
         const Vec3 slip = contact.slip_before;
+        const bool before = contact.penetration_before > 0;
         contact::look(contact, position, rotation);
         contact.slip = slip;
         contact::settle(contact, position, rotation);
+        note_pressing(contact, before, now_, counts_, events_);
     }
 }
 
