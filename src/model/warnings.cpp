@@ -23,6 +23,8 @@ struct Finder {
     std::set<std::pair<int, int>> joined;  ///< nodes, the smaller number first
     std::vector<Warning> found;
     std::map<std::string, std::size_t> place;
+    std::vector<std::pair<int, int>> connected = {};  ///< nodes that connectors join
+    std::vector<int> joint_of = {};                   ///< of each node another one of its joint, or itself
 
     /// The first of a kind is told, the others are counted.
     void tell(const std::string& kind, const std::string& what, const std::string& advice,
@@ -51,7 +53,12 @@ struct Finder {
     void lone_nodes();
     void tiny_members();
     void unjoined();
-    bool are_joined(int a, int b) const { return joined.count(std::minmax(a, b)) > 0; }
+    void find_joints(const std::vector<double>& near);
+    int joint(int node) {
+        while (joint_of[node] != node) node = joint_of[node] = joint_of[joint_of[node]];
+        return node;
+    }
+    bool are_joined(int a, int b) { return joined.count(std::minmax(a, b)) > 0 || joint(a) == joint(b); }
 };
 
 void Finder::materials() {
@@ -173,6 +180,13 @@ void Finder::tiny_members() {
     }
 }
 
+/// Nodes in one place that connectors join, directly or by way of a third: beams that are pinned to one column.
+void Finder::find_joints(const std::vector<double>& near) {
+    for (int n = 0; n < int(near.size()); ++n) joint_of.push_back(n);
+    for (const auto& [a, b] : connected)
+        if ((position(a) - position(b)).norm() <= std::min(near[a], near[b])) joint_of[joint(a)] = joint(b);
+}
+
 /// Nodes and members that are in one place without being joined.
 void Finder::unjoined() {
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -198,6 +212,8 @@ void Finder::unjoined() {
             const Vec3 around = Vec3::Constant(0.5 * near[n]);
             used.push_back(n), boxes.push_back({position(n) - around, position(n) + around});
         }
+
+    find_joints(near);
 
     const auto pairs = contact::overlapping(boxes, [&](int i, int j) {
         if (i >= members || j < members) return true;
@@ -254,6 +270,7 @@ void Finder::unjoined() {
 
 std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined) {
     Finder finder{model, {}, {}, {}};
+    finder.connected = joined;
     for (const auto& [a, b] : joined) finder.joined.insert(std::minmax(a, b));
     for (const MemberData& m : model.members()) finder.joined.insert(std::minmax(m.node[0], m.node[1]));
     finder.materials();

@@ -202,6 +202,11 @@ suspicious("nodes in one place that nothing joins", { more = hanging:format "4" 
   "{8, 0, 3}", { more = hanging:format "4" .. joined })
 suspicious("nodes nearly in one place that nothing joins", { more = hanging:format "4.0005" }, "nodes 3 and 5 are",
   "4.0005", { more = hanging:format "4.0005" .. joined })
+-- Two beams that end at a column, each by a connector of its own: they are joined by way of the column.
+local two = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f) local g, h = joint(4, 0, 3), joint(4, 5, 3) "
+  .. "member(g, h)" .. joined
+suspicious("of two beams at a column one that nothing joins", { more = two }, "nodes 3 and 7 are both at",
+  "{4, 5, 3}", { more = two .. joined:gsub("c, e", "c, g") })
 suspicious("one member twice", { more = "member(c, b)" }, "member 4 lies on member 2 over 4 m",
   "{c, b", { more = "member(c, a)" })
 suspicious("members on one line", { more = "member(b, joint(1, 0, 3))" }, "member 4 lies on member 2 over 1 m",
