@@ -29,12 +29,17 @@ Vec side_of(const DrawnBar& bar, Show which, double t) {
 
 double value(const DrawnBar& bar, Show which, double t) { return bar.carries.at(which, t); }
 
-/// Where along a bar the diagram is computed: from 0 to 1, on both sides of point loads.
-std::vector<double> stations(const DrawnBar& bar) {
+/// Where along a bar the diagram is computed: from 0 to 1, on both sides of point loads, and where it is largest.
+std::vector<double> stations(const DrawnBar& bar, Show which) {
     constexpr double beside = 1e-7;
     std::vector<double> at;
     for (int i = 0; i <= pieces; ++i) at.push_back(static_cast<double>(i) / pieces);
     for (const double t : bar.carries.jumps()) at.insert(at.end(), {t - beside, t + beside});
+    std::sort(at.begin(), at.end());
+    const std::vector<double> even = at;
+    for (std::size_t i = 0; i + 1 < even.size(); ++i)
+        if (even[i + 1] - even[i] > 3 * beside)
+            for (const double t : bar.carries.peaks(which, even[i], even[i + 1])) at.push_back(t);
     std::sort(at.begin(), at.end());
     return at;
 }
@@ -53,7 +58,7 @@ Diagram plan_diagram(std::span<const DrawnBar> bars, Show which, double size, do
     double longest = 0;
     for (const DrawnBar& bar : bars) {
         longest = std::max(longest, bar.length());
-        for (const double t : stations(bar)) {
+        for (const double t : stations(bar, which)) {
             const double v = value(bar, which, t);
             d.largest = std::max(d.largest, v);
             d.smallest = std::min(d.smallest, v);
@@ -77,7 +82,7 @@ Diagram plan_diagram(std::span<const DrawnBar> bars, Show which, double size, do
 
 void add_points(std::vector<Vec>& to, std::span<const DrawnBar> bars, const Diagram& d) {
     for (const DrawnBar& bar : bars)
-        for (const double t : stations(bar))
+        for (const double t : stations(bar, d.which))
             to.push_back(bar.at(t) + d.metres * value(bar, d.which, t) * side_of(bar, d.which, t));
 }
 
@@ -94,8 +99,9 @@ std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> 
     };
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken) continue;
-        const std::vector<double> at = stations(bar);
+        const std::vector<double> at = stations(bar, d.which);
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+            edge.line(bar.at(at[i]), bar.at(at[i + 1]), diagram_axis);
             const double t0 = at[i], t1 = at[i + 1], v0 = value(bar, d.which, t0), v1 = value(bar, d.which, t1);
             if (v0 * v1 < 0) {
                 const double zero = t0 + (t1 - t0) * v0 / (v0 - v1);
@@ -130,7 +136,7 @@ void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diag
     std::map<int, std::array<Most, 2>> of;  // of each member the largest above zero, and below
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken) continue;
-        for (const double t : stations(bar)) {
+        for (const double t : stations(bar, d.which)) {
             const double v = value(bar, d.which, t);
             Most& most = of[bar.bar->member][v < 0];
             if (std::abs(v) > std::abs(most.v) * (1 + 1e-9)) most = {v, &bar, t};
@@ -138,6 +144,7 @@ void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diag
     }
     const double most = std::max(d.largest, -d.smallest);
     const Unit unit = unit_for(most, unit_of(d.which));
+    const auto first = static_cast<std::ptrdiff_t>(to.size());
     const auto add = [&](const Most& m, double least) {
         if (!m.bar || std::abs(m.v) < least) return;
         const Vec p = camera.project(m.bar->a), q = camera.project(m.bar->b);
@@ -146,12 +153,19 @@ void add_words(std::vector<Word>& to, std::span<const DrawnBar> bars, const Diag
         Word w{m.bar->at(m.t) + d.metres * m.v * side, short_number(m.v / unit.size), m.v > 0 ? plus_line : minus_line};
         w.size = 0.8, w.rank = m.v == d.largest || m.v == d.smallest ? 4 : 2, w.weight = std::abs(m.v);
         w.away = m.v > 0 ? side : -1.0 * side;
-        to.push_back(w);
+        // Members that go on in each other have one value where they meet.
+        const Vec here = camera.project(w.at);
+        const auto same = [&](const Word& other) {
+            const Vec there = camera.project(other.at);
+            return other.text == w.text && std::hypot(here[0] - there[0], here[1] - there[1]) < 0.5 * em;
+        };
+        if (std::none_of(to.begin() + first, to.end(), same)) to.push_back(w);
     };
+    const double shown = 1e-3 * most;
     for (const auto& [member, m] : of) {
         const bool above = std::abs(m[0].v) >= std::abs(m[1].v);
-        add(m[!above], 1e-3 * most);
-        add(m[above], 0.1 * std::abs(m[!above].v));
+        add(m[!above], shown);
+        add(m[above], std::max(shown, 0.1 * std::abs(m[!above].v)));
     }
 }
 

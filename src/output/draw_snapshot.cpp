@@ -132,7 +132,7 @@ public:
         }
         if (view.hinges && view.show != Show::nothing) dot_unit_ = sign_size(bars_, camera_, 0.3, 0.3 * em_, 0.8 * em_);
         add_numbers(words_, snapshot, bars_, view, chosen_.scale, camera_);
-        if (diagram_ && !diagram_->empty()) add_words(words_, bars_, *diagram_, camera_, em_);
+        if (shows_diagram()) add_words(words_, bars_, *diagram_, camera_, em_);
         add_words(words_, arrows_);
     }
 
@@ -149,6 +149,13 @@ public:
         }
         layers.push_back(layer(scene_actors()));
         set_light(layers.back());
+        // Members as wide as they are would hide a diagram that stands on their axes.
+        if (shows_diagram()) {
+            Actors actors = diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12));
+            append(actors, mark_actors());
+            layers.push_back(layer(actors));
+            set_light(layers.back());
+        }
         // The shape at the start lies over the members, which would hide it.
         if (view_.ghost)
             if (const auto lines = ghost_actor(snapshot_, bars_, camera_, std::max(1.0, em_ / 14)))
@@ -187,10 +194,14 @@ private:
     double least_support() const { return sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel; }
     Actors scene_actors() const {
         Actors actors = member_actors(bars_, view_, camera_);
-        if (diagram_ && !diagram_->empty())
-            append(actors, diagram_actors(bars_, *diagram_, camera_, std::max(1.0, em_ / 12)));
-        if (dot_unit_ > 0) append(actors, hinge_actors(bars_, camera_, dot_unit_));
         append(actors, support_actors(supports_, camera_, least_support()));
+        if (!shows_diagram()) append(actors, mark_actors());
+        return actors;
+    }
+    bool shows_diagram() const { return diagram_ && !diagram_->empty(); }
+    Actors mark_actors() const {
+        Actors actors;
+        if (dot_unit_ > 0) append(actors, hinge_actors(bars_, camera_, dot_unit_));
         append(actors, load_actors(arrows_, camera_, em_ * camera_.metres_per_pixel));
         return actors;
     }

@@ -148,4 +148,24 @@ std::vector<double> Resultants::jumps() const {
     return at;
 }
 
+// A cubic between point loads, as loads are linear along the bar: the roots of its derivative a + b u + c u^2, with u
+// from 0 to 1 between t0 and t1.
+std::vector<double> Resultants::peaks(Show which, double t0, double t1) const {
+    double v[4];
+    for (int i = 0; i < 4; ++i) v[i] = at(which, t0 + (t1 - t0) * i / 3);
+    const double a = -5.5 * v[0] + 9 * v[1] - 4.5 * v[2] + v[3], b = 18 * v[0] - 45 * v[1] + 36 * v[2] - 9 * v[3],
+                 c = 13.5 * (v[3] - v[0]) + 40.5 * (v[1] - v[2]);
+    // Changes that rounding alone makes have no peak.
+    const double noise = 1e-12 * std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
+    if (!(std::max({std::abs(a), std::abs(b), std::abs(c)}) > noise)) return {};
+    std::vector<double> found;
+    const double root = b * b - 4 * a * c;
+    if (!(root >= 0)) return found;
+    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
+    for (const double u : {q / c, a / q})
+        if (u > 0 && u < 1) found.push_back(t0 + u * (t1 - t0));
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
 }  // namespace hinge::output

@@ -24,6 +24,8 @@ public:
     std::vector<double> class_changes() const;
     /// Where point loads act between its ends: the shear force jumps there.
     std::vector<double> jumps() const;
+    /// Where one of N to Mz is largest or smallest between t0 and t1, in between; there is no point load between them.
+    std::vector<double> peaks(Show which, double t0, double t1) const;
 
 private:
     /// Bending about one axis: dQ/dz = -q and dM/dz = sign Q - m, with z along the bar.

@@ -4,6 +4,7 @@
 
 #include "helpers.h"
 #include "output/colours.h"
+#include "output/film.h"
 #include "output_parts.h"
 
 using namespace hinge::output;
@@ -185,6 +186,45 @@ TEST_CASE("a moment is drawn on the side in tension", "[output]") {
         const Image none = beam.draw();
         CHECK(spot(none, plus_fill, 12).n + spot(none, minus_fill, 12).n < 20);
     }
+}
+
+TEST_CASE("a diagram's largest value is that of the peak, not of a station near it", "[output]") {
+    Beam beam;
+    Bar& b = beam.snapshot.bars[0];
+    const double q = 1e4, M0 = 6e4;  // M = M0 + Q0 z - q z^2 / 2, 10 m long
+    b.Mx[0] = M0, b.Mx[1] = 0;
+    b.Qy[0] = q * 5 - M0 / 10, b.Qy[1] = -q * 5 - M0 / 10;
+    beam.snapshot.loads = {{Load::force, -1, 0, -1, {{0, 0, q}, {0, 0, q}}}};
+    beam.view.show = Show::Mx;
+    FrameBox found;
+    REQUIRE(said([&](char* error, int room) {
+                return load<hinge_frame_box>("hinge_frame_box")(beam.snapshot, beam.view, &found, error, room);
+            }) == "");
+    CHECK(found.largest == Approx(M0 + b.Qy[0] * b.Qy[0] / (2 * q)).epsilon(1e-9));
+}
+
+TEST_CASE("a diagram is drawn over members that are wider than it", "[output]") {
+    Beam beam(1, 4);
+    for (double& m : beam.snapshot.bars[0].Mx) m = 4e4;
+    beam.view.show = Show::Mx;
+    CHECK(spot(beam.draw(), plus_fill, 12).n > 1000);
+}
+
+TEST_CASE("a value of a diagram stands once where members go on in each other, and noise has none", "[output]") {
+    Beam beam(2, 0.1);
+    beam.view.show = Show::Mx;
+    const auto words = [&] { return spot(beam.draw(), plus_line, 60).n + spot(beam.draw(), minus_line, 60).n; };
+    // The largest value is where both bars meet.
+    Bar &first = beam.snapshot.bars[0], &second = beam.snapshot.bars[1];
+    first.Mx[0] = second.Mx[1] = 3.9e4, first.Mx[1] = second.Mx[0] = 4e4;
+    const long one = words();
+    second.member = 2;
+    CHECK(std::abs(words() - one) < 40);  // pixels; a second number has more
+    // A member whose moments are zero but for rounding has no number, whatever the sign of what is left.
+    second.Mx[0] = second.Mx[1] = 9e-9;
+    const long same_sign = words();
+    second.Mx[1] = -8e-9;
+    CHECK(words() - same_sign < 40);
 }
 
 TEST_CASE("f_y has its colours along the element", "[output]") {

@@ -98,6 +98,31 @@ TEST_CASE("spread loads: M is a parabola or a cubic") {
     }
 }
 
+TEST_CASE("a moment is largest where its slope is zero, wherever that is") {
+    Supported s;
+    const double w = 10, M0 = 24, M1 = -40;
+    s.bar.Mx[0] = M0, s.bar.Mx[1] = M1;
+    s.bar.Qy[0] = -w * L / 2 + (M1 - M0) / L, s.bar.Qy[1] = w * L / 2 + (M1 - M0) / L;
+    s.loads = {{Load::force, -1, 0, -1, {{0, -w, 0}, {0, -w, 0}}}};
+    const Resultants r = s.carries();
+    const double z = -s.bar.Qy[0] / w;  // Q = Q0 + w z
+    const auto peaks = r.peaks(Show::Mx, 0, 1);
+    REQUIRE(peaks.size() == 1);
+    CHECK(peaks[0] == Approx(z / L).epsilon(1e-9));
+    CHECK(r.at(Show::Mx, peaks[0]) == Approx(M0 - w * z * z / 2).epsilon(1e-9));
+    CHECK(r.peaks(Show::Mx, 0, 0.5).empty());
+    CHECK(r.peaks(Show::Qy, 0, 1).empty());
+    CHECK(r.peaks(Show::N, 0, 1).empty());
+    SECTION("a triangle, whose moment is a cubic") {
+        s.bar.Mx[0] = s.bar.Mx[1] = 0;
+        s.bar.Qy[0] = -w * L / 6, s.bar.Qy[1] = w * L / 3;
+        s.loads = {{Load::force, -1, 0, -1, {{0, 0, 0}, {0, -w, 0}}}};
+        const auto at = s.carries().peaks(Show::Mx, 0, 1);
+        REQUIRE(at.size() == 1);
+        CHECK(at[0] == Approx(std::sqrt(1.0 / 3)).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("a moment at a point: a step in M") {
     Supported s;
     const double m = 24;
