@@ -8,17 +8,24 @@ local workers = require "hinge.render.workers"
 
 local render = {}
 
+-- Whether a name leads out of the folder that it is in, or holds what no name of hinge's own does.
+local function is_strange(file)
+  return file == "" or file:find "^/" or file:find "%c" or ("/" .. file .. "/"):find("/../", 1, true)
+end
+
 --- The frames that frames.pvd in this folder lists: { { time = text, file = path }, ... }.
 function render.frames(folder)
   local path = folder .. "/frames.pvd"
-  local collection, problem = io.open(path)
-  if not collection then
+  local text, problem = core.read_text(path)
+  if not text then
     check.fail("no frames to draw: %s; a script asks for them with job:frame(run) or hinge.frame(run)", problem)
   end
-  local text = collection:read "a"
-  collection:close()
   local frames = {}
   for time, file in text:gmatch '<DataSet timestep="([^"]*)"[^>]- file="([^"]*)"' do
+    if is_strange(file) then
+      check.fail("%s lists the frame '%s', which is not inside %s: a picture beside it would be written elsewhere; run "
+        .. "the script again, or give the folder that has the frames", path, file:gsub("%c", "?"), folder)
+    end
     frames[#frames + 1] = { time = time, file = folder .. "/" .. file }
   end
   return frames
@@ -116,6 +123,13 @@ end
 
 -- Every frame as a PNG beside it.
 local function make_pictures(frames, what)
+  for _, frame in ipairs(frames) do
+    local to = core.leads_out(what.folder, frame.file)
+    if to then
+      check.fail("%s: a link leads to %s, outside %s, and pictures are written beside the frames; hinge render DIR "
+        .. "--film draws them without that", frame.file, to, what.folder)
+    end
+  end
   for _, frame in ipairs(frames) do frame.picture = frame.file:gsub("%.vtp$", "") .. ".png" end
   local list = numbers_to(#frames)
   if not draw(frames, list, what) then return nil end

@@ -10,12 +10,7 @@ local page = {}
 local library = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 local most_frames, most_rows, most_events = 400, 1500, 20000 -- of each run in the page; the rest is told of
 
-local function read(path)
-  local file = io.open(path, "rb")
-  local text = file and file:read "a"
-  if file then file:close() end
-  return text
-end
+local function read(path) return (core.read_text(path)) end
 
 -- JSON as it may stand inside <script>: no text in it ends the element or begins a comment.
 local function harmless(json)

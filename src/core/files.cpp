@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -110,8 +111,14 @@ void append(const std::string& path, std::string_view content) {
 }
 
 std::string read_whole(const std::string& path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    // what waits for a writer must not hold us up: a pipe is opened without waiting, and refused
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) fail_to_read(path, errno);
+    struct stat what = {};
+    if (::fstat(fd, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode)) {
+        ::close(fd);
+        throw OutsideError("cannot read " + path + ": it is a pipe, a socket or a device; name a file");
+    }
     std::string content;
     std::vector<char> some(1 << 16);
     ssize_t n;

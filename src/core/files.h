@@ -16,7 +16,7 @@ void write_whole(const std::string& path, std::string_view content);
 /// Appends and hands to the system: all of it or, with an error, nothing.
 void append(const std::string& path, std::string_view content);
 
-/// All bytes of the file.
+/// All bytes of the file, which must be a regular one.
 std::string read_whole(const std::string& path);
 
 }  // namespace hinge

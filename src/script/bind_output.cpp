@@ -131,6 +131,27 @@ int write_text(lua_State* L) {
     return 0;
 }
 
+/// core.read_text(path): all of a file; or nil and why not.
+int read_text(lua_State* L) {
+    const char* file = luaL_checkstring(L, 1);
+    try {
+        const std::string text = read_whole(file);
+        lua_pushlstring(L, text.data(), text.size());
+        return 1;
+    } catch (const OutsideError& e) { return lua_pushnil(L), lua_pushstring(L, e.what()), 2; }
+}
+
+/// core.leads_out(folder, path): whether a link on the way to the file leads out of the folder; then where to.
+int leads_out(lua_State* L) {
+    namespace fs = std::filesystem;
+    const fs::path folder = luaL_checkstring(L, 1), file = luaL_checkstring(L, 2);
+    std::error_code error;
+    const fs::path inside = fs::weakly_canonical(folder, error), to = fs::weakly_canonical(file.parent_path(), error);
+    const auto end = std::mismatch(inside.begin(), inside.end(), to.begin(), to.end()).first;
+    if (end == inside.end()) return lua_pushnil(L), 1;
+    return lua_pushstring(L, to.c_str()), 1;
+}
+
 int write_json(lua_State* L) {
     const char* file = luaL_checkstring(L, 1);
     prepare_folder(*context(L), file);
@@ -186,6 +207,8 @@ void open_output(lua_State* L, int module) {
                                          {"runs_made", guarded<runs_made>},
                                          {"time_product", guarded<time_product>},
                                          {"write_text", guarded<write_text>},
+                                         {"read_text", guarded<read_text>},
+                                         {"leads_out", guarded<leads_out>},
                                          {"write_json", guarded<write_json>},
                                          {"append", guarded<append_text>},
                                          {"event", guarded<event>},

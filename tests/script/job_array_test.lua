@@ -37,4 +37,17 @@ for _, line in ipairs { "#SBATCH --array=1-2\n", "#SBATCH --requeue\n", "--case 
   expect(text:find(line, 1, true), "the job array lacks %s:\n%s", line, text)
 end
 expect(not support.is_there(folder .. "/a b"), "--dry-run wrote something")
+expect(text:find("#SBATCH %-%-output='[^\n]*/a b/slurm%-%%a.txt'\n"), "the output's name with a blank:\n%s", text)
+text = select(2, hinge_study "s.lua speed=5 --slurm --dry-run --out 50%j")
+expect(text:find("#SBATCH %-%-output=[^\n]*/50%%%%j/slurm%-%%a.txt\n"), "a name with a percent sign:\n%s", text)
+
+-- A line break in a name would be a line of options for sbatch.
+local function refused(words, option)
+  status, text, complaint = hinge_study(words .. " speed=5 --slurm --dry-run")
+  expect(status == 2 and text == "" and complaint:find(option .. " .*must not hold a line break"), "a line break in %s: %s %s",
+    option, status, text .. complaint)
+end
+refused("s.lua --out 'a\n#SBATCH --wrap=x'", "%-%-out")
+support.write(folder .. "/s\n#SBATCH --wrap=x.lua", support.swinging_bar)
+refused("'s\n#SBATCH --wrap=x.lua'", "SCRIPT")
 checks.done()

@@ -302,6 +302,39 @@ says("hinge: no film: none of 6 frames could be drawn", "without any frame")
 says("frame_00001.vtp: No such file", "without any frame")
 says("hinge: not drawn for the same reason: frame_00002.vtp, frame_00003.vtp, ", "without any frame")
 
+-- A pipe in the place of a frame is named, and nobody waits for what it may bring.
+support.run(("cd %s && cp -r one strange && cd strange/frames && rm *.png frame_00002.vtp && mkfifo frame_00002.vtp")
+  :format(quote(folder)))
+local function in_time(words)
+  status, printed, complaint = support.run(("cd %s && timeout 20 %s %s"):format(quote(folder), hinge, words))
+end
+in_time("render strange" .. small)
+expect(status == 1 and printed == "5 pictures in strange\n", "with a pipe: %s %s", status, printed)
+says("hinge: not drawn: cannot read strange/frames/frame_00002.vtp: it is a pipe", "a pipe")
+support.run(("cd %s/strange && rm history.csv && mkfifo history.csv"):format(quote(folder)))
+in_time "report strange"
+expect(status == 1 and printed:find "^strange/report.html: 1 run, 5 frames", "a report with pipes: %s %s", status, printed)
+
+-- Frames outside the folder are refused: a picture would be written beside them. So is a link that leads out of it.
+support.run(("cd %s && cp -r one elsewhere && rm elsewhere/frames/*.png"):format(quote(folder)))
+local elsewhere = support.output(("ls %s/elsewhere/frames"):format(quote(folder)))
+local whole = support.output("readlink -f " .. quote(folder)):gsub("%s+$", "")
+for _, frame in ipairs { "../elsewhere/frames/frame_00001.vtp", whole .. "/elsewhere/frames/frame_00001.vtp",
+  "frames/../../elsewhere/frames/frame_00001.vtp", ".." } do
+  support.write(folder .. "/strange/frames.pvd", ('<DataSet timestep="1" group="" part="0" file="%s"/>'):format(frame))
+  for _, verb in ipairs { "render", "report" } do
+    in_time(("%s strange%s"):format(verb, verb == "render" and small or ""))
+    expect(status == 2 and complaint:find(("strange/frames.pvd lists the frame '%s', which is not inside strange")
+      :format(frame), 1, true), "%s of a frame %s: %s %s", verb, frame, status, complaint)
+  end
+end
+support.run(("cd %s/strange && rm -r frames && ln -s ../elsewhere/frames frames"):format(quote(folder)))
+support.write(folder .. "/strange/frames.pvd", read "one/frames.pvd")
+in_time("render strange" .. small)
+expect(status == 2 and complaint:find("a link leads to " .. whole .. "/elsewhere/frames, outside strange", 1, true),
+  "a link: %s %s", status, complaint)
+equal(support.output(("ls %s/elsewhere/frames"):format(quote(folder))), elsewhere, "files outside the folder")
+
 -- Ctrl-C leaves no film, no folder and no Xvfb.
 support.run(("cp -r %s/one %s/long && rm %s/long/film.*"):format(quote(folder), quote(folder), quote(folder)))
 local lines = {}

@@ -22,12 +22,22 @@ local function command(options, folder)
   return table.concat(parts, " ")
 end
 
+-- sbatch reads its options from lines of the script: a name with a line break would add options of its own.
+local function check_name(option, name)
+  if name:find "%c" then
+    check.fail("%s %q: must not hold a line break or another control character with --slurm, as sbatch takes its options "
+      .. "from lines of the script; choose another name", option, name)
+  end
+end
+
 --- The script of the job array. options: those of the command line; total: cases; folder: whole path.
 function slurm.script(options, total, folder)
   local per_task = math.tointeger(tonumber(options.per_task or 1))
   if not per_task or per_task < 1 then
     check.fail("--per-task %s: must be a whole number of at least 1", options.per_task)
   end
+  check_name("SCRIPT", options.script)
+  check_name("--out", folder)
   local tasks = (total + per_task - 1) // per_task
   local at_once = options.jobs and "%" .. options.jobs or ""
   return ([[
@@ -37,7 +47,7 @@ function slurm.script(options, total, folder)
 #SBATCH --requeue
 #SBATCH --open-mode=append
 #SBATCH --signal=B:TERM@60
-#SBATCH --output=%s/slurm-%%a.txt
+#SBATCH --output=%s
 # Cases of this task; the last task may have fewer.
 first=$(( (SLURM_ARRAY_TASK_ID - 1) * %d + 1 ))
 last=$(( first + %d > %d ? %d : first + %d ))
@@ -53,7 +63,8 @@ if [ "$status" -eq 3 ]; then
   exit 0
 fi
 exit "$status"
-]]):format(quote("hinge-" .. (options.script:match "([^/]*)%.lua$" or "study")), tasks, at_once, folder, per_task,
+]]):format(quote("hinge-" .. (options.script:match "([^/]*)%.lua$" or "study")), tasks, at_once,
+    quote(folder:gsub("%%", "%%%%") .. "/slurm-%a.txt"), per_task,
     per_task - 1, total, total, per_task - 1, command(options, folder))
 end
 
