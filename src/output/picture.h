@@ -42,6 +42,7 @@ struct Bar {
     double rotation[2] = {0, 0};    ///< plastic rotation of its hinges about x and y together, rad, not negative
     std::array<double, 3> up = {};  ///< direction of the section's y axis now, of unit length; zero: not known
     int shape = -1;                 ///< index into Snapshot::shapes; -1: a square of its width
+    int node[2] = {-1, -1};         ///< points at which it was declared to end, also where it broke off; -1: not known
 };
 
 /// A load that acts at this instant.
@@ -75,6 +76,7 @@ struct Snapshot {
     std::vector<Plane> ground;
     std::vector<std::string> groups;
     std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
+    std::vector<std::array<int, 2>> connected;    ///< points that connectors join, as declared
 };
 
 /// What is shown of the members: their colour, or a diagram along them.
@@ -96,6 +98,7 @@ struct View {
     bool leave_out_broken = false;           ///< as in fig 18 of the paper
     double above = -1e300;                   ///< draw only bars with both ends above this height, m
     std::optional<std::vector<int>> groups;  ///< draw only members of these, indices into Snapshot::groups; else all
+    std::array<std::optional<double>, 3> plane;  ///< draw only bars that start in this plane: x, y or z, m
     std::string title;
     /// xmin, xmax, ymin, ymax, zmin, zmax in m that the picture shows. Empty: fitted to this snapshot without its stray
     /// fragments. A film needs one box for all its frames, or the camera moves.

@@ -33,6 +33,17 @@ void check_snapshot(const Snapshot& snapshot) {
             throw InputError("snapshot: bar " + std::to_string(i) + " has section " + std::to_string(bar.shape) +
                              "; there are " + std::to_string(snapshot.shapes.size()) + " sections, and -1 for none");
     }
+    const auto is_point = [&](int p) { return p >= 0 && static_cast<std::size_t>(p) < points; };
+    for (const Bar& bar : snapshot.bars)
+        for (const int n : bar.node)
+            if (n != -1 && !is_point(n))
+                throw InputError("snapshot: element " + std::to_string(bar.element) + " was declared to end at point " +
+                                 std::to_string(n) + "; there are " + std::to_string(points));
+    for (const auto& pair : snapshot.connected)
+        for (const int n : pair)
+            if (!is_point(n))
+                throw InputError("snapshot: a connector joins point " + std::to_string(n) + "; there are " +
+                                 std::to_string(points));
     for (std::size_t i = 0; i < snapshot.loads.size(); ++i) {
         const Load& load = snapshot.loads[i];
         const bool on_point = load.point >= 0 && static_cast<std::size_t>(load.point) < points && load.bar < 0,

@@ -105,6 +105,9 @@ constexpr Column shear_columns[] = {
     {"Qy 2 [N]", [](Bar& b) -> double& { return b.Qy[1]; }},
 };
 
+/// Where bars were declared to end, where some have broken off.
+constexpr const char* node_names[2] = {"node 1", "node 2"};
+
 /// The sections' y axes, in parts of 127: a direction within half a degree needs no more.
 constexpr const char* up_name = "up [1/127]";
 void add_directions(vtkFieldData* to, const std::vector<Bar>& bars) {
@@ -148,6 +151,11 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
         if (loaded)
             add_column<vtkFloatArray>(cells, column.name, bars,
                                       [&](Bar b) { return static_cast<float>(column.of(b)); });
+    const bool any_broken =
+        std::any_of(bars.begin(), bars.end(), [](const Bar& b) { return b.state == BarState::broken; });
+    for (const int end : {0, 1})
+        if (any_broken)
+            add_column<vtkIntArray>(cells, node_names[end], bars, [&](const Bar& b) { return b.node[end]; });
     add_column<vtkUnsignedCharArray>(cells, "hinges", bars, [](const Bar& b) { return b.hinges; });
     add_column<vtkUnsignedCharArray>(cells, "touched", bars, [](const Bar& b) { return b.touched; });
     add_column<vtkIntArray>(cells, "section", bars, [](const Bar& b) { return b.shape; });
@@ -234,6 +242,13 @@ void add_field(vtkPolyData* data, const Snapshot& snapshot) {
     memberships->SetNumberOfComponents(2);
     for (const auto& [member, group] : snapshot.memberships) memberships->InsertNextTuple2(member, group);
     data->GetFieldData()->AddArray(memberships);
+    if (!snapshot.connected.empty()) {
+        const vtkNew<vtkIntArray> connected;
+        connected->SetName("connected nodes");
+        connected->SetNumberOfComponents(2);
+        for (const auto& [a, b] : snapshot.connected) connected->InsertNextTuple2(a, b);
+        data->GetFieldData()->AddArray(connected);
+    }
     add_surroundings(data->GetFieldData(), snapshot);
 }
 
@@ -300,6 +315,11 @@ void read_forces(vtkPolyData* data, Snapshot& snapshot) {
         each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
     for (const Column& column : shear_columns)
         each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
+    for (Bar& bar : snapshot.bars)
+        for (const int end : {0, 1})
+            if (bar.state != BarState::broken) bar.node[end] = bar.point[end];
+    for (const int end : {0, 1})
+        each(node_names[end], [&](Bar& bar, double value) { bar.node[end] = static_cast<int>(value); });
     each("hinges", [](Bar& bar, double value) { bar.hinges = static_cast<std::uint8_t>(value); });
     each("touched", [](Bar& bar, double value) { bar.touched = static_cast<std::uint8_t>(value); });
     each("section", [](Bar& bar, double value) { bar.shape = static_cast<int>(value); });
@@ -308,6 +328,9 @@ void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     auto* members = vtkIntArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("memberships"));
     for (vtkIdType i = 0; members && i + 1 < members->GetNumberOfValues(); i += 2)
         snapshot.memberships.push_back({members->GetValue(i), members->GetValue(i + 1)});
+    auto* connected = vtkIntArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("connected nodes"));
+    for (vtkIdType i = 0; connected && i + 1 < connected->GetNumberOfValues(); i += 2)
+        snapshot.connected.push_back({connected->GetValue(i), connected->GetValue(i + 1)});
 }
 
 void read_point_arrays(vtkPolyData* data, Snapshot& snapshot) {

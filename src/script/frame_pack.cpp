@@ -90,16 +90,22 @@ private:
     void add_model() {
         const Snapshot& first = *frames_[0];
         const std::size_t nodes = declared_points(first);
-        std::vector<std::uint32_t> at, ends(2 * first.bars.size(), ~0u), member, limits, width, of;
+        std::vector<std::uint32_t> at, ends(2 * first.bars.size(), ~0u), member, limits, width, of, connected;
         std::vector<std::uint8_t> held = first.held;
         held.resize(nodes);
         for (std::size_t i = 0; i < nodes; ++i)
             for (std::size_t c = 0; c < 3; ++c)
                 at.push_back(bits(first.points[i][c] - (first.displacement.empty() ? 0 : first.displacement[i][c])));
+        // In frames of earlier versions an element that has broken off does not say where it was declared to end.
         for (const Snapshot* s : frames_)
             for (std::size_t b = 0; b < s->bars.size(); ++b)
-                for (int side : {0, 1})
-                    if (const int p = s->bars[b].point[side]; !s->is_virtual[p]) ends[2 * b + side] = std::uint32_t(p);
+                for (int side : {0, 1}) {
+                    const Bar& bar = s->bars[b];
+                    const int p = bar.node[side] >= 0 ? bar.node[side] : bar.point[side];
+                    if (!s->is_virtual[p]) ends[2 * b + side] = std::uint32_t(p);
+                }
+        for (const auto& pair : first.connected)
+            for (const int p : pair) connected.push_back(std::uint32_t(p));
         for (const Bar& b : first.bars) {
             member.push_back(std::uint32_t(b.member));
             width.push_back(bits(b.width));
@@ -116,6 +122,7 @@ private:
         put("width", width);
         put("limits", limits);
         put("memberships", of);
+        put("connected", connected);
     }
 
     /// Nodes in each frame, and the loose ends of broken elements: how many, of which element and end, where.

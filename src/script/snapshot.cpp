@@ -6,6 +6,7 @@
 
 #include "beam/fracture.h"
 #include "beam/yield.h"
+#include "effects/connectors.h"
 #include "effects/ground.h"
 #include "state/pose.h"
 #include "state/turned_ends.h"
@@ -82,6 +83,8 @@ output::Snapshot make_snapshot(const Run& run) {
     snapshot.held = structure.fixed();
     for (std::size_t m = 0; m < structure.model().members().size(); ++m)
         for (const int g : structure.model().members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
+        if (c.a >= 0) snapshot.connected.push_back({c.a, c.b});
     std::map<const Section*, int> shape_at;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
@@ -92,6 +95,7 @@ output::Snapshot make_snapshot(const Run& run) {
         output::Bar bar;
         bar.point[0] = e.node[0];
         bar.point[1] = e.node[1];
+        bar.node[0] = e.node[0], bar.node[1] = e.node[1];
         bar.yield = run.yield_value(int(i));
         bar.state = state.broken[i]    ? output::BarState::broken
                     : state.yielded[i] ? output::BarState::yielded

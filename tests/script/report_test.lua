@@ -167,10 +167,52 @@ expect(status == 1 and printed:find "^none.html: 1 run, 0 frames" and not printe
 expect(complaint:find "hinge: not in the page: 12 more frames\n", "many damaged frames: %s", complaint)
 equal(data_of(page "none.html").runs[1].frames, nil, "frames where all are damaged")
 
+-- A frame of two storeys of which a column is lost before the first frame; beams of the second bay are held by
+-- connectors. A node that no member uses makes a warning.
+local storeys = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
+local model = hinge.model()
+local node = {}
+local function member(a, b, group) model:member { a, b, section = tube, material = steel, group = group } end
+for i = 0, 2 do
+  node[i] = {}
+  for k = 0, 2 do node[i][k] = model:node { 4 * i, 0, 3 * k } end
+  model:fix(node[i][0])
+  for k = 1, 2 do
+    member(node[i][k - 1], node[i][k], i == 1 and k == 1 and "lost" or "columns")
+    if i == 1 then member(node[0][k], node[1][k], "beams") end
+    if i == 2 then
+      local a, b = model:node { 4, 0, 3 * k }, model:node { 8, 0, 3 * k }
+      member(a, b, "beams")
+      for _, ends in ipairs { { node[1][k], a }, { node[2][k], b } } do
+        model:connector { ends[1], ends[2], stiffness = { x = 1e9, y = 1e9, z = 1e9, rx = 1e7, rz = 1e7 } }
+      end
+    end
+  end
+end
+model:node { 9, 9, 9 }
+model:gravity { 0, 0, -9.81 }
+model:fracture { group = "lost", where = "all", rule = function(section) return section.time >= 1e-4 end }
+local run = model:dynamic { dt = 1e-4, duration = 2e-3 }
+for step in run:steps() do
+  if step.index % 5 == 0 then hinge.frame(run) end
+end
+]=]
+equal(hinge_on("run -q", storeys, "--out storeys"), 0, "the frame that loses a column")
+status, printed, complaint = support.run(("cd %s && %s report storeys"):format(quote(folder), hinge))
+expect(status == 0 and printed:find "1 run, 4 frames", "its page: %s %s", printed, complaint)
+local lost = data_of(page "storeys/report.html").runs[1]
+equal(lost.summary.damage[2].broken, 1, "broken ones of the group that is lost")
+
 local look = support.browser "report"
 if look then
   local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html", arg[2])
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
+  seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html")
+  equal(seen, 0, "what it says: " .. said .. wrong)
+  expect((tonumber(said:match "(%d+) checked") or 0) > 20, "what it says: %s", said)
 end
 checks.done()

@@ -128,6 +128,7 @@ inline Snapshot portal(int bays) {
         b.N0 = 128 * k, b.Mx0 = 8 * k, b.My0 = 9 * k, b.Mz0 = 10 * k;
         b.Qx[0] = k, b.Qx[1] = 2 * k, b.Qy[0] = 3 * k, b.Qy[1] = 4 * k;
         b.rotation[0] = 0.25 * k, b.rotation[1] = 0.5 * k;
+        b.node[0] = b.point[0], b.node[1] = b.state == BarState::broken ? 2 * bays + 1 : b.point[1];
         b.up = {0, 0, 1}, b.shape = b.group;
         b.hinges = std::uint8_t(b.element & 7), b.touched = std::uint8_t(b.element & 1);
         snapshot.memberships.push_back({b.member, b.group});
@@ -136,6 +137,7 @@ inline Snapshot portal(int bays) {
     snapshot.loads = {{Load::force, 1, -1, -1, {{1, 2, 3}, {0, 0, 0}}},
                       {Load::moment, -1, 0, 0.5, {{4, 5, 6}, {0, 0, 0}}},
                       {Load::force, -1, 0, -1, {{0, 0, -7}, {0, 0, -8}}}};
+    snapshot.connected = {{0, 3}, {1, 2}};
     snapshot.ground = {{{0, 0, -0.1}, {0, 0, 1}}};
     snapshot.declared = 2 * (bays + 1);
     return snapshot;
@@ -150,6 +152,7 @@ inline void check_same(const Snapshot& a, const Snapshot& b) {
     CHECK(a.held == b.held);
     CHECK(a.memberships == b.memberships);
     CHECK(a.rotation == b.rotation);
+    CHECK(a.connected == b.connected);
     CHECK(a.declared == b.declared);
     CHECK(a.shapes == b.shapes);
     REQUIRE(a.loads.size() == b.loads.size());
@@ -179,6 +182,7 @@ inline void check_same(const Snapshot& a, const Snapshot& b) {
         CHECK(std::array{p.rotation[0], p.rotation[1]} == std::array{q.rotation[0], q.rotation[1]});
         CHECK(p.up == q.up);
         CHECK(p.shape == q.shape);
+        CHECK(std::array{p.node[0], p.node[1]} == std::array{q.node[0], q.node[1]});
         CHECK(int(p.hinges) == int(q.hinges));
         CHECK(int(p.touched) == int(q.touched));
     }

@@ -12,8 +12,8 @@ const quoted = (text) => (/^[\w./=+,-]+$/.test(text) ? text : `'${text.replace(/
 /// program: its id; page: what draws the parts of a report.
 export async function look_on(program, page) {
   const me = Math.random().toString(36).slice(2), banner = make("div", { class: "live", role: "status" });
-  const top = make("div", {}), watch = make("div", {}), rest = make("div", {});
-  page.report.append(banner, top, watch, rest);
+  const [top, warned, watch, rest] = [1, 2, 3, 4].map(() => make("div", {}));
+  page.report.append(banner, top, warned, watch, rest);
   const shown = { state: null, run: null, player: null, drawn: 0, pressed: false, states: 0, ended: null };
   rest.addEventListener("pointerdown", () => { shown.pressed = true; });
   addEventListener("pointerup", () => { shown.pressed = false; });
@@ -30,7 +30,7 @@ export async function look_on(program, page) {
     const events = state.events ? state.events.from + list(state.events.rows).length : 0;
     shown.known = [state.version, state.run ?? 0, events];
     ++shown.states;
-    await take(state, shown, { page, top, watch, rest, banner });
+    await take(state, shown, { page, top, warned, watch, rest, banner });
     if (state.program === "ended") return;
   }
 }
@@ -64,6 +64,8 @@ async function take(state, shown, parts) {
       for (const row of state.events.rows) run.events.rows.push(row);
     }
     parts.top.replaceChildren(parts.page.heading([run]));
+    const warnings = parts.page.warnings([run]);
+    if ((warnings?.textContent ?? "") !== parts.warned.textContent) parts.warned.replaceChildren(...[warnings].filter(Boolean));
     document.title = `${state.program === "ended" ? "ended" : "live"}: ${document.title}`;
     draw_rest(shown, parts, state.program === "ended" || run.summary.verdict !== "running");
   }

@@ -59,8 +59,10 @@ function heading(runs) {
       ` · ${runs.length > 1 ? `${r.name}: ` : ""}there is no summary.json, so the program still runs or was ended from `
       + "outside; this is what it has written");
     const where = s.kind === "static" ? `load factor ${number(s.factor)}` : `t = ${number(s.time)} s`;
-    return make("p", { class: `verdict ${["completed", "failed", "stopped"].includes(s.verdict) ? s.verdict : ""}` },
+    const warned = warnings_of(r).length, known = ["completed", "failed", "stopped"].includes(s.verdict);
+    return make("p", { class: `verdict ${known ? s.verdict : ""}${warned ? " warned" : ""}` },
       make("strong", {}, runs.length > 1 ? `${r.name}: ${s.verdict}` : s.verdict),
+      warned ? ` · ${warned} ${warned === 1 ? "warning" : "warnings"}` : "",
       s.reason ? ` · ${s.reason}` : "", s.steps === undefined ? "" : ` · ${number(s.steps)} steps to ${where} in `
         + `${number(s.wall_seconds, 3)} s · largest energy error ${number(100 * Number(s.energy_error), 2)} %`);
   })));
@@ -214,12 +216,27 @@ function stages(runs) {
     names.map((n) => [n, ...lists.map((l) => share(l.find((s) => s.name === n)?.seconds ?? 0, most))])));
 }
 
+// What a reader of the results has to know first. Notes are for information alone.
+const warnings_of = (r) => [...list(r.summary?.warnings), ...list(r.summary?.failed_runs)];
+
+const at_once = 5; // lines
+
+/// A card above the player, or null where no run has a warning.
 function warnings(runs) {
-  return each(runs, "Warnings and notes", (r) => {
-    const s = r.summary || {}, lines = [...list(s.warnings), ...list(s.failed_runs), ...list(s.notes)];
-    return make("ul", { class: "warnings" }, lines.length ? lines.map((w) => make("li", {}, text_of(w))) :
-      make("li", {}, "none"));
+  if (!runs.some((r) => warnings_of(r).length)) return null;
+  const made = each(runs, "Warnings", (r) => {
+    const lines = warnings_of(r).map((w) => make("li", {}, text_of(w))), more = lines.length - at_once;
+    if (lines.length === 0) return runs.length > 1 ? make("p", { class: "hint" }, "none") : null;
+    return make("div", {}, make("ul", { class: "warnings" }, lines.slice(0, at_once)), more > 0 ? make("details", {},
+      make("summary", {}, `${more} more`), make("ul", { class: "warnings" }, lines.slice(at_once))) : null);
   });
+  made.classList.add("warned");
+  return made;
+}
+
+function notes(runs) {
+  return each(runs, "Notes", (r) => (list(r.summary?.notes).length ? make("ul", { class: "warnings" },
+    list(r.summary.notes).map((w) => make("li", {}, text_of(w)))) : null));
 }
 
 function model_numbers(r) {
@@ -296,7 +313,7 @@ function below(runs, player) {
     make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
       runs.length > 1 ? "lines in bold differ" : null), side_by_side(runs, model_numbers, "The model and the run"),
     side_by_side(runs, (r) => flat(r.summary?.results).slice(0, 60), "Results, as the script returned them")].filter(Boolean)),
-    ...pair(effects(runs), stages(runs)), warnings(runs),
+    ...pair(effects(runs), stages(runs)), notes(runs),
     make("footer", {}, "Keys in the picture: arrows rotate, + and − zoom, space plays, comma and full stop step by a frame, "
       + "[ and ] pick the member before or after, f follows it, r looks from the corner, Escape picks none. "
       + "Drawn with three.js, © three.js authors, MIT licence.")].filter(Boolean);
@@ -313,11 +330,11 @@ function unfinished(r) {
 async function main() {
   document.head.append(make("style", {}, style));
   const data = JSON.parse(document.getElementById("data").textContent);
-  if (data.live) return look_on(data.live, { report, heading, below, make_player });
+  if (data.live) return look_on(data.live, { report, heading, warnings, below, make_player });
   const runs = await Promise.all(list(data.runs).map(async (r) => ({ ...r, summary: r.summary || (r.history ?
     unfinished(r) : null), frames: await read_frames(r.frames) })));
   const [player, watch] = make_player(runs);
-  report.append(heading(runs), watch, ...below(runs, player));
+  report.append(...[heading(runs), warnings(runs), watch, ...below(runs, player)].filter(Boolean));
   if (player) player.seek(player.end);
   window.hinge_report = { runs, player, story: story_of, ready: true };
   document.documentElement.dataset.ready = "yes";

@@ -38,12 +38,12 @@ export function member_panel(run, number_of, seek) {
   const facts = make("p", {});
   const plots = [
     plot({ label: "yield function over time", x_label, series: [{ name: "f_y", x, y: history(frames, (f) => (gone(f) ? NaN :
-      f_y(frames, f, bar))) }], lines: [1], width: 350, height: 170, seek, least_zero: true }),
+      f_y(frames, f, bar))) }], lines: [1], width: 350, height: 170, seek, least_zero: true, holds: true }),
     plot({ label: "axial force over time", x_label, unit: "N", series: [{ name: "N, tension positive", x, y: of(0) }],
       lines: limit(0) ? [limit(0), -limit(0)].filter((v) => Math.abs(v) < 3 * Math.max(...of(0).filter(Number.isFinite)
-        .map(Math.abs), 1)) : [], width: 350, height: 170, seek, least_zero: true }),
+        .map(Math.abs), 1)) : [], width: 350, height: 170, seek, least_zero: true, holds: true }),
     plot({ label: "bending moments over time", x_label, unit: "N m", series: ["Mx first end", "Mx second end", "My first end",
-      "My second end"].map((name, i) => ({ name, x, y: of(i + 1), dash: i % 2 === 1 })), width: 350, height: 190, seek, least_zero: true }),
+      "My second end"].map((name, i) => ({ name, x, y: of(i + 1), dash: i % 2 === 1 })), width: 350, height: 190, seek, least_zero: true, holds: true }),
   ];
   const has_limits = limit(0) > 0 && (limit(1) > 0 || limit(2) > 0);
   const part = (f, c, l) => (limit(l) > 0 ? force(frames, f, bar, c) / limit(l) : 0);

@@ -1,5 +1,6 @@
 // Curves over time as SVG: axes with round numbers, a legend whose entries hide curves, a cursor at the time shown.
 import { make, svg, number, scaled } from "./page.js";
+import { frame_at } from "./run_data.js";
 
 export const colours = ["#1f5fa8", "#d9822b", "#2e8b57", "#b0357a", "#6b4fa0", "#8a6d1d", "#17828f", "#c0272d",
   "#5b6770", "#9bb82b", "#e07ba8", "#3d3d3d"];
@@ -38,10 +39,20 @@ function path(x, y, to_x, to_y) {
 
 const hidden = new Set(); // curves that were hidden, by their plot's label and their name: a plot may be drawn anew
 
+// The value of a curve at a place of its axis: between two points the straight line that is drawn, or with `holds` the
+// value of the point before. NaN where nothing is drawn.
+function value_at({ x, y }, at, holds) {
+  if (x.length === 0) return NaN;
+  const i = frame_at({ abscissa: x }, at), next = i + 1 < x.length ? y[i + 1] : NaN;
+  const share = (at - x[i]) / (x[i + 1] - x[i]);
+  return holds || !Number.isFinite(next) || !(share > 0 && share < 1) ? y[i] : y[i] + share * (next - y[i]);
+}
+
 /// options: width and height, label (what it shows, for screen readers), x_label, unit (of y), series [{ name, x, y, colour, dash }],
-/// lines (levels drawn across), seek(x) is called with a click. Returns an element with a method cursor(x).
+/// lines (levels drawn across), seek(x) is called with a click, holds (a value holds until the next: of frames). Returns an
+/// element with a method cursor(x). The number beside a curve's name is its value at the cursor.
 export function plot({ label, x_label = "time, s", unit = "", series, width = 640, height = 250, lines = [], seek,
-  least_zero }) {
+  least_zero, holds }) {
   const [x_low, x_high] = extent(series.map((s) => s.x));
   let [y_low, y_high] = extent(series.map((s) => s.y).concat([lines]));
   if (least_zero) y_low = Math.min(0, y_low), y_high = Math.max(0, y_high);
@@ -73,8 +84,8 @@ export function plot({ label, x_label = "time, s", unit = "", series, width = 64
     drawing.addEventListener("pointermove", (event) => { if (event.buttons & 1) at(event); });
     drawing.classList.add("seeks");
   }
+  const values = series.map(() => (unit ? make("small", {}) : null));
   const legend = make("div", { class: "legend" }, series.length > 1 || series[0]?.name ? series.map((s, i) => {
-    const last = [...s.y].reverse().find(Number.isFinite);
     const key = `${label} ${s.name}`;
     if (hidden.has(key)) curves[i].style.display = "none";
     return make("button", { type: "button", "aria-pressed": String(!hidden.has(key)), title: "show or hide this curve", onclick: (event) => {
@@ -83,13 +94,18 @@ export function plot({ label, x_label = "time, s", unit = "", series, width = 64
       curves[i].style.display = shown ? "" : "none";
       if (shown) hidden.delete(key); else hidden.add(key);
     } }, make("span", { class: "swatch", style: `background:${s.colour || colours[i % colours.length]}` }), s.name,
-    last === undefined || !unit ? null : make("small", {}, ` ${number(last / factor, 3)}`));
+    values[i]);
   }) : []);
   const figure = make("figure", { class: "plot" }, drawing, legend);
   figure.cursor = (x) => {
     const at = to_x(Math.min(x_high, Math.max(x_low, x)));
     cursor.setAttribute("x1", at), cursor.setAttribute("x2", at);
+    series.forEach((s, i) => {
+      const value = values[i] ? value_at(s, x, holds) : NaN;
+      if (values[i]) values[i].textContent = Number.isFinite(value) ? ` ${number(value / factor, 3)}` : " –";
+    });
   };
+  figure.cursor(Infinity);
   return figure;
 }
 

@@ -62,13 +62,14 @@ export async function read_changes(packed) {
 
 export async function read_frames(packed) {
   if (!packed) return null;
-  const [declared, held, ends, member, width, limits, memberships, changes] = await Promise.all([
+  const [declared, held, ends, member, width, limits, memberships, connected, changes] = await Promise.all([
     whole(packed.declared, 4), whole(packed.held, 1), whole(packed.ends, 4), whole(packed.member, 4),
-    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4), read_changes(packed)]);
+    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4),
+    whole(packed.connected, 4), read_changes(packed)]);
   const frames = {
     nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups),
     declared_nodes: packed.declared_nodes || packed.nodes, not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
-    declared: floats(declared), held, ends, member, width: floats(width), limits: floats(limits), ...changes,
+    declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), ...changes,
   };
   frames.abscissa = frames.factors || frames.times;
   list_members(frames, memberships);
@@ -94,9 +95,9 @@ export function declared_at(frames, bar, side) {
   return node === no_node ? null : frames.declared.subarray(3 * node, 3 * node + 3);
 }
 
-// Floors are the heights of level members that hang together with a support; a storey reaches from one to the next.
+// Floors are the heights of level members that hang together with a support, by members and connectors; a storey reaches from one to the next.
 function find_storeys(frames) {
-  const { bars, ends, held, nodes, declared } = frames;
+  const { bars, ends, held, nodes, declared, connected } = frames;
   const body = new Int32Array(nodes).map((_, i) => i);
   const root = (i) => {
     while (body[i] !== i) i = body[i] = body[body[i]];
@@ -104,6 +105,7 @@ function find_storeys(frames) {
   };
   for (let b = 0; b < bars; ++b)
     if (ends[2 * b] !== no_node && ends[2 * b + 1] !== no_node) body[root(ends[2 * b])] = root(ends[2 * b + 1]);
+  for (let i = 0; i + 1 < connected.length; i += 2) body[root(connected[i])] = root(connected[i + 1]);
   const supported = new Set();
   let base = Infinity;
   for (let i = 0; i < nodes; ++i)
