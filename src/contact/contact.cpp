@@ -368,7 +368,6 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
     surface_contacts_.push_back(contact);
 }
 
-
 // Pairs that have parted are free again.
 void Contact::end_surface_contacts() {
     std::erase_if(surface_contacts_, [&](const SurfaceContact& contact) {

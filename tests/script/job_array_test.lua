@@ -44,8 +44,8 @@ expect(text:find("#SBATCH %-%-output=[^\n]*/50%%%%j/slurm%-%%a.txt\n"), "a name 
 -- A line break in a name would be a line of options for sbatch.
 local function refused(words, option)
   status, text, complaint = hinge_study(words .. " speed=5 --slurm --dry-run")
-  expect(status == 2 and text == "" and complaint:find(option .. " .*must not hold a line break"), "a line break in %s: %s %s",
-    option, status, text .. complaint)
+  expect(status == 2 and text == "" and complaint:find(option .. " .*must not hold a line break"),
+    "a line break in %s: %s %s", option, status, text .. complaint)
 end
 refused("s.lua --out 'a\n#SBATCH --wrap=x'", "%-%-out")
 support.write(folder .. "/s\n#SBATCH --wrap=x.lua", support.swinging_bar)

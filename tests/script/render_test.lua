@@ -313,7 +313,8 @@ expect(status == 1 and printed == "5 pictures in strange\n", "with a pipe: %s %s
 says("hinge: not drawn: cannot read strange/frames/frame_00002.vtp: it is a pipe", "a pipe")
 support.run(("cd %s/strange && rm history.csv && mkfifo history.csv"):format(quote(folder)))
 in_time "report strange"
-expect(status == 1 and printed:find "^strange/report.html: 1 run, 5 frames", "a report with pipes: %s %s", status, printed)
+expect(status == 1 and printed:find "^strange/report.html: 1 run, 5 frames", "a report with pipes: %s %s", status,
+  printed)
 
 -- Frames outside the folder are refused: a picture would be written beside them. So is a link that leads out of it.
 support.run(("cd %s && cp -r one elsewhere && rm elsewhere/frames/*.png"):format(quote(folder)))

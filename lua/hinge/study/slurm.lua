@@ -25,8 +25,8 @@ end
 -- sbatch reads its options from lines of the script: a name with a line break would add options of its own.
 local function check_name(option, name)
   if name:find "%c" then
-    check.fail("%s %q: must not hold a line break or another control character with --slurm, as sbatch takes its options "
-      .. "from lines of the script; choose another name", option, name)
+    check.fail("%s %q: must not hold a line break or another control character with --slurm, as sbatch takes its "
+      .. "options from lines of the script; choose another name", option, name)
   end
 end
 
