@@ -7,8 +7,8 @@
 --         and the contact rule
 -- Expect  error of plastic work before: under 1 % at all steps. After: 11 % at 20 us, and 0.9 % at 10 us, where the
 --         same three members break. Iterations and double precision change neither. Explicit steps are 26 % off before
---         (lumped mass), surface contact 12 % (another contact law). With after=12e-3 the references differ by 12 %, so
---         no error is given
+--         (lumped mass), surface contact 12 % (another contact law). With after=12e-3 the energies
+--         after the break are chaotic: that of fracture scatters by 9 %, so they have means in place of errors
 local hinge    = require "hinge"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"

@@ -44,7 +44,8 @@ for value, wanted in pairs { [1e-5] = "10 us", [2.5e-6] = "2.5 us", [1e-3] = "1 
   [31.4159] = "31.42 s", [0.1] = "100 ms" } do
   equal(words.seconds(value), wanted, "a time in words")
 end
-for part, wanted in pairs { [0.03] = "3 %", [0.0251] = "2.6 %", [0.00163] = "0.17 %", [0.0999] = "10 %" } do
+for part, wanted in pairs { [0.03] = "3 %", [0.0251] = "2.6 %", [0.00163] = "0.17 %", [0.0999] = "10 %",
+  [0.01004] = "1.01 %" } do
   equal(words.bound(part), wanted, "a bound is rounded up")
 end
 local three = { { name = "dt" }, { name = "elements_per_member" }, { name = "formulation" } }
@@ -74,6 +75,9 @@ for kind, answers in pairs { scatter = { 5, 5.3, 5.1 }, grows = { 5, 5.1, 5.3 },
   equal(found.by, kind, "kind of " .. table.concat(answers, ", "))
   near(found.half, kind == "exact" and 0 or 0.3, 1e-12, "its band")
 end
+-- a last change that is clearly smaller bounds the rest: of counts, of what swings about its end
+near(estimate.along({ 4, 2, 1 }, { 7, 5, 5 }, 2, 1e-3).half, 0, 1e-12, "band of a count that has settled")
+near(estimate.along({ 4, 2, 1 }, { 5, 5.6, 5.5 }, 2, 1e-3).half, 0.3, 1e-12, "band of what swings")
 equal(estimate.along({ 4, 2, 1 }, { 5, 5.1, 5.3 }, 2, 0.1).by, "scatter", "what grows within what is accepted")
 equal(estimate.along({ 4, 2, 1 }, { 5, 0 / 0, 5 }, 2, 0.1).by, "open", "what is not a number")
 -- a history whose every point converges

@@ -5,6 +5,7 @@ local compare = require "hinge.cost.compare"
 local estimate = {}
 local least_order = 0.5 -- an order below it is not clear: the extrapolation would be longer than what was observed
 local aligned = 0.5     -- cosine of the angle between two changes of a history that are of one kind
+local shrinks = 1.4     -- a change by this factor smaller than the one before is clearly the smaller one
 local careful = 3       -- safety factor where two refinements cannot show the order (Roache 1994)
 
 -- The largest distance between any two of some answers.
@@ -20,8 +21,9 @@ end
 -- settled: how far the answers may differ and still pass for converged, as a part of their size.
 -- Returns { by =, answer =, half =, order = }. answer: the best known one, extrapolated where the order is clear. half:
 -- it may be off by so much, in the unit of the answer. by: "exact" (nothing changes), "order" (observed), "theory" (two
--- answers, a safety factor of 3), "scatter" (no clear order: the spread of the three), "grows" (changes go on in one
--- direction and do not get smaller: half is no bound), "open" (one answer alone, half is infinite).
+-- answers, a safety factor of 3), "scatter" (no clear order: the spread of the three; where the last change is clearly
+-- the smaller one, at most three times that change), "grows" (changes go on in one direction and do not get smaller:
+-- half is no bound), "open" (one answer alone, half is infinite).
 function estimate.along(h, answers, theory, settled)
   local n = #answers
   local finest = answers[n]
@@ -43,6 +45,9 @@ function estimate.along(h, answers, theory, settled)
   end
   local half = spread(answers)
   if not (half < math.huge) then return { by = "open", answer = finest, half = math.huge } end
+  if last * shrinks <= compare.distance(answers[1], answers[2]) then
+    return { by = "scatter", answer = finest, half = math.min(half, careful * last) }
+  end
   local grows = one_way and half > settled * compare.size(finest)
   return { by = grows and "grows" or "scatter", answer = finest, half = half }
 end

@@ -19,11 +19,13 @@ function words.seconds(value, digits)
   end
 end
 
---- A part as a percentage, rounded up to two digits so that it stays a bound: "3 %", "0.17 %".
+--- A part as a percentage, rounded up so that it stays a bound, to two digits, or three if two would add more than a
+--- twentieth: "3 %", "0.17 %", "1.01 %".
 function words.bound(part)
   if part == 0 then return "0 %" end
   local unit = 10.0 ^ (math.floor(math.log(100 * part, 10)) - 1)
-  return ("%.6g %%"):format(math.ceil(100 * part / unit - 1e-9) * unit)
+  local function up(by) return math.ceil(100 * part / by - 1e-9) * by end
+  return ("%.6g %%"):format(up(unit) <= 105 * part and up(unit) or up(unit / 10))
 end
 
 --- The value of a knob: "10 us" for a time step, "1e-8" for a small number.
