@@ -95,18 +95,19 @@ do
   near(run.energy.connector_stored, 2.5 + 5.5 + 14, 1e-6, "and the energy there")
 end
 
--- A break: what was stored is released. The capacity lies between two steps of a displacement that is prescribed.
-do
+-- A break, stretched and pressed: what was stored is released. The capacity lies between two steps of a displacement
+-- that is prescribed.
+for what, sign in pairs { stretched = 1, pressed = -1 } do
   local model, left, right = sliding_bar()
   local k, capacity = 1e7, 1e4
   model:fix(left)
   local c = model:connector { right, ground = true, stiffness = { x = k }, capacity = { x = capacity } }
-  local target = capacity / k * 1.0005
+  local target = sign * capacity / k * 1.0005
   model:load { node = right, force = { 1, 0, 0 } }
   local run = model:static { steps = 2001, control = { node = right, "ux", to = target } }
   run:finish()
-  equal(run.verdict, "completed", "verdict after a break")
-  expect(c:broken(run), "it is broken")
+  equal(run.verdict, "completed", what .. ": verdict after a break")
+  expect(c:broken(run), "a connector %s past its capacity is broken", what)
   equal(c:force(run), 0, "a broken connector has no force")
   near(run.energy.connector_dissipated / (capacity ^ 2 / (2 * k)), 1, 2e-3, "a break releases F^2 / 2k")
   near(run.energy.connector_stored, 0, 1e-12, "and nothing is stored any more")

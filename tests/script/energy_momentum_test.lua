@@ -122,6 +122,28 @@ for _, mass in ipairs { "linear", "cubic" } do
   end
 end
 
+-- A mass beside the end of a bar in flight. Its momentum depends on where the bar has turned to. The mean over a step
+-- is of second order, so that some energy is missed: 0.004 % of it in steps of 22 mrad.
+do
+  local model = hinge.model { elements_per_member = 2 }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material(steel),
+    group = "bar" }
+  model:mass { node = b, mass = 20, offset = { 0.1, 0.2, 0.3 } }
+  model:velocity("bar", { 3, -2, 5 }, { 4, 11, -7 })
+  local run = model:dynamic(with { dt = 2e-3, duration = 1, tolerance = 1e-12 })
+  local before, worst = run:momentum(), 0
+  run:on_step(function(r) worst = largest_of(worst, math.abs(r.energy.remainder)) end)
+  run:finish()
+  local now = run:momentum()
+  equal(run.verdict, "completed", "a mass beside a bar: " .. run.reason)
+  expect(worst < 2e-4 * run.energy.initial, "a mass beside a bar: energy error %g of it", worst / run.energy.initial)
+  for _, kind in ipairs { "linear", "angular" } do
+    expect(apart(before[kind], now[kind]) < 1e-9, "a mass beside a bar: %s momentum changes by %g", kind,
+      apart(before[kind], now[kind]))
+  end
+end
+
 -- A bar that spins about its axis, or across it, for a hundred turns in steps of a tenth of a radian and more ---------
 for _, spin in ipairs { { 300, 0, 0 }, { 0, 0, 300 }, { 300, 5, 0 } } do
   local model = hinge.model { elements_per_member = 2 }

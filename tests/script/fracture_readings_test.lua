@@ -52,6 +52,56 @@ expect(sideways and math.abs(sideways - wanted) < 0.01 * wanted, "S about y: at 
 equal(moved_bar({ curvature_x = limit, reading = "section" }, { formulation = "conventional" }), nil,
   "the conventional element has one hinge in its middle, which does not rotate in an S")
 
+-- A hinge at one end has rotated and flows no more. Then the bar is bent elastically, and the limit of the section is
+-- reached without flow: at end 1 and at end 2 of the element alike, when a rule that reads the section sees it.
+do
+  local rounds = { -- s; m, of the joint and of the far end
+    { 0, 0, 0 }, { 1, 0.03, 0.075 }, { 1.2, 0.0285, 0.0735 }, { 2.2, 0.034, 0.1015 } }
+  local function path(column)
+    return function(t)
+      for i = 2, #rounds do
+        local a, b = rounds[i - 1], rounds[i]
+        if t <= b[1] then
+          local part = (1 - math.cos(math.pi * (t - a[1]) / (b[1] - a[1]))) / 2
+          return a[column] + part * (b[column] - a[column])
+        end
+      end
+      return rounds[#rounds][column]
+    end
+  end
+  local function bent(at, rule)
+    local model = hinge.model { displacement = "small" }
+    local wall, joint, far = model:node { 0, 0, 0 }, model:node { length, 0, 0 }, model:node { 2 * length, 0, 0 }
+    local ends = at == 1 and { wall, joint } or { joint, wall }
+    model:fix(wall)
+    model:fix({ joint, far }, "xy rx rz")
+    local member = model:member { ends[1], ends[2], section = bar, material = steel, up = { 0, 0, 1 }, group = "bar" }
+    model:member { joint, far, section = bar, material = hinge.material { E = E, nu = 0.3, density = 7850 },
+      up = { 0, 0, 1 } }
+    model:move { node = joint, z = path(2) }
+    model:move { node = far, z = path(3) }
+    rule.group = "bar"
+    model:fracture(rule)
+    local run = model:dynamic { dt = 2e-3, duration = 2.2, record = false }
+    run:finish()
+    equal(run.verdict, "completed", "bent without flow: " .. run.reason)
+    return select(3, member:state(run))
+  end
+  local most = 0.264 -- 1/m
+  for _, at in ipairs { 1, 2 } do
+    local reached, in_flow
+    bent(at, { where = "all", rule = function(s)
+      if s.node ~= 1 or reached then return false end
+      local own = s.curvature_x - s.plastic_curvature_x + s.hinge_rotation_x / (length / 2)
+      if math.abs(own) >= most then reached, in_flow = s.time, s.plastic end
+      return false
+    end })
+    local when = bent(at, { curvature_x = most, reading = "section" })
+    expect(reached and reached > 1.5 and not in_flow, "end %d: the limit is reached without flow, at %s s", at, reached)
+    near(when or 0, reached or 1, 1e-9, ("end %d: breaks without flow"):format(at))
+  end
+end
+
 -- What a rule reads: the rotations of the hinges, and by another route the same from curvatures.
 local seen, asked = {}, 0
 moved_bar({ where = "all", rule = function(s)

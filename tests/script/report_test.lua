@@ -126,6 +126,29 @@ equal(hinge_on("run -q", scene, "rule=own --out own"), 0, "a rule of its own")
 expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24"\n'), "a rule of its own: %s",
   page "own/events.csv")
 
+-- What happens in one step is told in the order in which it comes about: contact, then yield, then fracture.
+equal(hinge_on("run -q", [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local model = hinge.model()
+local held = { model:node { 0, 0, 0 }, model:node { 1, 0, 0 } }
+model:fix(held)
+model:member { held[1], held[2], section = bar, material = steel }
+model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = bar, material = steel,
+  group = "flying" }
+model:velocity("flying", { 0, 0, -100 })
+model:contact {}
+model:fracture { curvature_x = 0.01, curvature_y = 0.01 }
+model:dynamic { dt = 1e-3, duration = 1e-3, step_control = 0, energy_tolerance = 1e9 }:finish()
+]], "--out at_once"), 0, "all in one step")
+local order = {}
+for time, what in page "at_once/events.csv":gmatch "\n([%d.e-]+),(%l+)," do
+  equal(tonumber(time), 1e-3, "time of " .. what)
+  if order[#order] ~= what then order[#order + 1] = what end
+end
+equal(table.concat(order, ", "), "contact, yield, fracture", "the order in one step")
+
 -- Several runs, one without frames; a file of one's own; no run at all.
 equal(hinge_on("run -q", scene, "frames=none --out two"), 0, "the scene without frames")
 status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
@@ -139,6 +162,20 @@ status, printed = support.run(("cd %s && %s report two"):format(quote(folder), h
 expect(status == 0 and printed:find("no frames, so nothing to look at in 3D", 1, true), "without frames: %s", printed)
 status, _, complaint = support.run(("cd %s && %s report nowhere"):format(quote(folder), hinge))
 expect(status == 2 and complaint:find("no run was written to nowhere", 1, true), "no run: %s %s", status, complaint)
+
+-- Of a long history the page has at most 1500 rows, alike far apart, and the last one, whether it is among them or not.
+for rows, kept in pairs { [1500] = 1500, [1501] = 751, [4000] = 1334, [4001] = 1335 } do
+  local lines = { "time [s],kinetic [J]" }
+  for i = 1, rows do lines[i + 1] = ("%d,%d"):format(i, 10 * i) end
+  support.write(folder .. "/two/history.csv", table.concat(lines, "\n") .. "\n")
+  equal(support.run(("cd %s && %s report two --out long.html"):format(quote(folder), hinge)), 0, rows .. " rows")
+  local time, kinetic = table.unpack(data_of(page "long.html").runs[1].history.values)
+  equal(#time, kept, "rows in the page of " .. rows)
+  equal(time[1], 1, "the first of " .. rows)
+  equal(time[2] - time[1], time[kept - 1] - time[kept - 2], "apart, of " .. rows)
+  equal(time[kept], rows, "the last of " .. rows)
+  equal(kinetic[kept], 10 * rows, "the last value of " .. rows)
+end
 
 -- Frames that cannot be read are left out and named; the page is made, without any frame too.
 os.execute(("cd %s && cp -r one damaged"):format(quote(folder)))

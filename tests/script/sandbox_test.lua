@@ -172,6 +172,24 @@ status, _, complaint = run(("cd %s && %s --sandbox s.lua --out linked"):format(f
 expect(status == 2 and complaint:find("is outside the output folder linked", 1, true), "through a link: %d %s",
   status, complaint)
 equal(support.output("ls " .. path "elsewhere"), "", "what went through the link")
+-- Nor does a file that is a link, whichever of the files it has the name of: it is refused, or a file takes its place.
+support.write(path "s.lua", frame .. [[
+return hinge.scenario { run = function(_, job)
+  local run = cantilever():dynamic { dt = 1e-5, duration = 1e-4 }
+  for step in run:steps() do if step.index == 5 then run:checkpoint(job.out .. "/run.checkpoint") end end
+  job:frame(run)
+  job:plot(run, "x.svg")
+end }]])
+for name, refused in pairs { ["x.svg"] = true, ["run.checkpoint"] = true, ["summary.json"] = false,
+  ["history.csv"] = false, ["run.json"] = false, ["frames.pvd"] = false } do
+  support.run(("cd %s && rm -rf linked && mkdir linked && ln -s ../target linked/%s"):format(folder, name))
+  support.write(path "target", "mine")
+  status, _, complaint = run(("cd %s && %s --sandbox s.lua --out linked"):format(folder, hinge))
+  equal(status, refused and 2 or 0, name .. " is a link: " .. complaint)
+  equal(complaint:find(("'linked/%s' is outside the output folder linked"):format(name), 1, true) ~= nil, refused,
+    name .. " is a link: " .. complaint)
+  equal(support.read(path "target"), "mine", "what the link " .. name .. " points to")
+end
 for _, name in ipairs { "x.png", "../x.png", "out1-2/x.png" } do
   expect(not support.is_there(path(name)), "%s was written", name)
 end

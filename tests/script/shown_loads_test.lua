@@ -1,5 +1,5 @@
 -- What pictures show of loads is what the supports hold: forces, and moments about the origin; in statics as much of a
--- load as acts, in dynamics by its history.
+-- load as acts, in dynamics by its history, and right after a checkpoint as before it.
 --
 -- Run: lua5.4 tests/script/shown_loads_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -99,6 +99,33 @@ do -- in dynamics by its history
   local run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   run:finish()
   near(shown(run)[3], -0.5 * 10 * L - 0.5 * 8, 1e-6, "shown by the history")
+end
+do -- where a run goes on from a checkpoint, before its first step: forces with their part of the load, and the loads
+  local file = os.tmpname()
+  local function swaying()
+    local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" })
+    s.model:load { member = s.member[1], q = { 0, 0, -1e3 }, history = { { 0, 0 }, { 1e-3, 1 } } }
+    s.model:load { node = s.node[2], force = { 0, 0, -800 }, history = { { 0, 0 }, { 2e-3, 1 } } }
+    s.model:gravity { 0, 0, -9.81 }
+    return s.model:dynamic { dt = 1e-4, duration = 1e-3 }, s.member[1]
+  end
+  local before, its_member = swaying()
+  for step in before:steps() do if step.index == 6 then break end end
+  before:checkpoint(file)
+  local after, other_member = swaying()
+  after:resume(file)
+  os.remove(file)
+  equal(after.index, 6, "the step of the checkpoint")
+  for _, side in ipairs { "a", "b" } do
+    local x, y = its_member:forces(before), other_member:forces(after)
+    for name, force in pairs(x[side] or x) do
+      if type(force) == "number" then equal((y[side] or y)[name], force, ("%s at end %s"):format(name, side)) end
+    end
+  end
+  expect(math.abs(its_member:forces(before).Mx) > 100, "there is a moment: %g", its_member:forces(before).Mx)
+  local x, y = shown(before), shown(after)
+  near(x[3], -0.6 * 1e3 * L - 0.3 * 800, 1e-6, "shown in step 6")
+  for c = 1, 6 do equal(y[c], x[c], "shown right after a checkpoint, component " .. c) end
 end
 
 checks.done()

@@ -236,6 +236,54 @@ do
   for step in arc:steps() do if step.index < 40 and not (step.factor <= peak) then peak = step.factor end end
   expect(arc.verdict == "completed" and arc.factor == 2 and peak < 1.26, "arc length past a snap: %s %g, peak %g",
     arc.reason, arc.factor, peak)
+
+  -- A load factor that is reached from above. A stiff bar stands with its top h above its foot, which slides on a
+  -- spring: with the top at height z the spring takes k s, s = sqrt(l^2 - z^2) - 1, and the load is k s z / (1 + s).
+  local h, k, F, to = 0.1, 1e6, 150, -0.2
+  local leaning = hinge.model {}
+  local low, high = leaning:node { -1, 0, 0 }, leaning:node { 0, 0, h }
+  leaning:fix(low, "yz rx rz")
+  leaning:fix(high, "xy rx rz")
+  leaning:member { low, high, section = square, material = steel }
+  leaning:connector { low, ground = true, stiffness = { x = k } }
+  leaning:load { node = high, force = { 0, 0, -F } }
+  arc = leaning:static { control = { "arc", to = to }, steps = 60 }
+  local highest, lowest = 0, 0
+  for step in arc:steps() do highest, lowest = math.max(highest, step.factor), math.min(lowest, step.factor) end
+  local z = h + select(3, arc:displacement(high))
+  local s = math.sqrt(1 + h ^ 2 - z ^ 2) - 1
+  expect(arc.verdict == "completed" and arc.reason == "" and highest > 1.2, "arc length from above: %s %s, peak %g",
+    arc.verdict, arc.reason, highest)
+  near(arc.factor, to, 1e-12, "arc length from above: where it ends")
+  near(lowest, to, 1e-12, "arc length from above: the lowest factor")
+  expect(math.abs(z) < 0.1 * h, "arc length from above: the bar has just gone past level, z = %g m", z)
+  near(k * s * z / (1 + s) / F, to, 1e-3 * math.abs(to), "arc length from above: the load by hand") -- k of EA: 5e-4
+end
+
+-- A moment makes the tangent unsymmetric, and its negative eigenvalues are counted one by one. Columns with
+-- Euler's load at half the load factor stand beside slender ones and a stocky block that is twisted: by little, or so
+-- much that the symmetric part of its own stiffness is negative. As many ways to give way are found as columns are
+-- loaded, an odd number of them too.
+for _, twist in ipairs { 1e-3, 7 } do -- E I / L
+  for loaded = 1, 3 do
+    local made = hinge.model {}
+    local function stand(x, width, depth, P, M)
+      local shape = hinge.section.solid { width = width, depth = depth }
+      local low, high = made:node { x, 0, 0 }, made:node { x, 0, 2 }
+      made:fix(low)
+      made:member { low, high, section = shape, material = steel }
+      made:load { node = high, force = { 0, 0, -P * math.pi ^ 2 * 206e9 * shape.Iy / 16 },
+        moment = { 0, 0, M * 206e9 * shape.Ix / 2 } }
+    end
+    for x = 1, loaded do stand(x, 0.01, 0.02, 2, 0) end
+    for x = 21, 30 do stand(x, 0.003, 0.006, 0, 0) end
+    stand(0, 1, 1, 0, twist)
+    run = made:static { steps = 4 }:finish()
+    local what = ("%d columns beside a block that is twisted by %g"):format(loaded, twist)
+    equal(run.verdict, "failed", what)
+    near((run.instability or {}).factor or 0, 0.5, 1e-4, what .. ": load factor") -- less by the columns' shortening
+    equal((run.instability or {}).count, loaded, what .. ": ways")
+  end
 end
 
 -- A frame that stands says nothing.

@@ -175,6 +175,29 @@ status = study "s.lua load=1:40:1 wait=0.02 -j 4 --out killed1 --resume"
 equal(status, 0, "exit status with a cut journal")
 equal(#results "killed1", 40, "cases with a cut journal")
 
+-- A case that has an answer keeps it, whatever a later try says, such as that of another task of a cluster.
+do
+  local journal, there = require "hinge.study.journal", folder .. "/tries"
+  local function last_of(...)
+    os.execute("rm -rf " .. quote(there) .. " && mkdir " .. quote(there))
+    for i, verdict in ipairs { ... } do
+      journal.add(there, i < 3 and "cases.jsonl" or "cases-2.jsonl", { id = "x", verdict = verdict, try = i })
+    end
+    local entry = journal.read(there).x or {}
+    return entry.verdict, entry.try
+  end
+  for tries, wanted in pairs {
+    ["completed, timed out"] = 1, ["timed out, completed"] = 2, ["timed out, crashed"] = 2, ["completed, stopped"] = 2,
+    ["completed, timed out, crashed"] = 1, ["crashed, timed out, completed"] = 3,
+  } do
+    local list = {}
+    for verdict in tries:gmatch "[^,]+" do list[#list + 1] = verdict:match "^ ?(.*)$" end
+    local verdict, try = last_of(table.unpack(list))
+    equal(try, wanted, tries .. ": the entry that counts")
+    equal(verdict, list[wanted], tries .. ": its verdict")
+  end
+end
+
 -- What the scenario itself varies, where the study says nothing else.
 support.write(folder .. "/own.lua", [[
 local hinge = require "hinge"
