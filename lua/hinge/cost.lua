@@ -186,6 +186,11 @@ function cost.compare(scenario, options)
   end
   local by = verdict.errors(compared, refs, quantities, o.quantity)
   local orders = verdict.orders(knobs, compared, refs, by)
+  local needed, beyond = verdict.needed(knobs, by, #refs, o.within), nil
+  if needed then
+    beyond = ladder.reference(knobs, compared, needed)
+    beyond = { values = beyond.values, label = beyond.label, seconds = bench:estimate(beyond) }
+  end
   local finest_label = finest.label
   verdict.describe(quantities)
   local front, best = verdict.front(compared, o.within)
@@ -197,7 +202,7 @@ function cost.compare(scenario, options)
   local result = {
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
     knobs = knobs, settings = compared, failed = failed, left_out = left_out, references = refs[2] and refs,
-    finer = refs, finest = finest_label, compared_by = check.keys(by),
+    finer = refs, beyond = beyond, finest = finest_label, compared_by = check.keys(by),
     quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
     complete = #left_out == 0 and refs[2] ~= nil, elapsed = bench:elapsed(),
   }

@@ -1691,6 +1691,8 @@ function hinge.cost(scenario, options) end
 ---the answers that count for the error of a setting: all that are sound; if none is, all that have a band
 ---@field compared_by string[]
 ---@field finest string label of the finest run: a reference or, if no reference was run, a setting
+---a setting that would be within `within` by the observed order, where none that was run is; seconds: an estimate
+---@field beyond? { values: table, label: string, seconds: number }
 ---references that were run, up to two
 ---@field finer { values: table, label: string, seconds: number, answers: table, high?: number }[]
 ---@field quantities table<string, hinge.cost_quantity> by answer

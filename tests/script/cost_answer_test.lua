@@ -139,8 +139,12 @@ expect(q.by == "order" and math.abs(q.order - 1) < 1e-6 and math.abs(q.extrapola
 near(same.orders.dt.observed, 1, 1e-6, "order of what is not converged")
 expect(#same.front == 3, "settings on the front")
 -- the first line: 0.2 takes 2 s, its error is 20 to 25 %; the references take 4 and 8 s, up to 15 and 10 %
+-- twice as fine as the finer one has 2.5 %, with a band of as much; four times as fine has half of that
+equal(headline.lines(same)[1], "dt 200 ms is within 25 % in 2 s; 3 % would take about 32 s (dt 12.5 ms)",
+  "first line where none is good enough")
+same.beyond = nil
 equal(headline.lines(same)[1], "dt 200 ms is within 25 % in 2 s; 3 % is not reached: the finest run "
-  .. "(dt 50 ms, 8 s) is within 10 %", "first line where none is good enough")
+  .. "(dt 50 ms, 8 s) is within 10 %", "the same without an order")
 local loose = hinge.cost(scene({ dt = { 0.2, 0.4, 0.8 } }, function(p) return { v = 1 + p.dt ^ 2 / 10 } end),
   { within = 0.01, repeats = 1 })
 equal(headline.lines(loose)[1], "dt 400 ms is within 1.7 % in 1 s; 1 % takes 2 s (dt 200 ms)", "first line")
@@ -230,6 +234,23 @@ equal(#r.settings, 3, "settings within 4.4 s")
 equal(r.quantities.v.by, "order", "what the error is known from")
 equal(headline.lines(r)[1], "dt 400 ms is within 2 % in 1 s; 1 % takes 2 s (dt 200 ms)", "without references")
 core.clock = clock
+
+-- A reference that fails: the settings and the other one still show the order. No answer, and none that is finite.
+local function plain(accuracy, f) return hinge.scenario { parameters = { x = 1.5 }, accuracy = accuracy, run = f } end
+r = hinge.cost(plain({ dt = { 0.1, 0.2, 0.4 } }, function(p)
+  if p.dt < 0.04 then error("too short a step", 0) end
+  return { v = 1 + p.dt ^ 2 }
+end), { repeats = 1, within = 0.001 })
+expect(r.references == nil and r.quantities.v.by == "order" and math.abs(r.quantities.v.extrapolated - 1) < 1e-6,
+  "one reference alone: %s", r.quantities.v.by)
+r = hinge.cost(plain({ dt = { 0.1, 0.2 } }, function() return { word = "yes" } end), { repeats = 1 })
+equal(headline.lines(r)[1], "no setting can be compared: the scenario returns no number, and its runs have no probe",
+  "words without an answer")
+r = hinge.cost(plain({ dt = { 0.1, 0.2 } }, function(p) return { v = p.dt < 0.03 and math.huge or 1 } end),
+  { repeats = 1 })
+expect(r.quantities.v.by == "open" and not r.settings[1].meets, "what is not finite: %s", r.quantities.v.by)
+r = hinge.cost(plain({ elements = { 2, 4 } }, function(p) return { v = 1 + 1 / p.elements ^ 2 } end), { repeats = 1 })
+expect(headline.lines(r)[1]:find "^four elements are within ", "words: %s", headline.lines(r)[1])
 
 -- Settings that fail: a line for each reason, with the nearest setting that has an answer.
 r = hinge.cost(hinge.scenario { accuracy = { dt = { 0.1, 0.2, 0.4 }, way = { "a", "b" } }, run = function(p)

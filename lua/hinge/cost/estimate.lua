@@ -27,7 +27,11 @@ end
 function estimate.along(h, answers, theory, settled)
   local n = #answers
   local finest = answers[n]
-  if n < 2 then return { by = "open", answer = finest, half = math.huge } end
+  local open = { by = "open", answer = finest, half = math.huge }
+  if n < 2 then return open end
+  for _, a in ipairs(answers) do
+    if not (compare.size(a) < math.huge) then return open end
+  end
   local last = compare.distance(answers[n - 1], finest)
   local noise = 1e-9 * compare.size(finest)
   if spread(answers) <= noise then return { by = "exact", answer = finest, half = spread(answers) } end
@@ -44,7 +48,7 @@ function estimate.along(h, answers, theory, settled)
     end
   end
   local half = spread(answers)
-  if not (half < math.huge) then return { by = "open", answer = finest, half = math.huge } end
+  if not (half < math.huge) then return open end
   if last * shrinks <= compare.distance(answers[1], answers[2]) then
     return { by = "scatter", answer = finest, half = math.min(half, careful * last) }
   end

@@ -14,10 +14,10 @@ local percent, sorted = text.percent, text.sorted
 
 local function time(seconds) return words.seconds(seconds, 2) end
 
--- Settings and finer runs with a finite bound of the error, the cheapest first.
-local function candidates(result)
+-- Settings, and the finer runs with them if they are wanted, that have a finite bound of the error; the cheapest first.
+local function candidates(result, finer)
   local all = {}
-  for _, list in ipairs { result.settings, result.finer or {} } do
+  for _, list in ipairs { result.settings, finer and result.finer or {} } do
     for _, s in ipairs(list) do
       if s.high and s.high < math.huge then all[#all + 1] = s end
     end
@@ -34,9 +34,13 @@ end
 
 local function bound(part) return part < 1e-10 and "exact to rounding" or "within " .. words.bound(part) end
 
+-- "dt 1 ms is", "two elements are"
+local function is(name) return name .. ((name:find "^%w+ elements" or name:find "^%w+ steps") and " are" or " is") end
+
 -- "dt 1 ms with two elements is within 3 % in 4 s; 1 % takes 31 s (dt 250 us with four elements)"
-local function main_line(result, all)
+local function main_line(result)
   local within, knobs = result.within, result.knobs
+  local settings, all = candidates(result), candidates(result, true)
   local function name(s) return words.setting(knobs, s.values) end
   local function takes(s, part)
     return ("%s takes %s (%s)"):format(words.bound(part), time(s.seconds), name(s))
@@ -44,27 +48,28 @@ local function main_line(result, all)
   local wanted = result.cheapest
   if wanted then
     local early
-    for _, s in ipairs(all) do
+    for _, s in ipairs(settings) do
       if s.seconds * cheaper <= wanted.seconds and s.high <= far * within and (not early or s.high < early.high) then
         early = s
       end
     end
     if early then
-      return ("%s is %s in %s; %s"):format(name(early), bound(early.high), time(early.seconds), takes(wanted, within))
+      return ("%s %s in %s; %s"):format(is(name(early)), bound(early.high), time(early.seconds), takes(wanted, within))
     end
     local exact = wanted.high < 1e-10
     local next_one = not exact and first(all, function(s) return s.high * better <= wanted.high end)
-    return ("%s is %s in %s%s"):format(name(wanted), exact and "exact to rounding" or "within " .. words.bound(within),
+    return ("%s %s in %s%s"):format(is(name(wanted)), exact and "exact to rounding" or "within " .. words.bound(within),
       time(wanted.seconds), next_one and "; " .. (next_one.high < 1e-10
-        and ("%s is exact in %s"):format(name(next_one), time(next_one.seconds))
+        and ("%s exact in %s"):format(is(name(next_one)), time(next_one.seconds))
         or takes(next_one, next_one.high)) or "")
   end
   local least = math.huge
   for _, s in ipairs(result.settings) do least = math.min(least, s.high or math.huge) end
-  local best = first(all, function(s) return s.high <= near * least end)
+  local best = first(settings, function(s) return s.high <= near * least end)
   local fine = first(all, function(s) return s.high <= within end)
-  local finest = all[#all]
-  return ("%s is %s in %s; %s"):format(name(best), bound(best.high), time(best.seconds), fine and takes(fine, within)
+  local finest, beyond = all[#all], result.beyond
+  return ("%s %s in %s; %s"):format(is(name(best)), bound(best.high), time(best.seconds), fine and takes(fine, within)
+    or beyond and ("%s would take about %s (%s)"):format(words.bound(within), time(beyond.seconds), name(beyond))
     or finest ~= best and finest.high < best.high and ("%s is not reached: the finest run (%s, %s) is %s"):format(
       percent(within), name(finest), time(finest.seconds), bound(finest.high))
     or percent(within) .. " is not reached")
@@ -106,7 +111,7 @@ end
 
 --- The result in words: the first line is the answer; a second one names the answers that it does not hold for.
 function headline.lines(result)
-  local all, lines, apart, chaotic = candidates(result), {}, {}, {}
+  local lines, apart, chaotic = {}, {}, {}
   for _, name in ipairs(sorted(result.quantities)) do
     local q = result.quantities[name]
     if not result.quantity or result.quantity == name then
@@ -115,10 +120,8 @@ function headline.lines(result)
   end
   local by = {}
   for _, name in ipairs(result.compared_by) do by[name] = true end
-  local bounded = false
-  for _, s in ipairs(result.settings) do bounded = bounded or (s.high and s.high < math.huge) end
-  if bounded then
-    lines[1] = main_line(result, all)
+  if #candidates(result) > 0 then
+    lines[1] = main_line(result)
     for _, name in ipairs(sorted(result.quantities)) do
       local q = result.quantities[name]
       if not by[name] and not result.quantity and q.state ~= "moving" then
@@ -134,7 +137,9 @@ function headline.lines(result)
     lines[1] = ("no setting has a known error: %s %s"):format(words.list(result.compared_by, 3),
       result.finer[1] and "does not get nearer to a value with finer settings" or "has no finer run to compare with")
   else
-    lines[1] = "no setting can be compared: every answer differs from run to run of the same setting"
+    lines[1] = "no setting can be compared: " .. (next(result.quantities)
+      and "every answer differs from run to run of the same setting"
+      or "the scenario returns no number, and its runs have no probe")
   end
   return lines
 end

@@ -35,12 +35,14 @@ local function doubts(result)
   local lines = {}
   for _, name in ipairs(sorted(result.quantities)) do
     local q = result.quantities[name]
-    if states[q.state] then
+    if q.state == "unsettled" and q.agreement == math.huge then
+      lines[#lines + 1] = name .. " is not finite, or is not there, in a reference"
+    elseif states[q.state] then
       local size = q.state == "chaotic" and q.scatter or q.agreement
       lines[#lines + 1] = ("%s %s%s"):format(name, states[q.state]:format(percent(size)),
         q.state == "unsettled" and bases[q.by or "open"] or "")
     elseif q.state == "unknown" then
-      lines[#lines + 1] = ("%s has no reference: %s"):format(name, bases[q.by or "open"])
+      lines[#lines + 1] = ("%s has no two references: %s"):format(name, bases[q.by or "open"])
     end
   end
   if #lines > most_rows then

@@ -5,6 +5,7 @@ local estimate = require "hinge.cost.estimate"
 local ladder = require "hinge.cost.ladder"
 
 local verdict = {}
+local farthest = 6         -- refinements that are foretold
 local rounding = 1e-10     -- errors below it are the same to the front
 local least_scatter = 1e-6 -- of an answer: what stays below is rounding, however strict `within` is
 
@@ -52,13 +53,38 @@ local function line_to(finest, knob, knobs, compared)
   return line
 end
 
--- The order in which all numbers converge together when each is refined by its ratio, in terms of halved steps.
+-- The order in which all numbers converge together when each is refined by its ratio, in terms of halved steps; of one
+-- number alone its own.
 local function joint_order(knobs)
-  local least
+  local least, sided = nil, 0
   for _, knob in ipairs(knobs) do
-    if knob.side then least = math.min(least or math.huge, (knob.side.order or 1) * math.log(knob.side.ratio, 2)) end
+    if knob.side then
+      sided = sided + 1
+      least = math.min(least or math.huge, (knob.side.order or 1) * math.log(knob.side.ratio, 2))
+    end
+  end
+  for _, knob in ipairs(sided == 1 and knobs or {}) do
+    if knob.side then return knob.side.order or 1 end
   end
   return least or 1
+end
+
+-- The settings and references along which all numbers are refined together, the finest last, their step sizes, and the
+-- finest setting. If one number alone is varied, its settings are on that line, too.
+local function levels_of(knobs, compared, refs)
+  local best, whole = verdict.finest(knobs, compared)
+  local sided = {}
+  for _, knob in ipairs(knobs) do sided[#sided + 1] = knob.side and knob end
+  local levels, h = {}, {}
+  if #sided == 1 and whole then levels = line_to(best, sided[1], knobs, compared)
+  elseif whole then levels = { best } end
+  table.move(refs, 1, #refs, #levels + 1, levels)
+  levels = table.move(levels, math.max(1, #levels - 2), #levels, 1, {})
+  for i, s in ipairs(levels) do
+    h[i] = #sided == 1 and 1 / ladder.finer(sided[1], s.values[sided[1].name], best.values[sided[1].name])
+      or 2 ^ (#levels - i)
+  end
+  return levels, h, best
 end
 
 --- What is known of the exact value of each answer, into `found` and `finest` of it: from the finest setting and the
@@ -66,18 +92,15 @@ end
 -- refs: the references that have an answer, none to two of them. Answers that differ by less than `within` have
 -- settled.
 function verdict.estimates(knobs, compared, refs, quantities, within)
-  local best, whole = verdict.finest(knobs, compared)
-  local levels = whole and { best } or {}
-  table.move(refs, 1, #refs, #levels + 1, levels)
-  local finest = levels[#levels] or best
-  local h = table.move({ 4, 2, 1 }, 4 - #levels, 3, 1, {})
+  local levels, h, best = levels_of(knobs, compared, refs)
+  local finest, order = levels[#levels] or best, joint_order(knobs)
   for name, q in pairs(quantities) do
     local last = finest.record.answers[name]
     local answers, parts = {}, {}
     for i, s in ipairs(levels) do answers[i] = s.record.answers[name] end
     if q.state == "moving" or last == nil then q.found = nil
     elseif #refs > 0 then
-      q.found = #answers == #levels and estimate.along(h, answers, joint_order(knobs), within)
+      q.found = #answers == #levels and estimate.along(h, answers, order, within)
         or { by = "open", answer = last, half = math.huge }
     else
       for _, knob in ipairs(knobs) do
@@ -144,6 +167,23 @@ function verdict.errors(compared, refs, quantities, chosen)
     end
   end
   return names
+end
+
+--- How many refinements beyond the settings would bring all of these answers within what is accepted: nil where an
+--- order is not clear, or where it would be more than `farthest`. refs: how many of them were run.
+function verdict.needed(knobs, names, refs, within)
+  local most, theory = refs, joint_order(knobs)
+  for _, q in pairs(names) do
+    local found, size = q.found, compare.size(q.found.answer)
+    if found.by == "order" and size > 0 then
+      -- at the finest run the error is `half` of the band, and the end of the band twice that
+      local further = math.log(2 * found.half / size / within, 2) / math.min(found.order, theory)
+      most = math.max(most, refs + math.ceil(further - 1e-9))
+    elseif found.by ~= "exact" then
+      return nil
+    end
+  end
+  return most > refs and most <= farthest and most or nil
 end
 
 --- Puts what is known of the exact values into fields for the script and for summary.json: see hinge.cost_quantity.
