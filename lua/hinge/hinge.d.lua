@@ -709,6 +709,22 @@ function model:fracture(rule) end
 ---@field dt number s
 ---@field step integer
 
+---Takes a member, or all members of a group, out of the structure at a time of the run: the sudden loss of a column.
+---All elements of it break at the end of the first step that reaches the time, as by a fracture rule, whatever their
+---strains and with the same energy balance (run.energy.fracture). What is left are two halves without strength, which
+---keep their mass and move with the joints at the member's ends; with four elements or more the part between falls by
+---itself. It goes beside fracture rules. events.csv has it as a fracture with the limit "removed". A group means the
+---members that it has in the run. It acts in dynamics; statics keeps the member. A run that goes on from one in which
+---the time was reached has the member removed already. If the time was reached before the run begins, the member goes
+---at the end of the first step.
+---```lua
+---model:remove { member = beam, at = 0.005 } -- s
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---print(beam:state(swing)) -- broken
+---```
+---@param options { member?: hinge.member, group?: hinge.group_like, at: number } one of member and group; at: s
+function model:remove(options) end
+
 ---Declares which members can touch each other, and how. surface (the default): bars press on each other where their
 ---axes come closest. Each bar is round; its radius is half the smaller side of its section. A penetration g stores the
 ---energy k g^2 / 2. Only friction dissipates energy. gap (section 2.4, eqs 17-19): four gap elements tie two elements
@@ -1406,6 +1422,82 @@ function run:state(member) end
 ---@param group? hinge.group_like default: all; for quantities of nodes, the joints of the group's members
 ---@return number[]
 function run:read(quantity, group) end
+
+---The plastic hinges: every section that has ever been fully plastic, also in the runs before (`from`). They come by
+---storey, member and place in the member. Where two elements of a member meet there is one hinge: the rotation is that
+---of both. The list keeps the values of now; it does not follow the run. limit compares the largest rotation so far of
+---each hinge (demand) with a limit in rad. It is a number, or the levels { IO =, LS =, CP = } (immediate occupancy,
+---life safety, collapse prevention; one or more, rising). It may be a table of these by group: a member's first group
+---in it counts. It may be a function of the hinge that returns one of these, or nil for no limit. The limit is that of
+---rotation alone: a brace that yields by its axial force has no rotation, and an elongation.
+---```lua
+---local pushed = model:static { steps = 5 }:finish()
+---local found = pushed:hinges { group = "arm", limit = { IO = 0.01, LS = 0.03, CP = 0.04 } }
+---print(found) -- how many, the worst, and a table of the 20 largest
+---for _, h in ipairs(found) do print(h.member.index, h.at, h.largest, h.first_yield, h.ratio) end
+---found:write() -- hinges.csv
+---```
+---@param options? { group?: hinge.group_like, limit?: hinge.hinge_limit } group default: all members
+---@return hinge.hinges
+function run:hinges(options) end
+
+---@alias hinge.hinge_levels number|{ IO?: number, LS?: number, CP?: number } rad
+---by group, or by hinge
+---@alias hinge.hinge_limits table<string, hinge.hinge_levels>|fun(h: hinge.hinge): hinge.hinge_levels?
+---@alias hinge.hinge_limit hinge.hinge_levels|hinge.hinge_limits
+
+---A list of hinges. print shows it as a table.
+---@class hinge.hinges
+---@field [integer] hinge.hinge
+---the hinge with the largest ratio; without limits the one with the largest demand; nil in an empty list
+---@field worst? hinge.hinge
+---@field beyond? integer how many are beyond their limit; nil where no limit is given
+---@field without_limit? integer how many have none; nil where no limit is given
+---@field statics boolean of a static run
+local hinges = {}
+
+---Writes the list as a CSV file into the output folder. A program's last run leaves hinges.csv by itself, without
+---limits, unless the script has written it. `hinge report` shows it.
+---```lua
+---model:static { steps = 5 }:finish():hinges { limit = 0.03 }:write()
+---```
+---@param filename? string plain name ending in .csv, default hinges.csv
+---@return hinge.hinges
+function hinges:write(filename) end
+
+---A plastic hinge. In the file hinges.csv member and node are numbers, before and broken 1 or 0.
+---@class hinge.hinge
+---@field member hinge.member
+---@field group? string name of the member's first group
+---storey from 1 at the ground, with z upwards: floors are the heights of level members that hang together with a
+---support; nil: none
+---@field storey? integer
+---@field element integer from 1, counted over the whole model
+---@field end integer end of the element, 1 or 2; 0: the middle of a conventional element; written h["end"]
+---@field at number its place in the member: 0 at a, 1 at b
+---@field node? hinge.node the joint at this section; nil: it is inside the member
+---@field x number m, at the start
+---@field y number m
+---@field z number m
+---@field rotation_x number rad, plastic, now, about the section's x axis; positive like curvature_x
+---@field rotation_y number rad
+---@field rotation number rad, of both together
+---@field largest number rad, the largest value that rotation has had
+---rad, what a limit is compared with: largest; where two members meet in a joint, and no third, the sum of both,
+---because they may share the rotation of one hinge
+---@field demand number
+---@field elongation number m, plastic, now: its part of the member's
+---@field work number J, dissipated in it
+---@field f_y number eq 14, now
+---@field utilisation number the square root of f_y, which grows with the forces; 1 where fully plastic
+---@field first_yield number when it first yielded: s, in statics the load factor
+---@field first_kind "static"|"dynamic" the kind of run in which it did
+---@field before boolean true: in a run before this one
+---@field broken boolean an element at this section is broken
+---@field limit? number rad; of levels the largest
+---@field ratio? number demand over limit
+---the level that its demand keeps to: "IO", "LS", "CP", or "beyond CP"; nil without levels
+---@field level? string
 
 ---```lua
 ---local momentum = run:momentum()

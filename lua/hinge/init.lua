@@ -2,6 +2,7 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local free = require "hinge.job".free
+require "hinge.hinges" -- the method of runs
 
 return check.strict({
   version = core.version,

@@ -9,6 +9,7 @@ local values = require "hinge.values"
 local page = {}
 local library = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 local most_frames, most_rows, most_events = 400, 1500, 20000 -- of each run in the page; the rest is told of
+local most_hinges = 5000
 
 local function read(path) return (core.read_text(path)) end
 
@@ -48,9 +49,9 @@ local function history_json(folder)
   return ('{"columns":%s,"values":[%s]}'):format(core.to_json(names), table.concat(columns, ","))
 end
 
--- events.csv: a list of rows, each a list as the header names them. Returns that and how many were left out.
-local function events_json(folder)
-  local text = read(folder .. "/events.csv")
+-- A CSV file: a list of rows, each a list as the header names them, and how many were left out.
+local function rows_json(path, most)
+  local text = read(path)
   if not text then return "null" end
   local rows, all, header = {}, 0, nil
   for line in text:gmatch "[^\r\n]+" do
@@ -59,7 +60,7 @@ local function events_json(folder)
       header = core.to_json(fields)
     else
       all = all + 1
-      if all <= most_events then rows[all] = core.to_json(fields) end
+      if all <= most then rows[all] = core.to_json(fields) end
     end
   end
   return ('{"columns":%s,"rows":[%s],"left_out":%d}'):format(header or "[]", table.concat(rows, ","), all - #rows)
@@ -132,7 +133,8 @@ local function run_json(folder, name)
   local frames, count, damaged = frames_json(folder)
   local fields = { { "name", core.to_json(name) }, { "summary", summary or "null" },
     { "owner", not summary and owner or "null" }, { "history", history_json(folder) },
-    { "probes", probes_json(folder) }, { "events", events_json(folder) }, { "frames", frames },
+    { "probes", probes_json(folder) }, { "events", rows_json(folder .. "/events.csv", most_events) },
+    { "hinges", rows_json(folder .. "/hinges.csv", most_hinges) }, { "frames", frames },
     { "damaged", #damaged > 0 and core.to_json(damaged) or "[]" } }
   for i, field in ipairs(fields) do fields[i] = ('"%s":%s'):format(field[1], field[2]) end
   return "{" .. table.concat(fields, ",") .. "}", count, damaged

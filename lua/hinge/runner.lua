@@ -1,6 +1,7 @@
 -- Runs one script for the program: loads it, gives it its parameters, writes the summary, and says how it went.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local hinges = require "hinge.hinges"
 local job = require "hinge.job"
 local parameters = require "hinge.parameters"
 local scenario = require "hinge.scenario"
@@ -153,6 +154,7 @@ function runner.run(options)
     results = results, parameters = used, case = options.case, script = options.script, notes = this.notes,
     whole = this.whole,
   }
+  if options.out then hinges.leave() end
   if not all_read then error(unread, 0) end
   return runner.status(verdict, reason)
 end

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "effects/kinds.h"
+#include "effects/removal.h"
 
 namespace hinge {
 namespace {
@@ -150,7 +151,9 @@ private:
 
 EffectKind broken_members_kind() {
     return {"broken members", {}, nullptr, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                const bool may_break = built::fracture && w.kind.dynamic && !w.structure.model().fracture().empty();
+                const Model& model = w.structure.model();
+                const bool may_break = built::fracture && w.kind.dynamic &&
+                                       (!model.fracture().empty() || !model.declared<Removal>(removal_effect).empty());
                 if (!may_break && w.state.offset_mass.empty()) return nullptr;
                 return std::make_unique<BrokenMembers>(w, host);
             }};

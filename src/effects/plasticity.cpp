@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "effects/kinds.h"
+#include "state/hinge_records.h"
 #include "state/hinges.h"
 
 namespace hinge {
@@ -13,6 +14,8 @@ public:
     Plasticity(Workspace& w, Host& host) : Effect("plasticity", w, host) {
         for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
             if (w.state.hinge[i]) flowing_.push_back(int(i));
+        if (!w.state.data.find<HingeRecords>(hinge_records)) w.state.data.set(hinge_records, HingeRecords{});
+        for (HingeRecord& h : records().list) ++h.runs_ago;
     }
 
     bool takes_mean_forces() const override { return true; }
@@ -21,7 +24,10 @@ public:
         for (const Yielding& y : w_.yielding) plastic += y.flow.dissipation;
     }
 
-    void kept(const Step&) override {
+    void kept(const Step& step) override {
+        if (!w_.yielding.empty())
+            record_flow(w_.structure, w_.yielding, w_.kind.dynamic ? step.end() : w_.state.factor, !w_.kind.dynamic,
+                        records());
         for (int e : commit_flow(w_.structure, w_.state, w_.yielding, flowing_)) {
             w_.points_moved = true;
             host_.stiffness_changed(e);
@@ -41,10 +47,13 @@ public:
     void restore(Reader& from) override { from(flowing_); }
     bool restored(std::span<const State* const>) override {
         const int n = int(w_.structure.elements().size());
+        if (!records().makes_sense(n)) return false;
         return std::all_of(flowing_.begin(), flowing_.end(), [n](int e) { return e >= 0 && e < n; });
     }
 
 private:
+    HingeRecords& records() { return *w_.state.data.find<HingeRecords>(hinge_records); }
+
     std::vector<int> flowing_;  ///< elements that flowed in the last step
 };
 

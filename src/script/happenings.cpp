@@ -1,8 +1,10 @@
 #include "script/happenings.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/files.h"
+#include "effects/removal.h"
 #include "script/recording.h"
 
 namespace hinge::script {
@@ -60,6 +62,21 @@ void note_happenings(RunRecord& r) {
         for (const Break& b : r.run->broken_last()) add(Happening::What::fracture, b.element, b.end, b.cause);
 }
 
+namespace {
+
+/// What took the element out of the structure; null where a rule of the script broke it. Whatever of a member is whole
+/// when its removal is due breaks by that.
+const Removal* removed_by(const Structure& s, const Happening& h) {
+    for (const Removal& r : s.model().declared<Removal>(removal_effect)) {
+        const bool is_of =
+            r.group >= 0 ? s.in_group(h.element, r.group) : s.elements()[std::size_t(h.element)].member == r.member;
+        if (is_of && h.at >= r.at - 1e-7) return &r;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
 std::vector<std::string> event_columns(const Run& run) {
     return {std::string(run.kind()) == "static" ? "factor" : "time",
             "event",
@@ -86,9 +103,11 @@ std::vector<std::string> event_fields(const Run& run, const Happening& h) {
     fields.resize(10);
     if (h.what != Happening::What::fracture) return fields;
     const bool limit = h.limit != int(beam::Limit::rule);
-    fields[6] = beam::limit_names[h.limit];
+    const Removal* removal = limit ? nullptr : removed_by(s, h);
+    fields[6] = removal ? "removed" : beam::limit_names[h.limit];
     if (limit) fields[7] = number(h.strain), fields[8] = number(h.of);
-    if (e.fracture >= 0) fields[9] = s.model().fracture()[e.fracture].asked_at;
+    if (removal) fields[9] = removal->asked_at;
+    else if (e.fracture >= 0) fields[9] = s.model().fracture()[e.fracture].asked_at;
     return fields;
 }
 

@@ -1,6 +1,7 @@
 // The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
 #include <cstdlib>
 
+#include "script/bind_hinges.h"
 #include "script/checkpoint.h"
 #include "script/module.h"
 #include "script/places.h"
@@ -55,6 +56,7 @@ int open_core(lua_State* L) {
     open_pictures(L, module);
     open_plots(L, module);
     open_frames(L, module);
+    open_hinges(L, module);
     open_measure(L, module);
     open_processes(L, module);
     open_film(L, module);

@@ -83,8 +83,11 @@ void take_files(const std::shared_ptr<Context>& c, const std::shared_ptr<RunReco
             if (std::rename((c->out_dir + file).c_str(), as.c_str()) != 0) std::remove(as.c_str());
         };
         keep("/events.csv", c->writer->events_path);
+        keep("/hinges.csv", c->out_dir + "/hinges" + number);
         keep("/probes.json", c->out_dir + "/probes-" + std::to_string(c->histories) + ".json");
-    } else std::remove((c->out_dir + "/summary.json").c_str());  // of an earlier run: not about this one
+    } else {  // of an earlier run: not about this one
+        for (const char* file : {"/summary.json", "/hinges.csv"}) std::remove((c->out_dir + file).c_str());
+    }
     c->writer = record;
     write_probes(*c, *record);
     begin_happenings(*record, c->out_dir + "/events.csv");

@@ -4,6 +4,7 @@ import { abscissa, make, number, table, card, bar, quantity } from "./page.js";
 import { plot } from "./plot.js";
 import { frame_at, largest_displacement, list, member_state, read_frames } from "./run_data.js";
 import { look_on } from "./live.js";
+import { hinges_card } from "./hinges.js";
 import { story_of } from "./story.js";
 import { member_panel } from "./member.js";
 import { Player } from "./player.js";
@@ -310,6 +311,10 @@ function below(runs, player) {
   const parts = [...pair(story(runs, player), energies(runs, seek)),
     make("div", { class: "pair" }, ...[damage(runs, "Damage by group", group_rows),
       damage(runs, "Damage by storey", storey_rows)].filter(Boolean)),
+    hinges_card(runs, (r) => {
+      const i = player ? player.views.findIndex((v) => v.run === r) : -1;
+      return i < 0 ? null : (member) => player.choose(i, member);
+    }),
     make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
       runs.length > 1 ? "lines in bold differ" : null), side_by_side(runs, model_numbers, "The model and the run"),
     side_by_side(runs, (r) => flat(r.summary?.results).slice(0, 60), "Results, as the script returned them")].filter(Boolean)),

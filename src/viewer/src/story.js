@@ -19,6 +19,7 @@ const limits = { curvature_x: ["curvature about x", "1/m"], curvature_y: ["curva
   axial_strain: ["axial strain", ""], shear_strain: ["shear strain", ""] };
 
 function cause(row) {
+  if (row.limit === "removed") return `removed by the script${row.rule ? ` (model:remove at ${row.rule})` : ""}`;
   const where = row.rule ? ` (fracture rule of ${row.rule})` : "";
   if (!limits[row.limit]) return `the script's own rule says so${where}`;
   const [name, unit] = limits[row.limit], with_unit = unit ? ` ${unit}` : "";

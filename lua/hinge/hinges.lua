@@ -1,0 +1,252 @@
+-- The plastic hinges of a run, by storey and member: run:hinges, the text that print gives of them, and hinges.csv.
+local core = require "hinge.core"
+local check = require "hinge.check"
+
+local hinges = {}
+local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collapse prevention
+local is_level = { IO = true, LS = true, CP = true }
+local listed = 20 -- hinges that print shows
+
+local List = { __name = "hinge.hinges" }
+List.__index = List
+
+-- Limits --------------------------------------------------------------------------------------------------------------
+
+local function rotation(where, what, value)
+  return check.value(where, what, value, { "number", unit = "rad", above = 0 })
+end
+
+-- One limit or several levels as a list: { { name =, value = }, ... }, rising.
+local function read_levels(where, what, value)
+  if type(value) ~= "table" then return { { value = rotation(where, what, value) } } end
+  local list = {}
+  for name in pairs(value) do
+    if not is_level[name] then check.unknown(where, what .. ": level", name, levels) end
+  end
+  for _, name in ipairs(levels) do
+    if value[name] ~= nil then
+      list[#list + 1] = { name = name, value = rotation(where, what .. "." .. name, value[name]) }
+    end
+  end
+  if #list == 0 then
+    check.fail("%s: field '%s' is an empty table; must be a number in rad, { IO =, LS =, CP = }, or one of these by "
+      .. "group", where, what)
+  end
+  for i = 2, #list do
+    if list[i].value <= list[i - 1].value then
+      check.fail("%s: field '%s': %s is %s rad, which is not above %s, %s rad", where, what, list[i].name,
+        check.show(list[i].value), list[i - 1].name, check.show(list[i - 1].value))
+    end
+  end
+  return list
+end
+
+-- A table whose keys are names of groups.
+local function limits_by_group(where, run, given)
+  local of = {}
+  for name, value in pairs(given) do
+    if is_level[name] then
+      check.fail("%s: field 'limit' has both levels (%s) and groups; give each group its levels", where, name)
+    end
+    of[name] = read_levels(where, "limit." .. tostring(name), value)
+    core.hinges_of(run, where, name) -- refuses what is no group of the model
+  end
+  local known = {} -- by member
+  return function(hinge)
+    local index = hinge.member.index
+    if known[index] == nil then
+      known[index] = false
+      for _, group in ipairs(hinge.member:groups()) do
+        known[index] = known[index] or of[group.name] or false
+      end
+    end
+    return known[index] or nil
+  end
+end
+
+-- A function of a hinge: its levels as read_levels has them, or nil.
+local function limits(where, run, given)
+  if given == nil then return function() end end
+  if type(given) == "function" then
+    return function(hinge)
+      local value = given(hinge)
+      return value ~= nil and read_levels(where, "limit(hinge)", value) or nil
+    end
+  end
+  local has_group = false
+  if type(given) == "table" then
+    for name in pairs(given) do has_group = has_group or type(name) == "string" and not is_level[name] end
+  end
+  if has_group then return limits_by_group(where, run, given) end
+  local all = read_levels(where, "limit", given)
+  return function() return all end
+end
+
+-- Adds limit, ratio and level to a hinge.
+local function compare(hinge, list)
+  local last = list[#list]
+  hinge.limit, hinge.ratio = last.value, hinge.demand / last.value
+  if not last.name then return end
+  hinge.level = "beyond " .. last.name
+  for i = #list, 1, -1 do
+    if hinge.demand <= list[i].value then hinge.level = list[i].name end
+  end
+end
+
+--- run:hinges { group =, limit = }
+local function of_run(run, options, ...)
+  local where = "run:hinges"
+  check.no_more(where, ...)
+  if type(run) ~= "userdata" then check.fail("%s: called on %s; write run:hinges{...}", where, check.show(run)) end
+  options = options == nil and {} or options
+  if type(options) ~= "table" then
+    check.fail("%s: takes a table of options, got %s", where, check.show(options))
+  end
+  for field in pairs(options) do
+    if field ~= "group" and field ~= "limit" then check.unknown(where, "field", field, { "group", "limit" }) end
+  end
+  local list = core.hinges_of(run, where, options.group)
+  local limit_of = limits(where, run, options.limit)
+  local worst, has_limits = nil, options.limit ~= nil
+  local over, without = 0, 0
+  for _, hinge in ipairs(list) do
+    local own = limit_of(hinge)
+    if own then compare(hinge, own) else without = without + 1 end
+    if hinge.ratio and hinge.ratio > 1 then over = over + 1 end
+    local size = has_limits and (hinge.ratio or -1) or hinge.demand
+    if not worst or size > (has_limits and (worst.ratio or -1) or worst.demand) then worst = hinge end
+  end
+  list.worst = worst
+  list.beyond = has_limits and over or nil
+  list.without_limit = has_limits and without or nil
+  list.statics = run.kind == "static"
+  return setmetatable(list, List)
+end
+
+-- As text -------------------------------------------------------------------------------------------------------------
+
+local function place_text(hinge)
+  if hinge["end"] ~= 0 and hinge.at == 0 then return "a" end
+  if hinge["end"] ~= 0 and hinge.at > 1 - 1e-9 then return "b" end
+  return ("%.3g"):format(hinge.at)
+end
+
+local function name_of(hinge)
+  local group, storey = hinge.group and " (" .. hinge.group .. ")" or "", hinge.storey
+  local at = place_text(hinge)
+  return ("member %d%s%s, %s"):format(hinge.member.index, group, storey and ", storey " .. storey or "",
+    (at == "a" or at == "b") and "end " .. at or "at " .. at .. " of its length")
+end
+
+local function first_text(hinge)
+  return (hinge.first_kind == "static" and "factor %.4g" or "%.4g s"):format(hinge.first_yield)
+    .. (hinge.before and ", before" or "")
+end
+
+-- "12 hinges, 3 beyond their limit; the worst: ..."
+local function summary(list)
+  local text = check.count(#list, "plastic hinge")
+  if #list == 0 then return text end
+  if list.beyond then text = text .. (", %d beyond the limit"):format(list.beyond) end
+  if (list.without_limit or 0) > 0 then text = text .. (", %d without a limit"):format(list.without_limit) end
+  local worst = list.worst
+  text = text .. ("; the %s: %s, %.4g rad"):format(list.beyond and "worst" or "largest", name_of(worst), worst.demand)
+  if worst.ratio then text = text .. (", %.3g of its limit %.4g rad"):format(worst.ratio, worst.limit) end
+  return worst.level and text .. " (" .. worst.level .. ")" or text
+end
+
+function List:__tostring()
+  local lines = { summary(self) }
+  if #self == 0 then return lines[1] end
+  local chosen = table.move(self, 1, #self, 1, {})
+  table.sort(chosen, function(a, b)
+    local x, y = a.ratio or -1, b.ratio or -1
+    if x ~= y then return x > y end
+    if a.demand ~= b.demand then return a.demand > b.demand end
+    return a.element < b.element or a.element == b.element and a["end"] < b["end"]
+  end)
+  local row = "%6s %7s  %-12s %6s %9s %9s %9s %11s %6s  %-20s"
+  local head = row:format("storey", "member", "group", "at", "rad now", "largest", "demand", "work, J", "  √f_y",
+    "first yield")
+  lines[2] = head:gsub(" +$", "") .. (self.beyond and "  of limit" or "")
+  for i, h in ipairs(chosen) do
+    if i > listed then
+      lines[#lines + 1] = ("  and %s more; write() puts all into hinges.csv"):format(check.count(#self - listed,
+        "hinge"))
+      break
+    end
+    local text = row:format(h.storey or "-", h.member.index, (h.group or "-"):sub(1, 12), place_text(h),
+      ("%.4f"):format(h.rotation), ("%.4f"):format(h.largest), ("%.4f"):format(h.demand),
+      ("%.4g"):format(h.work),
+      ("%.3f"):format(h.utilisation), first_text(h))
+    local of_limit = self.beyond and ("  %8s"):format(h.ratio and ("%.3f"):format(h.ratio) or "-")
+      .. (h.level and "  " .. h.level or "") or ""
+    lines[#lines + 1] = (text .. of_limit .. (h.broken and "  broken" or "")):gsub(" +$", "")
+  end
+  return table.concat(lines, "\n")
+end
+
+-- hinges.csv ----------------------------------------------------------------------------------------------------------
+
+local columns = { "storey", "member", "group", "element", "end", "at", "node", "x", "y", "z", "rotation_x",
+  "rotation_y", "rotation", "largest", "demand", "elongation", "work", "f_y", "utilisation", "first_yield",
+  "first_kind", "before", "broken", "limit", "ratio", "level" }
+
+local function field(value)
+  if value == nil then return "" end
+  if type(value) == "string" then return '"' .. value:gsub('"', '""') .. '"' end
+  if type(value) == "userdata" then return tostring(value.index) end
+  if type(value) == "boolean" then return value and "1" or "0" end
+  return math.type(value) == "integer" and tostring(value) or ("%.9g"):format(value)
+end
+
+local function csv(list)
+  local lines = { table.concat(columns, ",") }
+  for _, hinge in ipairs(list) do
+    local row = {}
+    for i, name in ipairs(columns) do row[i] = field(hinge[name]) end
+    lines[#lines + 1] = table.concat(row, ",")
+  end
+  return table.concat(lines, "\n") .. "\n"
+end
+
+local written = {} -- paths that scripts have written lists to
+
+local function path_of(filename)
+  local folder = core.out_dir()
+  return folder == "." and filename or folder .. "/" .. filename
+end
+
+--- Writes the list into the output folder; the default name is that which the page of hinge report looks for.
+function List:write(filename, ...)
+  local where = "hinges:write"
+  check.no_more(where, ...)
+  filename = filename == nil and "hinges.csv" or check.value(where, "filename", filename, { "string" })
+  if not filename:match "^[%w._ -]+%.csv$" then
+    check.fail("%s: filename is '%s'; must be a plain name ending in .csv (it goes into the output folder)", where,
+      filename)
+  end
+  if core.planning() then return self end
+  written[path_of(filename)] = true
+  core.write_text(path_of(filename), csv(self))
+  return self
+end
+
+local function is_there(path)
+  local file = io.open(path)
+  if file then file:close() end
+  return file ~= nil
+end
+
+--- At the end of a program's run: the hinges of the last run go to hinges.csv, unless the script has written that.
+function hinges.leave()
+  local path = path_of "hinges.csv"
+  if written[path] and is_there(path) then return end
+  local run = core.last_run()
+  local list = run and of_run(run) or {}
+  if #list > 0 then core.write_text(path, csv(list)) elseif is_there(path) then os.remove(path) end
+end
+
+core.add_run_method("hinges", of_run)
+
+return hinges

@@ -1,0 +1,10 @@
+// What the method run:hinges is made of (lua/hinge/hinges.lua).
+#pragma once
+
+#include <lua.hpp>
+
+namespace hinge::script {
+
+void open_hinges(lua_State* L, int module);
+
+}  // namespace hinge::script

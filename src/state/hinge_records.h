@@ -1,0 +1,57 @@
+// What each plastic hinge has gone through: when it first yielded, how far it has rotated, what it has dissipated.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "state/sweep.h"
+
+namespace hinge {
+
+/// The name under which the state keeps HingeRecords.
+inline constexpr const char* hinge_records = "plasticity";
+
+/// A section of a member that has ever been fully plastic. Where two elements of a member meet there is one section,
+/// though both of them may flow in it: it is end 2 of the first of them.
+struct HingeRecord {
+    int element = 0, end = 0;     ///< its place: end 1 or 2 of the element; 0: the middle of a conventional one
+    bool statics = false;         ///< it first yielded in statics
+    int runs_ago = 0;             ///< 0: in this run; 1: in the one that this run goes on from, ...
+    double first = 0;             ///< when: s; in statics the load factor
+    double rotation[2] = {0, 0};  ///< rad, plastic, about x and y; positive like the curvature
+    double largest = 0;           ///< rad, of both together, the most so far
+    double elongation = 0;        ///< m, its part of the element's plastic elongation
+    double work = 0;              ///< J, dissipated
+
+    long place() const { return 3L * element + end; }
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.end, s.statics, s.runs_ago, s.first, s.rotation, s.largest, s.elongation, s.work);
+    }
+};
+
+/// All of them, in the order of their places.
+struct HingeRecords {
+    static constexpr bool in_state_hash = false;  ///< they follow from the steps, and no step depends on them
+    std::vector<HingeRecord> list;
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.list);
+    }
+    bool makes_sense(int elements) const {
+        const auto good = [elements](const HingeRecord& h) {
+            return h.element >= 0 && h.element < elements && h.end >= 0 && h.end <= 2;
+        };
+        return std::all_of(list.begin(), list.end(), good) &&
+               std::is_sorted(list.begin(), list.end(),
+                              [](const HingeRecord& a, const HingeRecord& b) { return a.place() < b.place(); });
+    }
+};
+
+/// A step is kept in which these elements flow. `at`: its end, s or load factor. Costs nothing where nothing flows.
+void record_flow(const Structure& structure, const std::vector<Yielding>& yielding, double at, bool statics,
+                 HingeRecords& records);
+
+}  // namespace hinge

@@ -1,0 +1,200 @@
+-- model:remove: a member or a group leaves the structure at a time, beside fracture rules, with the energy balance of a
+-- break; as an event, after a resume and over a chain of runs; statics keeps it.
+--
+-- Run: lua5.4 tests/script/removal_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local hinge = require "hinge"
+local support = require "support"
+local checks = support.checks "removal"
+local expect, equal, near = checks.expect, checks.equal, checks.near
+
+local steel = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
+local elastic = hinge.material { E = 210e9, density = 7850 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+
+local function refused(message, call)
+  local ok, complaint = pcall(call)
+  if not expect(not ok, "no complaint; wanted: %s", message) then return end
+  local line, text = tostring(complaint):match "removal_test%.lua:(%d+): (.*)$"
+  local f = debug.getinfo(call, "S")
+  line = math.tointeger(line)
+  expect(line and line >= f.linedefined and line <= f.lastlinedefined, "not at its line: %s", tostring(complaint))
+  expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(complaint), message)
+end
+
+-- A mass on a bar that hangs from a support, and hangs on a second bar beside it.
+local function hanging(options)
+  local model = hinge.model(options)
+  local top, side = model:node { 0, 0, 2 }, model:node { 2, 0, 0 }
+  local mass = model:node { 0, 0, 0 }
+  model:fix(top, "all")
+  model:fix(side, "all")
+  local rope = model:member { top, mass, section = bar, material = elastic, group = "ropes" }
+  local arm = model:member { side, mass, section = bar, material = elastic, group = "arms" }
+  model:mass { node = mass, mass = 100 }
+  model:gravity { 0, 0, -9.81 }
+  return model, rope, arm, mass
+end
+
+-- The time, the energy and what is left.
+do
+  local model, rope, arm, mass = hanging()
+  model:remove { member = rope, at = 0.005 }
+  local rest = model:static { steps = 1 }:finish()
+  equal(rope:state(rest), "elastic", "statics keeps it")
+  local run = model:dynamic { from = rest, dt = 1e-4, duration = 0.02 }
+  local broke
+  for step in run:steps() do
+    if not broke and rope:state(run) == "broken" then broke = step.time end
+  end
+  near(broke, 0.005, 1e-9, "when it goes")
+  local state, _, time = rope:state(run)
+  equal(state, "broken", "its state")
+  near(time, 0.005, 1e-9, "its state has the time")
+  equal(arm:state(run), "elastic", "the other one")
+  equal(run:count { state = "broken" }, 1, "broken members")
+  local _, _, uz = run:displacement(mass)
+  local _, _, uz_rest = rest:displacement(mass)
+  expect(uz < uz_rest - 1e-4, "it falls: %g m after %g m", uz, uz_rest)
+  expect(run.energy.fracture > 0, "energy of the break: %g J", run.energy.fracture)
+  expect(math.abs(run.energy_error) < 1e-3, "energy error %g", run.energy_error)
+  local found
+  for _, effect in ipairs(run.effects) do
+    if effect.name == "removal" then found = effect end
+  end
+  expect(found and found.active and found.because == "model:remove; 1 member at 0.005 s", "plan: %s",
+    found and found.because or "nothing")
+  expect(found and found.asked_at:find "removal_test%.lua:%d+$", "plan: asked at %s", found and found.asked_at or "")
+
+  -- the same as a rule that breaks both elements at that time
+  local twin, other, _, tip = hanging()
+  local ends = {}
+  twin:fracture { group = "ropes", where = "all", rule = function(s)
+    if s.time < 0.005 - 1e-9 then return false end
+    ends[s.element] = ends[s.element] or (s.element == 1 and 2 or 1) -- at its middle
+    return s["end"] == ends[s.element]
+  end }
+  local by_rule = twin:dynamic { from = twin:static { steps = 1 }:finish(), dt = 1e-4, duration = 0.02 }:finish()
+  equal(other:state(by_rule), "broken", "by a rule")
+  near(select(3, by_rule:displacement(tip)), uz, 1e-12, "falls as by a rule")
+  near(by_rule.energy.fracture, run.energy.fracture, 1e-9 * run.energy.fracture, "energy as by a rule")
+
+  -- over a chain of runs: it has gone, and goes no second time
+  local on = model:dynamic { from = run, dt = 1e-4, duration = 0.002 }:finish()
+  equal(rope:state(on), "broken", "in the next run")
+  equal(on:count { state = "broken" }, 1, "in the next run: broken members")
+  equal(on.energy.fracture, 0, "in the next run: energy of breaks")
+
+  -- over a checkpoint, taken before and after
+  for _, at in ipairs { 30, 70 } do
+    local file = support.temporary_folder() .. "/a.checkpoint"
+    local first = model:dynamic { from = rest, dt = 1e-4, duration = 0.02 }
+    for step in first:steps() do
+      if step.index == at then first:checkpoint(file) end
+    end
+    local second = model:dynamic { from = rest, dt = 1e-4, duration = 0.02 }
+    second:resume(file)
+    second:finish()
+    equal(second.hash, first.hash, "after a resume at step " .. at)
+    equal(first.hash, run.hash, "the same run")
+  end
+
+  -- a time before the run begins: at the end of its first step
+  model:remove { member = arm, at = 0.001 }
+  local late = model:dynamic { from = run, dt = 1e-4, duration = 0.002 }
+  late:step()
+  equal(arm:state(late), "broken", "a time that has gone")
+end
+
+-- A group, with general fracture rules declared before and after; and with every kind of step.
+for _, order in ipairs { "before", "after" } do
+  local model, rope, arm = hanging()
+  if order == "before" then model:fracture { axial_strain = 10 } end
+  model:remove { group = "ropes", at = 0.001 }
+  if order == "after" then model:fracture { axial_strain = 10 } end
+  local run = model:dynamic { dt = 1e-4, duration = 0.002 }:finish()
+  equal(rope:state(run), "broken", "a rule declared " .. order)
+  equal(arm:state(run), "elastic", "a rule declared " .. order .. ": the other one")
+end
+for name, options in pairs { auto = { dt = "auto", duration = 0.01 },
+  explicit = { integrator = "explicit", dt = "auto", duration = 0.002 } } do
+  local model, rope = hanging()
+  model:remove { member = rope, at = options.duration / 2 }
+  local run = model:dynamic(options)
+  local longest, before, gone = 0, 0, nil
+  for step in run:steps() do
+    longest, before = math.max(longest, step.time - before), step.time
+    gone = gone or rope:state(run) == "broken" and step.time or nil
+  end
+  equal(run.verdict, "completed", name .. ": verdict")
+  local at = options.duration / 2
+  expect(gone and gone >= at - 1e-9 and gone <= at + longest, "%s: goes at %s", name, tostring(gone))
+end
+
+-- One element; four of them, of which those in the middle fall by themselves.
+for _, elements in ipairs { 1, 4 } do
+  local model = hinge.model { elements_per_member = elements, formulation = elements == 1 and "asi" or nil }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a, "all")
+  model:fix(b, "all")
+  local beam = model:member { a, b, section = bar, material = steel }
+  model:gravity { 0, 0, -9.81 }
+  model:remove { member = beam, at = 0 }
+  local run = model:dynamic { dt = 1e-4, duration = 0.05 }:finish()
+  equal(run.verdict, "completed", elements .. " elements: verdict")
+  equal(beam:state(run), "broken", elements .. " elements: state")
+  local momentum = run:momentum()
+  local free = elements == 4 and bar.area * steel.density / 2 or 0 -- kg, that hang on no support
+  near(momentum.linear[3], -free * 9.81 * 0.05, 0.01 * free * 9.81 * 0.05 + 1e-9, elements .. " elements: momentum")
+end
+
+-- What is refused.
+do
+  local model, rope = hanging()
+  local function remove(options) return function() model:remove(options) end end
+  refused("model:remove: field 'member' is missing; give a member, or group = a group", remove { at = 1 })
+  refused("model:remove: field 'at' is missing; give a number in s", remove { member = rope })
+  refused("model:remove: field 'at' is -1 s; must be 0 s or above", remove { member = rope, at = -1 })
+  refused("model:remove: field 'group' is given beside member; give one of the two",
+    remove { member = rope, group = "ropes", at = 1 })
+  refused("model:remove: field 'group'...'rope' (did you mean 'ropes'?)...", remove { group = "rope", at = 1 })
+  refused("model:remove: field 'member' ...", remove { member = 1, at = 1 })
+  refused("model:remove: unknown field 'time'...", remove { member = rope, at = 1, time = 2 })
+  refused("model:remove: a model with mass = 'cubic' cannot break...", function()
+    local cubic, first = hanging { mass = "cubic" }
+    cubic:remove { member = first, at = 1 }
+  end)
+  local run = model:dynamic { dt = 1e-4, duration = 0.001 }:finish()
+  equal(rope:state(run), "elastic", "what was refused removes nothing")
+end
+
+-- In the files of a program.
+do
+  local hinge_on, folder = support.scenes(arg[1])
+  local status, _, complaint = hinge_on("run -q", [=[
+local hinge = require "hinge"
+local model = hinge.model()
+local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 2, 0, 0 }
+model:fix(a, "all")
+model:fix(c, "all")
+local of = { section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material { E = 2e11,
+  density = 7850 } }
+model:member { a, b, section = of.section, material = of.material, group = "first" }
+model:member { b, c, section = of.section, material = of.material }
+model:gravity { 0, 0, -9.81 }
+model:remove { group = "first", at = 2e-3 }
+model:dynamic { dt = 1e-4, duration = 4e-3 }:finish()
+]=], "--out one")
+  equal(status, 0, "the scene: " .. complaint)
+  local events, n = support.read(folder .. "/one/events.csv") or "", 0
+  for line in events:gmatch "[^\n]+" do
+    local element, limit, rule = line:match '^0%.002,fracture,(%d),1,%d,"first",(%a+),,,"(.*)"$'
+    if element then
+      n = n + 1
+      equal(limit, "removed", "event: limit")
+      expect(rule:find "scene%.lua:11$", "event: at %s", rule)
+    end
+  end
+  equal(n, 2, "events of both elements in\n" .. events)
+end
+checks.done()
