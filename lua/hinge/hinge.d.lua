@@ -1438,19 +1438,19 @@ function run:read(quantity, group) end
 ---found:write() -- hinges.csv
 ---```
 ---@param options? { group?: hinge.group_like, limit?: hinge.hinge_limit } group default: all members
----@return hinge.hinges
+---@return hinge.hinge_list
 function run:hinges(options) end
 
 ---@alias hinge.hinge_levels number|{ IO?: number, LS?: number, CP?: number } rad
 ---by group, or by hinge
----@alias hinge.hinge_limits table<string, hinge.hinge_levels>|fun(h: hinge.hinge): hinge.hinge_levels?
+---@alias hinge.hinge_limits table<string, hinge.hinge_levels>|fun(h: hinge.plastic_hinge): hinge.hinge_levels?
 ---@alias hinge.hinge_limit hinge.hinge_levels|hinge.hinge_limits
 
 ---A list of hinges. print shows it as a table.
----@class hinge.hinges
----@field [integer] hinge.hinge
+---@class hinge.hinge_list
+---@field [integer] hinge.plastic_hinge
 ---the hinge with the largest ratio; without limits the one with the largest demand; nil in an empty list
----@field worst? hinge.hinge
+---@field worst? hinge.plastic_hinge
 ---@field beyond? integer how many are beyond their limit; nil where no limit is given
 ---@field without_limit? integer how many have none; nil where no limit is given
 ---@field statics boolean of a static run
@@ -1462,11 +1462,11 @@ local hinges = {}
 ---model:static { steps = 5 }:finish():hinges { limit = 0.03 }:write()
 ---```
 ---@param filename? string plain name ending in .csv, default hinges.csv
----@return hinge.hinges
+---@return hinge.hinge_list
 function hinges:write(filename) end
 
 ---A plastic hinge. In the file hinges.csv member and node are numbers, before and broken 1 or 0.
----@class hinge.hinge
+---@class hinge.plastic_hinge
 ---@field member hinge.member
 ---@field group? string name of the member's first group
 ---storey from 1 at the ground, with z upwards: floors are the heights of level members that hang together with a

@@ -7,7 +7,7 @@ local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collaps
 local is_level = { IO = true, LS = true, CP = true }
 local listed = 20 -- hinges that print shows
 
-local List = { __name = "hinge.hinges" }
+local List = { __name = "hinge.hinge_list" }
 List.__index = List
 
 -- Limits --------------------------------------------------------------------------------------------------------------

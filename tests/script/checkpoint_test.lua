@@ -226,12 +226,12 @@ local function crc(text)
   end
   return ~c & 0xffffffff
 end
-local own_format = string.unpack("<I4", bytes, 13)
-local newer = string.pack("<I4", own_format + 1) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
+local own = string.unpack("<I4", bytes, 13)
+local newer = string.pack("<I4", own + 1) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
 support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
 refused("another version",
-  "checkpoint " .. file .. " is of format " .. own_format + 1 .. ", written by hinge 9.8.7; this is hinge " .. hinge.version
-    .. ", which reads format " .. own_format .. ": go on with the hinge that wrote it, or start the run anew", victim.resume, victim,
+  ("checkpoint %s is of format %d, written by hinge 9.8.7; this is hinge %s, which reads format %d: go on with the "
+    .. "hinge that wrote it, or start the run anew"):format(file, own + 1, hinge.version, own), victim.resume, victim,
   file)
 
 support.write(file, bytes)

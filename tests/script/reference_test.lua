@@ -193,6 +193,8 @@ local calls = {
   ["model:load"] = function(x) s.model:load(x) end,
   ["case:load"] = function(x) s.case:load(x) end,
   ["model:mass"] = function(x) s.model:mass(with({ node = s.tip, mass = 1 }, x)) end,
+  ["model:remove"] = function(x) s.model:remove(with({ member = s.member, at = 1 }, x)) end,
+  ["run:hinges"] = function(x) s.run:hinges(x) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
   ["model:damping"] = function(x) s.model:damping(x) end,
