@@ -1893,6 +1893,7 @@ function hinge.cost(scenario, options) end
 ---@field errors table<string, number>
 ---by answer: the difference again, the estimated error and its band, as parts of the best known value
 ---@field estimates table<string, { difference: number, error: number, low: number, high: number }>
+---@field warnings string[] of all its runs
 ---by chaotic answer. runs: how many; scatter: standard deviation as a part of the mean; difference: of the mean from
 ---that of the finest setting, as a part of it; apart: the scatter does not explain the difference (Welch's test, 95
 ---%)

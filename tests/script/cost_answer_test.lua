@@ -252,6 +252,45 @@ expect(r.quantities.v.by == "open" and not r.settings[1].meets, "what is not fin
 r = hinge.cost(plain({ elements = { 2, 4 } }, function(p) return { v = 1 + 1 / p.elements ^ 2 } end), { repeats = 1 })
 expect(headline.lines(r)[1]:find "^four elements are within ", "words: %s", headline.lines(r)[1])
 
+-- A bar that strikes the ground and slides: where it comes to lie is chaotic, that it lies on the ground is not.
+r = hinge.cost(hinge.scenario {
+  parameters = { speed = 9.0 }, accuracy = { dt = { 2e-4, 4e-4 } },
+  run = function(p)
+    local model = hinge.model { elements_per_member = 2 }
+    local a, b = model:node { -0.5, 0, 0.9 }, model:node { 0.5, 0, 1.2 }
+    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, group = "bar",
+      material = hinge.material { E = 2e9, density = 7850 } }
+    model:velocity("bar", { 1, 0.3, -p.speed })
+    model:gravity { 0, 0, -9.81 }
+    model:ground { point = { 0, 0, 0 }, normal = { 0, 0, 1 }, friction = 0.3 }
+    local x, _, z = model:dynamic { dt = p.dt, duration = 0.3 }:finish():displacement(a)
+    return { x = x, z = z }
+  end,
+}, { within = 0.01, repeats = 1 })
+equal(r.quantities.x.state, "chaotic", "where a bar comes to lie")
+equal(r.quantities.z.state, "sound", "that it lies on the ground")
+for _, one in ipairs(r.settings) do
+  m = one.means and one.means.x or { runs = 0, scatter = 0 }
+  expect(m.runs >= 3 and m.scatter > 1e-3 and m.scatter < 1, "scatter of %s: %g in %d runs", one.label, m.scatter,
+    m.runs)
+  expect(one.worst == "z" and one.error < 0.01, "error of %s: %s in %s", one.label, one.error, one.worst)
+end
+
+-- A bar in free flight that spins too fast for its step: the warning of its run is not lost.
+r = hinge.cost(hinge.scenario { parameters = { spin = 60.5 }, accuracy = { dt = { 1e-3, 1e-4 } }, run = function(p)
+  local model = hinge.model { elements_per_member = 2 }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, group = "bar",
+    material = hinge.material { E = 206e9, density = 7850 } }
+  model:velocity("bar", { 1, 0, 0 }, { 0, 0, p.spin })
+  local run = model:dynamic { dt = p.dt, duration = 0.2 }:finish()
+  return { x = (run:displacement(a)) }
+end }, { repeats = 1 })
+local coarse = find(r, { dt = 1e-3 })
+expect(#coarse.warnings > 0 and coarse.warnings[1]:find "spins", "warnings of a setting: %s", coarse.warnings[1])
+expect((headline.warnings(r)[1] or ""):find "^warnings in [12] of 2 settings, such as dt 1", "words: %s",
+  headline.warnings(r)[1])
+
 -- Settings that fail: a line for each reason, with the nearest setting that has an answer.
 r = hinge.cost(hinge.scenario { accuracy = { dt = { 0.1, 0.2, 0.4 }, way = { "a", "b" } }, run = function(p)
   if p.dt > 0.15 and p.way == "b" then error("too long a step", 0) end

@@ -180,6 +180,20 @@ function headline.failures(result)
   return lines
 end
 
+--- The warnings of runs: in how many settings, and the first one, of the cheapest good setting if that has any.
+function headline.warnings(result)
+  local warned, shown = 0, nil
+  for _, s in ipairs(result.settings) do
+    if s.warnings and #s.warnings > 0 then
+      warned = warned + 1
+      if not shown or s == result.cheapest then shown = s end
+    end
+  end
+  if not shown then return {} end
+  return { ("warnings in %d of %d settings, such as %s: %s"):format(warned, #result.settings,
+    words.setting(result.knobs, shown.values), shown.warnings[1]) }
+end
+
 --- What the budget left out, with the time that each would take.
 function headline.left_out(result)
   local n = #result.left_out

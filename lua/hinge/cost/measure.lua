@@ -57,6 +57,7 @@ local function harvest(result, histories, run)
     result.effects[effect.name] = result.effects[effect.name] or effect.active or nil
   end
   result.hashes[#result.hashes + 1] = run.hash
+  for _, warning in ipairs(run.warnings) do result.warnings[#result.warnings + 1] = warning end
   if run.kind == "dynamic" and run.planned_steps > (result.longest and result.longest.steps or 0) then
     result.longest = { steps = run.planned_steps, time = run.time }
   end
@@ -66,11 +67,12 @@ end
 --- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =,
 -- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
 -- remainder = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
--- hashes = of the states at the end, longest = { steps =, time = } of the dynamic run with the most steps, failed = why
--- it has no answer }; nil when `deadline` (of core.clock) came first.
+-- hashes = of the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = } of the
+-- dynamic run with the most steps, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
 -- Each call makes its own models.
 function measure.once(scenario, parameters, case, deadline, without)
-  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {} }
+  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {},
+    warnings = {} }
   local runs, histories, expired, say = {}, {}, false, print
   collectgarbage()
   collectgarbage()

@@ -289,6 +289,7 @@ function report.show(result)
   for _, line in ipairs(doubts(result)) do print(line) end
   for _, note in ipairs(result.notes) do print("note: " .. note) end
   for _, line in ipairs(headline.failures(result)) do print(line) end
+  for _, line in ipairs(headline.warnings(result)) do print(line) end
   for _, line in ipairs(headline.left_out(result)) do print(line) end
   local all = 0
   for _ in pairs(result.quantities) do all = all + 1 end

@@ -256,7 +256,7 @@ function verdict.front(compared, within)
     s.errors = s.errors or {}
     s.meets = s.high ~= nil and s.high <= within * (1 + rounding)
     best = best or s.meets and s or nil
-    s.answers = s.record.answers
+    s.answers, s.warnings = s.record.answers, s.record.warnings or {}
     s.record, s.weight, s.place, s.varied = nil, nil, nil, nil
   end
   return front, best
