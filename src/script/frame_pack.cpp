@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 
 namespace hinge::script {
 namespace {
@@ -58,6 +59,24 @@ std::size_t declared_points(const Snapshot& s) {
 constexpr double f_y_unit = 1.0 / 20000, force_unit = 1.0 / 32767;
 std::array<double, 6> forces(const Bar& b) { return {b.N, b.Mx[0], b.Mx[1], b.My[0], b.My[1], b.Mz}; }
 
+/// dMx/dz = Qy and dMy/dz = -Qx; what rounding leaves is zero, or it would be packed as if it were forces.
+std::array<double, 4> sags(const Snapshot& s, const Bar& b) {
+    const auto &p = s.points[std::size_t(b.point[0])], &q = s.points[std::size_t(b.point[1])];
+    const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+    std::array<double, 4> out{};
+    for (const int axis : {0, 1}) {
+        const double(&M)[2] = axis == 0 ? b.Mx : b.My;
+        const double(&Q)[2] = axis == 0 ? b.Qy : b.Qx;
+        const double sign = axis == 0 ? length : -length, chord = M[1] - M[0];
+        if (Q[0] == 0 && Q[1] == 0) continue;  // frames of earlier versions have none
+        const double first = sign * Q[0] - chord, last = sign * Q[1] - chord;
+        const double noise = 1e-5 * (std::abs(M[0]) + std::abs(M[1]) + length * (std::abs(Q[0]) + std::abs(Q[1])));
+        if (const double d = (first - last) / 8; std::abs(d) > noise) out[2 * axis] = d;
+        if (const double c = first + last; std::abs(c) > noise) out[2 * axis + 1] = c;
+    }
+    return out;
+}
+
 class Pack {
 public:
     Pack(const std::vector<const Snapshot*>& frames, Packing packing) : frames_(frames), packing_(packing) {}
@@ -91,7 +110,7 @@ private:
         const Snapshot& first = *frames_[0];
         const std::size_t nodes = declared_points(first);
         std::vector<std::uint32_t> at, ends(2 * first.bars.size(), ~0u), member, limits, width, of, connected;
-        std::vector<std::uint8_t> held = first.held;
+        std::vector<std::uint8_t> held = first.held, up;
         held.resize(nodes);
         for (std::size_t i = 0; i < nodes; ++i)
             for (std::size_t c = 0; c < 3; ++c)
@@ -110,6 +129,8 @@ private:
             member.push_back(std::uint32_t(b.member));
             width.push_back(bits(b.width));
             for (double limit : {b.N0, b.Mx0, b.My0, b.Mz0}) limits.push_back(bits(limit));
+            for (double c : b.up)
+                up.push_back(std::uint8_t(std::int8_t(std::isfinite(c) ? std::lround(127 * std::clamp(c, -1.0, 1.0)) : 0)));
         }
         for (const auto& [m, group] : first.memberships)
             of.push_back(std::uint32_t(m)), of.push_back(std::uint32_t(group));
@@ -120,6 +141,7 @@ private:
         put("ends", ends);
         put("member", member);
         put("width", width);
+        put("up", up);
         put("limits", limits);
         put("memberships", of);
         put("connected", connected);
@@ -180,6 +202,40 @@ private:
         put("forces", part, 6 * bars);
         put("force_scale", scale);
         j_["f_y_unit"] = f_y_unit;
+        add_sags();
+    }
+
+    /// How moments differ from a straight line between an element's ends, where loads or weight act there: of Mx, then
+    /// of My, the difference at the middle, and by how much the sum of the slopes at both ends differs. And the elements
+    /// with loads at points, or moments, between their ends, of which that is not all.
+    void add_sags() {
+        const std::size_t bars = frames_[0]->bars.size();
+        std::set<std::uint32_t> pointed;
+        std::vector<double> values, largest(4 * bars, 0);  // all of a frame, then those of the next
+        for (const Snapshot* s : frames_) {
+            for (const output::Load& l : s->loads)
+                if (l.bar >= 0 && (l.at >= 0 || l.kind == output::Load::moment)) pointed.insert(std::uint32_t(l.bar));
+            const std::size_t from = values.size();
+            values.resize(from + 4 * bars);
+            for (std::size_t b = 0; b < bars; ++b) {
+                const auto sag = sags(*s, s->bars[b]);
+                for (std::size_t c = 0; c < 4; ++c) {
+                    values[from + c * bars + b] = sag[c];
+                    largest[4 * b + c] = std::max(largest[4 * b + c], std::abs(sag[c]));
+                }
+            }
+        }
+        if (std::ranges::all_of(largest, [](double v) { return v == 0; }) && pointed.empty()) return;
+        std::vector<std::uint16_t> part;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double most = largest[4 * (i % bars) + i / bars % 4];
+            part.push_back(std::uint16_t(std::int16_t(most > 0 ? std::lround(values[i] / most / force_unit) : 0)));
+        }
+        std::vector<std::uint32_t> scale;
+        for (double v : largest) scale.push_back(bits(v * force_unit));
+        put("sags", part, 4 * bars);
+        put("sag_scale", scale);
+        put("pointed", std::vector<std::uint32_t>(pointed.begin(), pointed.end()));
     }
 
     Json j_;

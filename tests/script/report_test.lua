@@ -243,6 +243,30 @@ expect(status == 0 and printed:find "1 run, 4 frames", "its page: %s %s", printe
 local lost = data_of(page "storeys/report.html").runs[1]
 equal(lost.summary.damage[2].broken, 1, "broken ones of the group that is lost")
 
+-- Beams clamped at one end and pinned at the other, one under a spread load, one under a load at a point.
+local diagrams = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local h = hinge.section.h { depth = 0.3, width = 0.15, web = 0.007, flange = 0.01 }
+local model = hinge.model()
+local function beam(y, load)
+  local a, b = model:node { 0, y, 0 }, model:node { 6, y, 0 }
+  model:fix(a)
+  model:fix(b, "xyz,rx,rz")
+  load.member = model:member { a, b, section = h, material = steel }
+  model:load(load)
+  return b
+end
+beam(0, { q = { 0, 0, -10e3 } })
+beam(3, { force = { 0, 0, -1e3 }, at = 0.2 })
+model:load { node = beam(6, { q = { 0, 0, -10e3 } }), moment = { 0, 20e3, 0 } }
+local run = model:static { steps = 2 }
+for _ in run:steps() do hinge.frame(run) end
+]=]
+equal(hinge_on("run -q", diagrams, "--out diagrams"), 0, "two beams")
+status, printed, complaint = support.run(("cd %s && %s report diagrams"):format(quote(folder), hinge))
+expect(status == 0 and printed:find "1 run, 2 frames", "their page: %s %s", printed, complaint)
+
 local look = support.browser "report"
 if look then
   local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html", arg[2])
@@ -251,5 +275,8 @@ if look then
   seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html")
   equal(seen, 0, "what it says: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 20, "what it says: %s", said)
+  seen, said, wrong = look("player_test.js", folder .. "/one/report.html", folder .. "/diagrams/report.html")
+  equal(seen, 0, "what the player shows: " .. said .. wrong)
+  expect((tonumber(said:match "(%d+) checked") or 0) > 50, "what the player shows: %s", said)
 end
 checks.done()

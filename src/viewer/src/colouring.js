@@ -1,6 +1,6 @@
 // What members are coloured by: a colour for each element of a frame, or bands along it, and a legend.
 import { bands_of, band_colours, class_of } from "./bands.js";
-import { force, state, state_of, touched_of, broken } from "./run_data.js";
+import { force, largest_force, state, state_of, touched_of, broken } from "./run_data.js";
 
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 const steps = band_colours.map(rgb);
@@ -90,10 +90,9 @@ export const colourings = {
 /// first: the frames before it have been measured.
 export function measure(frames, scene, first = 0) {
   let n = 0, m = 0, u = first > 0 ? scene.largest_displacement : 0;
-  const largest = (b, c) => (frames.largest ? frames.largest[6 * b + c] : frames.scale[6 * b + c] * 32767);
   for (let b = 0; b < frames.bars; ++b) {
-    n = Math.max(n, largest(b, 0));
-    for (const c of [1, 2, 3, 4]) m = Math.max(m, largest(b, c));
+    n = Math.max(n, largest_force(frames, b, 0));
+    for (const c of [1, 2, 3, 4]) m = Math.max(m, largest_force(frames, b, c));
     const node = frames.ends[2 * b];
     if (!frames.attached[b] || node === 0xffffffff) continue;
     for (let f = first; f < frames.count; ++f) {

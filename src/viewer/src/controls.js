@@ -1,6 +1,7 @@
 // The player's buttons, sliders and lists.
-import { make, number } from "./page.js";
+import { make, number, quantity } from "./page.js";
 import { colourings } from "./colouring.js";
+import { diagrams, diagram_colours } from "./diagrams.js";
 import { hinge_colour } from "./scene.js";
 
 const choice = (label, options, value, choose) => make("label", {}, label, make("select", { onchange: (e) =>
@@ -40,6 +41,21 @@ export function controls_of(player) {
     legend.replaceChildren(...colourings[options.colouring].legend(frames, scene).map(entry("swatch")),
       ...(scene.dots.drawn.visible ? [entry("swatch dot")([hinge_colour, "plastic hinge"])] : []));
   };
+  // Beneath the legend: the diagram's colours, and its largest value of the frame shown.
+  const diagram_legend = make("div", { class: "legend diagram", "aria-live": "off" });
+  player.show_diagram = () => {
+    const found = player.views[player.chosen.run].diagram, { run: { frames } } = player.views[player.chosen.run];
+    if (!found) return diagram_legend.replaceChildren();
+    const { largest: { value, bar }, left_out } = found, { unit } = diagrams[options.diagram];
+    diagram_legend.replaceChildren(entry("swatch")([diagram_colours.plus, `${options.diagram} above 0`]),
+      entry("swatch")([diagram_colours.minus, "below 0"]), make("span", {}, bar < 0 ? "zero everywhere" :
+        `largest in this frame: ${quantity(value, unit)} in member ${frames.member[bar]}`),
+      ...(left_out ? [make("span", {}, `${left_out} ${left_out === 1 ? "element" : "elements"} with loads at points `
+        + "left out; a picture (hinge render --show) has them")] : []));
+  };
+  player.legend = () => [...bar.querySelectorAll(".legend > span")].map((e) => ({ text: e.textContent,
+    colour: e.querySelector(".swatch")?.style.background }));
+  const save = () => make("a", { download: "hinge.png", href: player.picture().toDataURL("image/png") }).click();
   show_legend();
   player.show_legend = show_legend;
   const follow = tick("follow the member picked", false, set("follow"));
@@ -56,13 +72,16 @@ export function controls_of(player) {
       choice("colour", Object.entries(colourings).map(([k, c]) => [k, c.name]), "f_y", (v) => {
         set("colouring")(v), show_legend();
       }),
+      choice("diagram", [["", "none"], ...Object.entries(diagrams).map(([k, d]) => [k, d.name])], "", set("diagram")),
       make("label", {}, "displacements", magnify, magnified),
       make("button", { type: "button", onclick: () => (document.fullscreenElement ? document.exitFullscreen() :
         player.element.requestFullscreen()) }, "full screen"),
       choice("view", [["corner", "corner"], ["front", "front"], ["side", "side"], ["back", "back"], ["top", "top"]], "corner",
         (v) => player.look(v)),
-      legend),
+      make("button", { type: "button", onclick: save }, "save picture"),
+      legend, diagram_legend),
     make("div", { class: "row" }, follow,
+      tick("parallel", false, (on) => player.set_parallel(on)), tick("node numbers", false, set("numbers")),
       tick("undeformed shape", false, scenes((s, on) => { s.ghost.visible = on; })),
       tick("hinges", true, (on) => { scenes((s) => { s.dots.drawn.visible = on; })(), show_legend(); }),
       tick("ground and supports", true, scenes((s, on) => { s.ground.visible = on; })),

@@ -9,7 +9,8 @@ export function make_growing(read) {
   const frames = { ...read, room, count: 0, times: [], factors: read.factors ? [] : null,
     positions: new Float32Array(room * 3 * read.nodes), f_y: new Uint16Array(room * read.bars),
     state: new Uint8Array(room * read.bars), forces: new Float32Array(room * 6 * read.bars),
-    scale: new Float32Array(6 * read.bars).fill(1), largest: new Float32Array(6 * read.bars), loose: [] };
+    scale: new Float32Array(6 * read.bars).fill(1), largest: new Float32Array(6 * read.bars), loose: [],
+    sags: null, pointed: new Set() };
   frames.abscissa = frames.factors || frames.times;
   put(frames, read);
   return frames;
@@ -27,7 +28,7 @@ export async function add_frame(frames, packed) {
 
 // The arrays that have so many numbers a frame.
 const arrays = (frames) => [[frames.positions, 3 * frames.nodes], [frames.f_y, frames.bars], [frames.state, frames.bars],
-  [frames.forces, 6 * frames.bars]];
+  [frames.forces, 6 * frames.bars], ...(frames.sags ? [[frames.sags, 4 * frames.bars]] : [])];
 
 function put(frames, read) {
   const at = frames.count, { bars, largest } = frames;
@@ -40,11 +41,30 @@ function put(frames, read) {
       frames.forces[(6 * at + c) * bars + b] = force;
       largest[6 * b + c] = Math.max(largest[6 * b + c], Math.abs(force));
     }
+  put_sags(frames, read, at);
   frames.times.push(read.times[0]);
   if (frames.factors) frames.factors.push(read.factors[0]);
   frames.loose.push({ end: read.loose_end, at: read.loose_at });
   ++frames.count;
   join_loose(frames);
+}
+
+// There is room for them when the first frame has some; those before it have none.
+function put_sags(frames, read, at) {
+  const { bars } = frames, n = 4 * bars;
+  if (read.sags && !frames.sags) {
+    frames.sags = new Float32Array(frames.room * n);
+    frames.sag_scale = new Float32Array(n).fill(1), frames.largest_sag = new Float32Array(n);
+  }
+  if (!frames.sags) return;
+  frames.sags.fill(0, at * n, (at + 1) * n);
+  for (const bar of read.pointed) frames.pointed.add(bar);
+  for (let c = 0; read.sags && c < 4; ++c)
+    for (let b = 0; b < bars; ++b) {
+      const sag = read.sags[c * bars + b] * read.sag_scale[4 * b + c];
+      frames.sags[(4 * at + c) * bars + b] = sag;
+      frames.largest_sag[4 * b + c] = Math.max(frames.largest_sag[4 * b + c], Math.abs(sag));
+    }
 }
 
 // The first frame stays, and the last.

@@ -255,24 +255,27 @@ function model_numbers(r) {
 }
 
 function member_card(runs, player) {
+  let holder = null;
   const panel = make("div", { class: "member" }), input = make("input", { type: "number", min: 1, step: 1,
     "aria-label": "number of a member", onchange: (e) => player.choose(player.chosen.run, Number(e.target.value) || 0) });
   let shown = null;
   const show = () => {
     const run = player.views[player.chosen.run].run;
-    shown = member_panel(run, player.chosen.member, (t) => { player.play(false), player.seek(t); });
+    shown = member_panel(run, player.chosen.member, (t) => { player.play(false), player.seek(t); },
+      (number_of) => player.choose(player.chosen.run, number_of));
     if (document.activeElement !== input) input.value = player.chosen.member || "";
     panel.replaceChildren(...shown.parts);
     shown.cursor(player.time);
+    holder?.setAttribute("aria-live", player.chosen.member ? "polite" : "off"); // the list changes with each frame
   };
   const head = make("div", { class: "row" }, make("label", {}, "member", input), runs.length > 1 ? make("label", {}, "of",
     make("select", { "aria-label": "run", onchange: (e) => player.choose(Number(e.target.value), player.chosen.member) },
       player.views.map((v, i) => make("option", { value: i }, v.run.name)))) : null);
-  const holder = make("section", { class: "card picked", "aria-live": "polite" }, head, panel);
+  holder = make("section", { class: "card picked", "aria-live": "off" }, head, panel);
   let drawn = 0; // ms
   const grew = () => { // frames were added: not under the pointer, and once a second at most
     const now = performance.now();
-    if (player.chosen.member && !player.playing && !panel.matches(":active") && now - drawn > 1000) drawn = now, show();
+    if (!player.playing && !panel.matches(":active") && now - drawn > 1000) drawn = now, show();
   };
   return { card: holder, show, grew,
     cursor: (t) => shown?.cursor(t) };

@@ -26,11 +26,47 @@ function sampling(frames) {
     + "is not in them: a member that has yielded need not reach f_y = 1 here.";
 }
 
-/// Elements to put into the panel, and a function that moves their cursors to a time.
-export function member_panel(run, number_of, seek) {
+const most_listed = 12;
+
+// Of all members at the time shown: how many are damaged, and which are strained most.
+function overview(run, choose) {
+  const { frames } = run, all = [...frames.members.values()], facts = make("p", {}), rows = make("tbody", {});
+  let shown = -1;
+  const list = (f) => {
+    const count = [0, 0, 0];
+    let met = 0;
+    const strained = [];
+    for (const m of all) {
+      const { worst, touched } = member_state(frames, f, m);
+      ++count[worst], met += touched;
+      let most = 0;
+      for (const b of m.bars) if (state_of(state(frames, f, b)) !== broken) most = Math.max(most, f_y(frames, f, b));
+      if (worst < 2 && most > 0) strained.push([most, m, worst]);
+    }
+    strained.sort((a, b) => b[0] - a[0] || a[1].number - b[1].number);
+    facts.textContent = `${all.length} members: ${count.map((n, i) => `${n} ${states[i]}`).join(", ")}${met ?
+      `; ${met} have been in contact` : ""}`;
+    rows.replaceChildren(...strained.slice(0, most_listed).map(([most, m, worst]) => make("tr", {}, make("th", { scope: "row" },
+      make("button", { type: "button", class: "member-link", onclick: () => choose(m.number) }, `member ${m.number}`)),
+    make("td", {}, m.groups.map((g) => frames.groups[g]).join(", ")), make("td", {}, states[worst]),
+    make("td", { class: "number" }, number(most, 3)))));
+  };
+  return {
+    parts: [make("h3", {}, "The members at the time shown"), facts, make("p", { class: "hint" }, "Those with the largest f_y "
+      + "(eq 14; 1: fully plastic), without broken ones. Pick one here or in the picture, or give its number."),
+    make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ["", "group", "", "f_y"].map((t) =>
+      make("th", { scope: "col" }, t)))), rows))],
+    cursor(time) {
+      const f = frame_at(frames, time);
+      if (f !== shown) shown = f, list(f);
+    },
+  };
+}
+
+/// Elements to put into the panel, and a function that moves their cursors to a time. choose(number) picks a member.
+export function member_panel(run, number_of, seek, choose) {
   const { frames } = run, member = frames.members.get(number_of);
-  if (!member) return { parts: [make("p", { class: "hint" }, "Pick a member in the picture, or give its number.")],
-    cursor() {} };
+  if (!member) return overview(run, choose);
   const bar = weakest(frames, member), x = frames.abscissa, x_label = frames.factors ? "load factor" : "time, s";
   const gone = (f) => state_of(state(frames, f, bar)) === broken;
   const of = (c) => history(frames, (f) => (gone(f) ? NaN : force(frames, f, bar, c)));

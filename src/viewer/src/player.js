@@ -5,7 +5,11 @@ import { make, number } from "./page.js";
 import { frame_at } from "./run_data.js";
 import { RunScene } from "./scene.js";
 import { colourings, measure } from "./colouring.js";
+import { make_numbers, make_triad, picture_of } from "./overlay.js";
 import { controls_of } from "./controls.js";
+
+// Degrees, from the lower to the upper edge. With so small an angle lines that are parallel differ by less than a pixel.
+const angle = { perspective: 32, parallel: 0.2 };
 
 ColorManagement.enabled = false; // colours are as they are given
 
@@ -28,7 +32,7 @@ export class Player {
     this.grows = grows;
     this.chosen = { run: 0, member: 0 };
     this.options = { colouring: "f_y", magnify: 1, thicker: 1, smooth: true, hidden: new Set(), low: -Infinity,
-      high: Infinity, follow: false, speed: 1, perspective: true, loop: false };
+      high: Infinity, follow: false, speed: 1, parallel: false, loop: false, numbers: false, diagram: "" };
     this.#find_ends();
     this.time = this.end;
     this.playing = false;
@@ -50,16 +54,17 @@ export class Player {
     this.canvas = make("canvas", { tabindex: 0, role: "img", "aria-label":
       "the structure in 3D; arrow keys rotate, + and - zoom, space plays, comma and full stop step, [ and ] pick" });
     this.names = this.views.map((v) => make("div", { class: "view-name" }, this.views.length > 1 ? v.run.name : ""));
-    this.axis_names = this.views.flatMap((v) => v.scene.axes.map(([name]) => make("div", { class: "axis" }, name)));
+    this.triad = make_triad();
+    this.numbers = this.views.map(() => make_numbers());
     this.clock = make("div", { class: "clock" });
-    this.stage = make("div", { class: "stage" }, this.canvas, this.names, this.axis_names, this.clock);
+    this.stage = make("div", { class: "stage" }, this.canvas, this.names, this.numbers, this.triad, this.clock);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: !slow, powerPreference: "high-performance" });
     this.renderer.setPixelRatio(slow ? 1 : Math.min(2, window.devicePixelRatio || 1));
     this.renderer.setClearColor("#f3f6f8");
     this.renderer.outputColorSpace = "srgb-linear";
     this.renderer.autoClear = false;
     this.renderer.setScissorTest(true);
-    this.camera = new PerspectiveCamera(32, 1, 0.1, 1000);
+    this.camera = new PerspectiveCamera(angle.perspective, 1, 0.1, 1000);
     this.camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(this.camera, this.canvas);
     this.orbit.enableDamping = false;
@@ -83,14 +88,27 @@ export class Player {
       top: [0, -0.0001, 1] };
     const way = new Vector3(...ways[from]).normalize(), scenes = this.views.map((v) => v.scene);
     const size = Math.max(...scenes.map((s) => s.size));
-    this.camera.near = size / 200, this.camera.far = size * 60;
     this.orbit.target.copy(scenes[0].middle);
     const aspect = this.camera.aspect || 1, slope = Math.tan(this.camera.fov * Math.PI / 360);
     const away = 0.56 * size / slope / Math.min(1, aspect);
     this.camera.position.copy(scenes[0].middle).addScaledVector(way, away);
-    this.camera.updateProjectionMatrix();
     this.orbit.update();
     this.redraw();
+  }
+
+  /// Without perspective, from where it looks, with what is in the middle as large as before; and back.
+  set_parallel(on) {
+    this.options.parallel = on;
+    const slope = () => Math.tan(this.camera.fov * Math.PI / 360), before = slope();
+    this.camera.fov = on ? angle.parallel : angle.perspective;
+    this.zoom(before / slope());
+  }
+
+  // What is drawn of the depth: all of it, with as much precision as there can be.
+  #set_depth() {
+    const size = Math.max(...this.views.map((v) => v.scene.size)), away = this.camera.position.distanceTo(this.orbit.target);
+    this.camera.near = Math.max(size / 200, away - 60 * size), this.camera.far = away + 60 * size;
+    this.camera.updateProjectionMatrix();
   }
 
   turn(around, up) {
@@ -179,11 +197,13 @@ export class Player {
         Math.max(0, Math.min(1, (this.time - x[frame]) / (x[frame + 1] - x[frame] || 1))) : 0;
       const another = frame !== v.frame;
       if (!another && part === v.part && !force) continue;
-      v.frame = frame, v.part = part;
+      v.frame = frame, v.part = part, v.magnify = this.options.magnify;
       v.scene.place(frame, this.options.magnify, part);
+      v.diagram = v.scene.diagram.place(frame, this.options.diagram);
       const { of, bands } = colourings[this.options.colouring];
       if (another || force) v.scene.paint_bars(of(frames, frame, v.scene), this.chosen.member, bands?.(frames, frame));
     }
+    this.show_diagram?.();
     this.#follow();
     this.redraw();
   }
@@ -278,8 +298,17 @@ export class Player {
       this.#place();
       this.changed(this, "time");
     }
+    this.draw_now();
+    ++this.frames_drawn;
+    if (this.playing) this.redraw();
+  }
+
+  /// At once, so that the canvas can be read.
+  draw_now() {
     const slope = Math.tan(this.camera.fov * Math.PI / 360);
+    this.#set_depth();
     this.camera.updateMatrixWorld();
+    this.triad.turn(this.camera);
     this.views.forEach((v, i) => {
       const { x, y, w, h } = v.box, up = this.height - y - h;
       this.renderer.setViewport(x, up, w, h);
@@ -290,23 +319,13 @@ export class Player {
       v.scene.dots.material.uniforms.size.value = (v.run.frames.bars > 500 ?
         Math.max(2, Math.min(4, h / 170)) : 8) * this.renderer.getPixelRatio();
       this.renderer.render(v.scene.scene, this.camera);
-      this.#name_axes(v, i);
+      if (this.options.numbers) this.numbers[i].place(v, this.camera); else this.numbers[i].hide();
     });
     const by = this.views[0].run.frames.factors ? `load factor ${number(this.time)}` : `t = ${number(this.time)} s`;
     this.clock.textContent = `${by} · grid ${number(this.views[0].scene.grid_step)} m`
       + (this.options.magnify !== 1 ? ` · displacements × ${number(this.options.magnify)}` : "");
-    ++this.frames_drawn;
-    if (this.playing) this.redraw();
   }
 
-  #name_axes(v, i) {
-    const p = new Vector3();
-    v.scene.axes.forEach(([, tip], k) => {
-      const label = this.axis_names[3 * i + k];
-      p.set(...tip).add(v.scene.root.position).project(this.camera);
-      label.style.visibility = v.scene.ground.visible && Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.98 && p.z < 1
-        ? "visible" : "hidden";
-      label.style.transform = `translate(${v.box.x + (p.x + 1) / 2 * v.box.w}px, ${v.box.y + (1 - p.y) / 2 * v.box.h}px)`;
-    });
-  }
+  /// What is seen as a PNG, with time and legend.
+  picture() { return picture_of(this, this.legend()); }
 }

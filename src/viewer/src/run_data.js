@@ -51,30 +51,47 @@ export async function read_changes(packed) {
     unpacked(packed.positions, 4, 3 * packed.nodes), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
     whole(packed.loose_at, 4), unpacked(packed.f_y, 2, bars), unpacked(packed.state, 1, bars),
     unpacked(packed.forces, 2, 6 * bars), whole(packed.force_scale, 4)]);
+  const [sags, sag_scale, pointed] = await Promise.all(packed.sags ? [unpacked(packed.sags, 2, 4 * bars),
+    whole(packed.sag_scale, 4), whole(packed.pointed, 4)] : [null, null, []]);
   const loose_from = [0];
   for (const c of count) loose_from.push(loose_from[loose_from.length - 1] + c);
   return {
     count: packed.frames, times: list(packed.times), factors: packed.factors ? list(packed.factors) : null,
     positions: floats(positions), loose_from, loose_end: which, loose_at: floats(loose),
     f_y, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
+    sags: sags && new Int16Array(sags.buffer), sag_scale: sag_scale && floats(sag_scale), pointed: new Set(pointed),
   };
 }
 
 export async function read_frames(packed) {
   if (!packed) return null;
-  const [declared, held, ends, member, width, limits, memberships, connected, changes] = await Promise.all([
+  const [declared, held, ends, member, width, limits, up, memberships, connected, changes] = await Promise.all([
     whole(packed.declared, 4), whole(packed.held, 1), whole(packed.ends, 4), whole(packed.member, 4),
-    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.memberships, 4),
+    whole(packed.width, 4), whole(packed.limits, 4), whole(packed.up, 1), whole(packed.memberships, 4),
     whole(packed.connected, 4), read_changes(packed)]);
   const frames = {
     nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups),
     declared_nodes: packed.declared_nodes || packed.nodes, not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
-    declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), ...changes,
+    declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), up: new Int8Array(up.buffer), ...changes,
   };
   frames.abscissa = frames.factors || frames.times;
+  measure_bars(frames);
   list_members(frames, memberships);
   find_storeys(frames);
   return frames;
+}
+
+// The declared length of each element, m, 0 where it is not known; and the section's y axis where a frame has none.
+function measure_bars(frames) {
+  const { bars, up } = frames;
+  frames.long = new Float32Array(bars);
+  for (let b = 0; b < bars; ++b) {
+    const p = declared_at(frames, b, 0), q = declared_at(frames, b, 1);
+    const along = p && q ? [0, 1, 2].map((c) => q[c] - p[c]) : [1, 0, 0];
+    if (p && q) frames.long[b] = Math.hypot(...along);
+    if (!up[3 * b] && !up[3 * b + 1] && !up[3 * b + 2])
+      up.set(Math.abs(along[2]) < 0.9 * frames.long[b] ? [0, 0, 127] : [0, 127, 0], 3 * b);
+  }
 }
 
 // members: number -> { bars, groups }; bars of members in the order of their numbers
@@ -227,6 +244,14 @@ export const force_names = ["N", "Mx 1", "Mx 2", "My 1", "My 2", "Mz"];
 /// N, then Mx and My at both ends, Mz: force(frames, frame, bar, 0 to 5), in N and N m
 export const force = (frames, frame, bar, c) =>
   frames.forces[(6 * frame + c) * frames.bars + bar] * frames.scale[6 * bar + c];
+/// The largest magnitude of that in any frame.
+export const largest_force = (frames, bar, c) => (frames.largest ? frames.largest[6 * bar + c] : 32767 * frames.scale[6 * bar + c]);
+/// What loads between an element's ends add to the straight line of a moment (src/script/frame_pack.cpp), N m. c: 0 and 1
+/// of Mx, 2 and 3 of My: at the middle, and by how much the sum of the slopes at both ends differs.
+export const sag = (frames, frame, bar, c) => (frames.sags ? frames.sags[(4 * frame + c) * frames.bars + bar]
+  * frames.sag_scale[4 * bar + c] : 0);
+export const largest_sag = (frames, bar, c) => (!frames.sags ? 0 : frames.largest_sag ? frames.largest_sag[4 * bar + c] :
+  32767 * frames.sag_scale[4 * bar + c]);
 export const f_y = (frames, frame, bar) => frames.f_y[frame * frames.bars + bar] * frames.f_y_unit;
 export const state = (frames, frame, bar) => frames.state[frame * frames.bars + bar];
 

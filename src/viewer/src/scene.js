@@ -6,6 +6,7 @@ import {
 import { place_bars, declared_at, hinges_of, state, state_of, broken, supports_of } from "./run_data.js";
 import { support_lines } from "./supports.js";
 import { band_colours } from "./bands.js";
+import { DiagramDrawing } from "./diagrams.js";
 
 // A bar is a strip of two triangles that faces the eye, shaded as a tube, and half a width longer at either end: four
 // corners each, so that a renderer without a graphics card keeps up with thousands. (One draws instances one by one.)
@@ -15,14 +16,14 @@ const bar_vertex = `
 attribute vec2 corner; attribute vec3 a; attribute vec3 b; attribute float breadth; attribute vec4 paint;
 attribute vec4 course;
 uniform vec2 pixels; uniform float slope; uniform float thicker;
-flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight;
+flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight; varying float vEdge;
 void main() {
   if (paint.a < 0.1) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); return; }
   vec3 p = (modelViewMatrix * vec4(a, 1.0)).xyz, q = (modelViewMatrix * vec4(b, 1.0)).xyz;
   vec3 middle = mix(p, q, corner.y), axis = q - p, eye = -normalize(middle);
   float pixel = 2.0 * slope * max(0.0, -middle.z) / pixels.y;
   bool chosen = paint.a < 0.9;
-  float w = max(breadth * thicker, (chosen ? 5.0 : 1.6) * pixel) * (chosen ? 1.25 : 1.0);
+  float w = max(breadth * thicker, (chosen ? 5.0 : 2.4) * pixel) * (chosen ? 1.25 : 1.0);
   vec3 along = axis / max(length(axis), 1e-9), across = cross(along, eye);
   float sine = length(across);
   across = sine > 1e-4 ? across / sine : vec3(1.0, 0.0, 0.0);
@@ -31,13 +32,14 @@ void main() {
   gl_Position = projectionMatrix * vec4(middle, 1.0);
   vec3 towards = cross(across, along), sun = normalize((viewMatrix * vec4(-0.35, -0.45, 0.8, 0.0)).xyz);
   vLight = vec4(corner.x, dot(across, sun), dot(towards, sun), corner.y + longer / max(length(axis), 1e-9));
+  vEdge = 1.0 - min(0.35, 2.0 * pixel / w);
   vColour = paint.rgb;
   vCourse = course;
 }`;
 // A class is counted, and one colour looked up: where the processor draws, a choice of colours in a loop took longer.
 const bar_fragment = `
 uniform float band_from[5]; uniform vec3 band_colours[6];
-flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight;
+flat varying vec3 vColour; flat varying vec4 vCourse; varying vec4 vLight; varying float vEdge;
 void main() {
   vec3 colour = vColour;
   if (vCourse.w >= 0.0) {
@@ -47,7 +49,9 @@ void main() {
   }
   float x = clamp(vLight.x, -1.0, 1.0);
   float light = x * vLight.y + sqrt(1.0 - x * x) * vLight.z;
-  gl_FragColor = vec4(colour * (0.78 + 0.27 * light), 1.0);
+  // Yellow and light blue stand out from the background by a dark edge of a pixel.
+  float edge = abs(x) > vEdge && dot(colour, vec3(0.299, 0.587, 0.114)) > 0.65 ? 0.55 : 1.0;
+  gl_FragColor = vec4(edge * colour * (0.78 + 0.27 * light), 1.0);
 }`;
 // Of the dots where an element is or has been fully plastic. They have one size: the data hold no plastic rotation.
 export const hinge_colour = band_colours[5];
@@ -82,6 +86,7 @@ export class RunScene {
     this.#add_dots();
     this.#add_ground();
     this.#add_ghost();
+    this.diagram = new DiagramDrawing(this);
   }
 
   // Where the camera looks at first: what is attached to supports, and all of it where nothing is.
@@ -152,10 +157,6 @@ export class RunScene {
     for (let y = from[1]; y <= to[1] + 0.01 * step; y += step) points.push(from[0], y, z, to[0], y, z);
     this.ground = new Group();
     this.ground.add(lines(points, "#d5dbe1"));
-    const o = [from[0], from[1], z], l = 2 * step;
-    this.axes = [["x", [o[0] + l, o[1], z]], ["y", [o[0], o[1] + l, z]], ["z", [o[0], o[1], z + l]]];
-    const axis_colours = ["#c0272d", "#2e8b57", "#1f5fa8"];
-    this.axes.forEach(([, tip], i) => this.ground.add(lines([...o, ...tip], axis_colours[i])));
     this.supports = supports_of(frames);
     this.support_signs = lines(support_lines(frames, this.supports, 0.018 * this.size), "#4a5560");
     this.ground.add(this.support_signs);
@@ -184,6 +185,21 @@ export class RunScene {
           a[3 * corner + c] = ends[6 * bar + c], b[3 * corner + c] = ends[6 * bar + 3 + c];
     this.a.needsUpdate = this.b.needsUpdate = true;
     this.#place_dots(frame);
+  }
+
+  /// Nodes of elements that are shown, with their places in a frame: [node, [x, y, z]].
+  * node_places(frame, magnify, part) {
+    const { frames, shown } = this, { nodes, positions, declared, ends } = frames, seen = new Uint8Array(nodes);
+    const from = 3 * nodes * frame, next = part > 0 && frame + 1 < frames.count ? 3 * nodes : 0;
+    for (let e = 0; e < 2 * frames.bars; ++e) {
+      const node = ends[e];
+      if (node === 0xffffffff || seen[node] || !shown[e >> 1]) continue;
+      seen[node] = 1;
+      yield [node, [0, 1, 2].map((c) => {
+        const i = 3 * node + c, x = positions[from + i], now = next ? x + part * (positions[from + next + i] - x) : x;
+        return declared[i] + magnify * (now - declared[i]);
+      })];
+    }
   }
 
   #place_dots(frame) {
