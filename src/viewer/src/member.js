@@ -48,7 +48,7 @@ function overview(run, choose) {
       `; ${met} have been in contact` : ""}`;
     rows.replaceChildren(...strained.slice(0, most_listed).map(([most, m, worst]) => make("tr", {}, make("th", { scope: "row" },
       make("button", { type: "button", class: "member-link", onclick: () => choose(m.number) }, `member ${m.number}`)),
-    make("td", {}, m.groups.map((g) => frames.groups[g]).join(", ")), make("td", {}, states[worst]),
+    make("td", {}, m.groups.map((g) => frames.groups[g]).join(", ")), make("td", { class: "word" }, states[worst]),
     make("td", { class: "number" }, number(most, 3)))));
   };
   return {
