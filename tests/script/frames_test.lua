@@ -92,6 +92,9 @@ local expected = {
 }
 for _, frame in ipairs { first, last } do
   local count = 0
+  if frame == last then -- where something has broken: the nodes at which elements were declared to end
+    table.move({ "node 1", "node 2" }, 1, 2, #expected.cell + 1, expected.cell)
+  end
   for where, names in pairs(expected) do
     for _, name in ipairs(names) do
       local array = frame.of[name]
