@@ -130,7 +130,8 @@ private:
             width.push_back(bits(b.width));
             for (double limit : {b.N0, b.Mx0, b.My0, b.Mz0}) limits.push_back(bits(limit));
             for (double c : b.up)
-                up.push_back(std::uint8_t(std::int8_t(std::isfinite(c) ? std::lround(127 * std::clamp(c, -1.0, 1.0)) : 0)));
+                up.push_back(
+                    std::uint8_t(std::int8_t(std::isfinite(c) ? std::lround(127 * std::clamp(c, -1.0, 1.0)) : 0)));
         }
         for (const auto& [m, group] : first.memberships)
             of.push_back(std::uint32_t(m)), of.push_back(std::uint32_t(group));
@@ -206,8 +207,8 @@ private:
     }
 
     /// How moments differ from a straight line between an element's ends, where loads or weight act there: of Mx, then
-    /// of My, the difference at the middle, and by how much the sum of the slopes at both ends differs. And the elements
-    /// with loads at points, or moments, between their ends, of which that is not all.
+    /// of My, the difference at the middle, and by how much the sum of the slopes at both ends differs. And the
+    /// elements with loads at points, or moments, between their ends, of which that is not all.
     void add_sags() {
         const std::size_t bars = frames_[0]->bars.size();
         std::set<std::uint32_t> pointed;
