@@ -49,9 +49,8 @@ local function still_to_come(bench, knobs, compared)
 end
 
 -- Runs settings, the cheap ones first, as long as they and their references fit into the budget. If the references do
---         not
--- fit at all, it runs settings as long as these fit. Returns those that have an answer, those that failed, and those
--- left out.
+-- not fit at all, it runs settings as long as these fit. Returns those that have an answer and whose references fit,
+-- those that failed, those left out, and those that have an answer although references for them do not fit.
 local function run_settings(bench, knobs, settings)
   local compared, failed, left_out = {}, {}, {}
   local function leave_out(s, own, rest)
@@ -80,11 +79,9 @@ local function run_settings(bench, knobs, settings)
   while fewer > 0 and not bench:fits(still_to_come(bench, knobs, table.move(compared, 1, fewer, 1, {}))) do
     fewer = fewer - 1
   end
-  for _ = 1, fewer > 0 and #compared - fewer or 0 do
-    leave_out(compared[#compared], 0, still_to_come(bench, knobs, compared))
-    compared[#compared] = nil
-  end
-  return compared, failed, left_out
+  local beside = {}
+  for _ = 1, fewer > 0 and #compared - fewer or 0 do table.insert(beside, 1, table.remove(compared)) end
+  return compared, failed, left_out, beside
 end
 
 -- The references that have an answer, at most two, and why it is not two.
@@ -112,13 +109,25 @@ end
 local function compare_within(bench, knobs)
   local found
   repeat
-    local compared, failed, left_out = run_settings(bench, knobs, ladder.grid(knobs))
+    local compared, failed, left_out, beside = run_settings(bench, knobs, ladder.grid(knobs))
     local refs, problem = {}, nil
     if #compared > 0 then refs, problem = run_references(bench, knobs, compared) end
-    local more = not found or #refs == 2 and #compared > #found[1]
-    if more then found = table.pack(compared, failed, left_out, refs, problem) end
-  until not more or #refs < 2 or #left_out == 0
-  return table.unpack(found, 1, 5)
+    local more = not found or #refs == 2
+      and (#compared > #found[1] or #compared + #beside > #found[1] + #found[6])
+    if more then found = table.pack(compared, failed, left_out, refs, problem, beside) end
+  until not more or #refs < 2 or #left_out + #beside == 0
+  return table.unpack(found, 1, 6)
+end
+
+-- The settings that are compared: those with references of their own, and those beside them that are no finer than the
+-- finest reference; all of them if there is no reference. The others are left out.
+local function with_those_beside(knobs, base, beside, refs, left_out)
+  local all, finest = table.move(base, 1, #base, 1, {}), refs[#refs]
+  for _, s in ipairs(beside) do
+    if not finest or ladder.no_finer(knobs, s, finest) then all[#all + 1] = s
+    else left_out[#left_out + 1] = { label = s.label, values = s.values, estimate = 0, rest = 0 } end
+  end
+  return all
 end
 
 local function parameters_of(scenario, o)
@@ -150,22 +159,30 @@ function cost.compare(scenario, options)
     check.fail("%s: the scenario has no setting to vary; give accuracy = { dt = { 1e-5, 2e-5, 4e-5 } } and the like, "
       .. "and use p.dt in run", where)
   end
-  local compared, failed, left_out, refs, problem = compare_within(bench, knobs)
+  local base, failed, left_out, refs, problem, beside = compare_within(bench, knobs)
+  local compared = with_those_beside(knobs, base, beside, refs, left_out)
+  if #refs == 0 then base = compared end
   if #compared == 0 then
     check.fail("%s: %s", where,
       failed[1] and "no setting has an answer: " .. failed[1].failed
       or "the budget ended before the first setting was finished; give a larger one")
   end
   local notes = { problem }
-  local spread, silent = bench:scatter(default_of(knobs, compared))
+  if #beside > 0 and refs[2] then
+    notes[#notes + 1] = ("the budget left no time for references finer than all settings; the finest one is %s")
+      :format(refs[2].label)
+  end
+  local spread, silent = bench:scatter(default_of(knobs, base))
   notes[#notes + 1] = silent
   local both = refs[2] and refs
   local function weigh(moving)
     local quantities = verdict.answers(both, spread, moving, compared, o.within)
-    return quantities, verdict.estimates(knobs, compared, refs, quantities, o.within)
+    return quantities, verdict.estimates(knobs, base, refs, quantities, o.within)
   end
-  -- an answer that differs from run to run is no chaos: one more run of each setting tells, before others are changed
-  local moving = bench:time_alternately(compared, scatter.called(weigh {}, o.quantity) and math.min(o.repeats, 2)
+  -- an answer that differs from run to run is no chaos: one more run of the cheapest setting tells, before runs are
+  -- changed for their scatter
+  local called = scatter.called(weigh {}, o.quantity)
+  local moving = bench:time_alternately(called and { compared[1] } or compared, called and math.min(o.repeats, 2)
     or o.repeats)
   local quantities, finest = weigh(moving)
   if o.quantity and not quantities[o.quantity] then
@@ -173,7 +190,7 @@ function cost.compare(scenario, options)
   end
   if scatter.called(quantities, o.quantity) then
     -- first one setting alone: it shows whether the scatter explains what the references differ by
-    local note = bench:vary { (verdict.finest(knobs, compared)) }
+    local note = bench:vary { (verdict.finest(knobs, base)) }
     scatter.settle(compared, refs, quantities)
     if scatter.chaotic(quantities, o.quantity) then
       note = bench:vary(compared)
@@ -185,10 +202,10 @@ function cost.compare(scenario, options)
     if quantities[name] then quantities[name] = { state = "moving", kind = quantities[name].kind } end
   end
   local by = verdict.errors(compared, refs, quantities, o.quantity)
-  local orders = verdict.orders(knobs, compared, refs, by)
+  local orders = verdict.orders(knobs, base, refs, by)
   local needed, beyond = verdict.needed(knobs, by, #refs, o.within), nil
   if needed then
-    beyond = ladder.reference(knobs, compared, needed)
+    beyond = ladder.reference(knobs, base, needed)
     beyond = { values = beyond.values, label = beyond.label, seconds = bench:estimate(beyond) }
   end
   local finest_label = finest.label
@@ -204,7 +221,7 @@ function cost.compare(scenario, options)
     knobs = knobs, settings = compared, failed = failed, left_out = left_out, references = refs[2] and refs,
     finer = refs, beyond = beyond, finest = finest_label, compared_by = check.keys(by),
     quantities = quantities, orders = orders, equal = equal, front = front, cheapest = best, notes = notes,
-    complete = #left_out == 0 and refs[2] ~= nil, elapsed = bench:elapsed(),
+    complete = #left_out + #beside == 0 and refs[2] ~= nil, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.report".write(result, o.out) end
   return result

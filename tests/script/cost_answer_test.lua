@@ -206,6 +206,7 @@ equal(headline.lines(r)[1], "no setting can be compared: every answer differs fr
 r = hinge.cost(scene({ dt = { 0.2, 0.4 } }, function(p) return { v = 1 / p.dt } end), { repeats = 1 })
 local s = find(r, { dt = 0.2 })
 expect(s.above and s.high == math.huge and not s.meets and s.error >= 0.75, "an error above 75 %%: %s", s.error)
+equal(#r.front, 0, "lower bounds on the front")
 expect(headline.lines(r)[1]:find("no setting has a known error: v", 1, true), "words for it: %s", headline.lines(r)[1])
 
 -- A budget for runs of 0.4 / dt s each. Without room for references the settings tell their errors themselves.
@@ -216,12 +217,14 @@ local function timed(p)
 end
 local steps = { dt = { 0.05, 0.1, 0.2, 0.4, 0.8 } }
 local start = now
-r = hinge.cost(scene(steps, timed), { within = 0.01, budget = 25, repeats = 1 })
-expect(now - start <= 25, "a budget of 25 s: %g s", now - start)
+r = hinge.cost(scene(steps, timed), { within = 0.01, budget = 12, repeats = 1 })
+expect(now - start <= 12, "a budget of 12 s: %g s", now - start)
 equal(ran[1], 0.8, "the cheapest first")
-expect(r.references and #r.left_out == 2 and not r.complete, "left out: %d", #r.left_out)
-equal(headline.left_out(r)[1], "left out because of the budget: 2 settings, dt 100 ms (about 4 s) and dt 50 ms "
-  .. "(about 8 s); with their references and checks they take about 84 s more", "left out, from measured times")
+expect(r.references and #r.left_out == 1 and not r.complete, "left out: %d", #r.left_out)
+equal(headline.left_out(r)[1], "left out because of the budget: 1 setting, dt 50 ms (about 8 s); with their references "
+  .. "and checks they take about 80 s more", "left out, from measured times")
+equal(#r.settings, 4, "settings: two with references finer than they, and these references")
+equal(r.notes[1], "the budget left no time for references finer than all settings; the finest one is dt 0.1", "a note")
 start, ran = now, {}
 r = hinge.cost(scene({ dt = { 0.2, 0.4, 0.8 } }, timed), { within = 0.01, budget = 4.4, repeats = 1 })
 expect(now - start <= 4.4 and r.references == nil, "a budget without room for references: %g s", now - start)
@@ -233,6 +236,22 @@ end
 equal(#r.settings, 3, "settings within 4.4 s")
 equal(r.quantities.v.by, "order", "what the error is known from")
 equal(headline.lines(r)[1], "dt 400 ms is within 2 % in 1 s; 1 % takes 2 s (dt 200 ms)", "without references")
+-- What an earlier call has measured is compared, too, where the references are finer: cost 0.1 n / dt.
+local kept = support.temporary_folder() .. "/kept"
+local plane = hinge.scenario { parameters = { x = 0.3 }, accuracy = { dt = { 0.2, 0.4 }, elements = { 1, 2 } },
+  run = function(p)
+    now = now + 0.1 * p.elements / p.dt
+    return { v = 1 + p.dt ^ 2 / 10 + 0.1 / p.elements ^ 2 }
+  end }
+r = hinge.cost(plane, { within = 0.01, budget = 1.3, repeats = 1, out = kept })
+expect(#r.settings == 3 and r.references == nil, "settings within 1.3 s: %d", #r.settings)
+start = now
+r = hinge.cost(plane, { within = 0.01, budget = 6.5, repeats = 1, out = kept })
+expect(now - start <= 6.5 and #r.settings == 4 and r.references and not r.complete, "settings within 6.5 s: %d, %s, %s",
+  #r.settings, r.references and r.references[2].label, now - start)
+for _, one in ipairs(r.settings) do
+  near(one.estimates.v.error, one.values.dt ^ 2 / 10 + 0.1 / one.values.elements ^ 2, 1e-7, "error of " .. one.label)
+end
 core.clock = clock
 
 -- A reference that fails: the settings and the other one still show the order. No answer, and none that is finite.

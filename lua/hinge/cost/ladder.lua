@@ -148,6 +148,16 @@ function ladder.finest(knob, settings)
   return knob.values[1]
 end
 
+--- Whether a setting is finer than another one in no number.
+function ladder.no_finer(knobs, setting, than)
+  for _, knob in ipairs(knobs) do
+    if knob.side and ladder.finer(knob, setting.values[knob.name], than.values[knob.name]) > 1 + 1e-9 then
+      return false
+    end
+  end
+  return true
+end
+
 --- A setting `level` steps of refinement finer than all of these.
 function ladder.reference(knobs, settings, level)
   local values = {}

@@ -29,7 +29,7 @@ local function label_of(numbers, s) return s.front and words.label(numbers, s.va
 local function group(result)
   local groups, by_name = {}, {}
   for _, s in ipairs(result.settings) do
-    if s.error then
+    if s.error and not s.above then -- a lower bound is no point
       local name = method_of(result, s)
       if not by_name[name] then
         by_name[name] = { name = name, settings = {} }
@@ -125,7 +125,7 @@ function plot.draw(result, job)
   end
   for _, knob in ipairs(result.knobs) do numbers[#numbers + 1] = knob.side and knob end
   for _, s in ipairs(result.settings) do
-    if s.error and s.error > exact then least = math.min(least, s.error) end
+    if s.error and not s.above and s.error > exact then least = math.min(least, s.error) end
   end
   local floor = least < math.huge and least / 10 or exact
   local function height(s) return 100 * (s.error > exact and s.error or floor) end

@@ -13,7 +13,8 @@ function text.number(value) return ("%.6g"):format(value) end
 
 --- The error of a setting: "< 1 %" where it is nearer than the finest run is known, "> 1 %" where only that is known.
 function text.error(s)
-  return (s.below and s.error > 1e-12 and "< " or s.above and s.error > 1e-12 and "> " or "") .. text.percent(s.error)
+  if s.above and s.error <= 1e-12 then return "unknown" end
+  return (s.below and s.error > 1e-12 and "< " or s.above and "> " or "") .. text.percent(s.error)
 end
 
 --- The band of an error: "0.1 to 0.2 %".
