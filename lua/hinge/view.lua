@@ -22,6 +22,7 @@ view.rules = {
   leave_out_broken = { "boolean", optional = true },
   above = { "number", unit = "m", optional = true },
   groups = { "table", optional = true },
+  plane = { "table", optional = true },
   title = { "string", optional = true },
   box = { "numbers", count = 6, unit = "m", optional = true },
 }

@@ -73,6 +73,18 @@ std::vector<char> asked_for(const Snapshot& snapshot, const View& view) {
     return asked;
 }
 
+/// Whether both ends of a bar were in the planes that the view asks for, at the start, up to 1 mm.
+bool starts_in(const Snapshot& snapshot, const Bar& bar, const View& view) {
+    for (const int end : {0, 1}) {
+        const auto p = static_cast<std::size_t>(bar.node[end] >= 0 ? bar.node[end] : bar.point[end]);
+        const Vec start =
+            snapshot.displacement.empty() ? snapshot.points[p] : snapshot.points[p] - snapshot.displacement[p];
+        for (std::size_t c = 0; c < 3; ++c)
+            if (view.plane[c] && !(std::abs(start[c] - *view.plane[c]) <= 1e-3)) return false;
+    }
+    return true;
+}
+
 /// How far the member continues an element: its ends are cut halfway between both directions, so that no gap opens.
 /// Where other members meet, they reach into the corner.
 void join(const Snapshot& snapshot, std::vector<DrawnBar>& bars) {
@@ -146,6 +158,7 @@ DrawnBars choose_bars(const Snapshot& snapshot, const View& view) {
     for (const Bar& bar : snapshot.bars) {
         if (bar.member >= 0 && !asked[static_cast<std::size_t>(bar.member)]) continue;
         if (view.leave_out_broken && bar.state == BarState::broken) continue;
+        if (!starts_in(snapshot, bar, view)) continue;
         const auto p = static_cast<std::size_t>(bar.point[0]), q = static_cast<std::size_t>(bar.point[1]);
         const Vec a = drawn_at(snapshot, p, scale), b = drawn_at(snapshot, q, scale);
         if (!finite(a) || !finite(b) || std::min(snapshot.points[p][2], snapshot.points[q][2]) < view.above) continue;

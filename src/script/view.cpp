@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/text.h"
 
@@ -59,6 +60,65 @@ void read_direction(Options& o, output::View& view) {
     view.from = named_direction(name, view.up);
     view.parallel = !name.empty() && name != "perspective";
     if (name == "top") view.up = view.from == std::array<double, 3>{0, 1, 0} ? Direction{0, 0, -1} : Direction{0, 1, 0};
+}
+
+constexpr const char* axis_names[3] = {"x", "y", "z"};
+
+/// plane = { y = 0 } on top of the stack.
+void read_planes(lua_State* L, const Options& o, output::View& view) {
+    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+        const std::string key = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
+        const auto axis = std::find(axis_names, axis_names + 3, key);
+        if (axis == axis_names + 3 || lua_type(L, -1) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, -1)))
+            o.complain("plane", "a field '" + key + "'",
+                       "must be x, y or z with a number of metres, such as { y = 0 }");
+        view.plane[std::size_t(axis - axis_names)] = lua_tonumber(L, -1);
+    }
+    if (std::ranges::none_of(view.plane, [](const auto& p) { return p.has_value(); }))
+        o.complain("plane", "{}", "must have x, y or z, such as { y = 0 }");
+}
+
+/// Of each element where its ends were at the start along an axis, m.
+std::vector<std::array<double, 2>> starts_along(const output::Snapshot& snapshot, std::size_t c) {
+    std::vector<std::array<double, 2>> all;
+    for (const output::Bar& bar : snapshot.bars) {
+        const auto end = [&](int side) {
+            const auto p = std::size_t(bar.node[side] >= 0 ? bar.node[side] : bar.point[side]);
+            return snapshot.points[p][c] - (snapshot.displacement.empty() ? 0 : snapshot.displacement[p][c]);
+        };
+        all.push_back({end(0), end(1)});
+    }
+    return all;
+}
+
+/// Looks across the plane where nothing says from where. Where no member lies in it, the error names where some do.
+void read_plane(lua_State* L, Options& o, output::View& view, const output::Snapshot& snapshot, bool directed) {
+    if (o.push_field("plane") == LUA_TTABLE) read_planes(L, o, view);
+    lua_pop(L, 1);
+    static constexpr Direction from[3] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!view.plane[c]) continue;
+        if (!directed) {
+            view.from = from[c], view.parallel = true;
+            if (view.up[0] == 0 && view.up[1] == 0 && c == 2) view.up = {0, 1, 0};
+        }
+        const auto starts = starts_along(snapshot, c);
+        const auto here = [&](const std::array<double, 2>& at) {
+            return std::abs(at[0] - *view.plane[c]) <= 1e-3 && std::abs(at[1] - *view.plane[c]) <= 1e-3;
+        };
+        if (std::ranges::any_of(starts, here)) continue;
+        std::set<double> there;  // to the millimetre
+        for (const auto& [a, b] : starts)
+            if (std::abs(a - b) <= 1e-3) there.insert(std::round(1e3 * a) / 1e3);
+        std::string list;
+        int named = 0;
+        for (const double at : there)
+            if (++named <= 6) list += (list.empty() ? "" : ", ") + number_text(at);
+        const std::string axis = axis_names[c] + std::string(" = ");
+        o.complain("plane", axis + number_text(*view.plane[c]) + " m, where no member lies",
+                   list.empty() ? "must be a plane in which members lie"
+                                : "must be a plane of members: " + axis + list + (named > 6 ? ", ..." : "") + " m");
+    }
 }
 
 void read_marks(lua_State* L, Options& o, output::View& view) {
@@ -128,7 +188,9 @@ output::View read_view(lua_State* L, int index, const output::Snapshot& snapshot
     output::View view;
     view.width = o.integer("width", 1, view.width);
     view.height = o.integer("height", 1, view.height);
+    const bool directed = o.has("view") || o.has("from");
     read_direction(o, view);
+    read_plane(L, o, view, snapshot, directed);
     read_marks(L, o, view);
     view.leave_out_broken = o.flag("leave_out_broken", false);
     view.above = o.number("above", "m", Range::any, view.above);

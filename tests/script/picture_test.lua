@@ -69,6 +69,35 @@ equal(draw { up = { 0, 1, 0 } } == draw { up = { 0, 1, 0 }, from = { -1, 0.55, 1
   "perspective with y upwards")
 equal(draw { view = "top" } == draw { view = "top", up = { 0, 0, 2 } }, true, "a longer up")
 
+-- One line of frames of two: the picture of the other one's plane is that of a model with the one line alone. Without a
+-- view it looks across the plane.
+local function lines(places)
+  local made = hinge.model()
+  for _, y in ipairs(places) do
+    local a, b, c, d = made:node { 0, y, 0 }, made:node { 0, y, 3 }, made:node { 4, y, 3 }, made:node { 4, y, 0 }
+    made:fix { a, d }
+    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do
+      made:load { q = { 0, 0, -1e3 * (1 + y) }, member = made:member { ends[1], ends[2], section = section,
+        material = steel } }
+    end
+  end
+  return made:static { steps = 1 }:finish()
+end
+local function line_of(of, view)
+  view.width, view.height, view.show = 320, 240, view.show or "none"
+  job:picture(of, view, "line.png")
+  equal(#job.notes, 0, tostring(job.notes[1]))
+  return support.read(folder .. "/line.png")
+end
+local both, alone = lines { 0, 5 }, lines { 0 }
+equal(line_of(both, { plane = { y = 0 } }) == line_of(alone, { view = "front" }), true, "one line of frames")
+equal(line_of(both, { plane = { y = 5 }, show = "Mx" }) == line_of(both, { plane = { y = 0 }, show = "Mx" }), false,
+  "the moments of the other line, with six times the load")
+equal(line_of(both, { plane = { y = 5 }, view = "iso" }) == line_of(both, { view = "iso" }), false, "without one line")
+equal(line_of(both, { plane = { y = 0.0005 }, view = "right" }) == line_of(alone, { view = "right" }), true,
+  "one line of frames from the right")
+equal(line_of(both, { plane = { z = 3 } }) == line_of(both, { view = "top" }), false, "a floor")
+
 -- Without a name.
 for _, name in ipairs { "picture.png", "picture-2.png" } do
   job:picture(run, { scale = 50, ghost = true, supports = true, loads = true, show = "Mx", view = "front",
@@ -97,6 +126,10 @@ for text, view in pairs {
   ["field 'largest' is -1 N or N m; must be"] = { largest = -1 },
   ["field 'box' is a smallest y of 1 m, above the largest, 0 m; must be { xmin, xmax,"] =
     { box = { 0, 1, 1, 0, 0, 1 } },
+  ["field 'plane' is y = 2 m, where no member lies; must be a plane of members: y = 0 m"] = { plane = { y = 2 } },
+  ["field 'plane' is a field 'w'; must be x, y or z with a number"] = { plane = { w = 0 } },
+  ["field 'plane' is a field 'x'; must be x, y or z with a number"] = { plane = { x = "0" } },
+  ["field 'plane' is {}; must have x, y or z"] = { plane = {} },
   ["no group 'beam' (did you mean 'beams'?)"] = { groups = { "beam" } },
   ["unknown field 'labels_' (did you mean 'labels'?)"] = { labels_ = true },
 } do
