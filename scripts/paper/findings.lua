@@ -179,16 +179,19 @@ local labels = {
   offset = "offset of the impact, bays", kappa = "limit of curvature, 1/m",
 }
 
+-- Blue where it holds, orange where it does not, paler with the second limit: told apart by all kinds of sight.
+local colours = { [true] = { { 0, 0.45, 0.7 }, { 0.35, 0.72, 0.93 } }, [false] = { { 0.8, 0.3, 0 }, { 0.95, 0.68, 0.3 } } }
+
 -- One picture: where the finding holds, over the two inputs that it depends on most.
 local function draw(job, rows, f)
   local order = {}
   for i, name in ipairs(inputs) do order[i] = { name = name, size = correlation(rows, name, f.holds) } end
   table.sort(order, function(a, b) return math.abs(a.size) > math.abs(b.size) end)
   local x, y, series = order[1].name, order[2].name, {}
-  for _, kappa in ipairs(values_of(rows, "kappa")) do
+  for i, kappa in ipairs(values_of(rows, "kappa")) do
     for _, holds in ipairs { true, false } do
       local name = ("%s, %g 1/m"):format(holds and "holds" or "does not", kappa)
-      local one = { name = name, x = {}, y = {}, style = "points" }
+      local one = { name = name, x = {}, y = {}, style = "points", colour = colours[holds][(i - 1) % 2 + 1] }
       for _, r in ipairs(rows) do
         if r.kappa == kappa and f.holds(r) == holds then one.x[#one.x + 1], one.y[#one.y + 1] = r[x], r[y] end
       end

@@ -97,24 +97,26 @@ std::vector<vtkSmartPointer<vtkActor>> diagram_actors(std::span<const DrawnBar> 
         edge.line(camera.nearer(e, line * camera.pixel_at(e)), camera.nearer(c, line * camera.pixel_at(c)),
                   plus ? plus_line : minus_line);
     };
+    const double least = 1e-6 * std::max(d.largest, -d.smallest);  // less is what rounding leaves of zero
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken) continue;
         const std::vector<double> at = stations(bar, d.which);
         for (std::size_t i = 0; i + 1 < at.size(); ++i) {
             edge.line(bar.at(at[i]), bar.at(at[i + 1]), diagram_axis);
             const double t0 = at[i], t1 = at[i + 1], v0 = value(bar, d.which, t0), v1 = value(bar, d.which, t1);
+            if (std::max(std::abs(v0), std::abs(v1)) < least) continue;
             if (v0 * v1 < 0) {
                 const double zero = t0 + (t1 - t0) * v0 / (v0 - v1);
                 piece(bar, t0, v0, zero, 0);
                 piece(bar, zero, 0, t1, v1);
-            } else if (v0 != 0 || v1 != 0) {
+            } else {
                 piece(bar, t0, v0, t1, v1);
             }
         }
         for (const double t : {0.0, 1.0}) {
             const double v = value(bar, d.which, t);
             const Vec p = bar.at(t), q = p + d.metres * v * side_of(bar, d.which, t);
-            if (v != 0) edge.line(p, q, v > 0 ? plus_line : minus_line);
+            if (std::abs(v) >= least) edge.line(p, q, v > 0 ? plus_line : minus_line);
         }
     }
     std::vector<vtkSmartPointer<vtkActor>> actors;
