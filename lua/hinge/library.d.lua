@@ -61,8 +61,8 @@ function job:picture(run, view, filename) end
 ---@field leave_out_broken? boolean as in figure 18
 ---@field above? number m; only parts that are wholly above this height
 ---@field groups? (string|hinge.group)[] only members of these groups
----m; only elements that lay in this plane at the start, up to 1 mm, such as { y = 0 } for one line of frames. Without view
----and from the picture then looks across it. A plane without any member is an error
+---m; only elements that lay in this plane at the start, up to 1 mm, such as { y = 0 } for one line of frames. Without
+---view and from the picture then looks across it. A plane without any member is an error
 ---@field plane? { x?: number, y?: number, z?: number }
 ---@field title? string
 ---@field box? number[] m: xmin, xmax, ymin, ymax, zmin, zmax to show; it gives several pictures the same view

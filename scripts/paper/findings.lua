@@ -180,7 +180,8 @@ local labels = {
 }
 
 -- Blue where it holds, orange where it does not, paler with the second limit: told apart by all kinds of sight.
-local colours = { [true] = { { 0, 0.45, 0.7 }, { 0.35, 0.72, 0.93 } }, [false] = { { 0.8, 0.3, 0 }, { 0.95, 0.68, 0.3 } } }
+local colours = { [true] = { { 0, 0.45, 0.7 }, { 0.35, 0.72, 0.93 } },
+  [false] = { { 0.8, 0.3, 0 }, { 0.95, 0.68, 0.3 } } }
 
 -- One picture: where the finding holds, over the two inputs that it depends on most.
 local function draw(job, rows, f)
