@@ -38,13 +38,17 @@ void CentralDifferences::accelerate(Step& step) {
     };
     const int nodes = int(w_.resisting.size());
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
+    power_of_.assign(fastest_of_.size(), 0);
     const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
-        Lanes sum{};
+        Lanes sum{}, power{};
         for (int i = first; i < end; ++i) {
             const Lanes f = load_row<6>(external[i].data()) - load_row<6>(resisting[i].data());
+            const Lanes a = load_row<6>(inverse[i].data()) * f;
             sum += f;
-            move(i, load_row<6>(inverse[i].data()) * f, fastest_of_[first / some_nodes]);
+            power += a * f;
+            move(i, a, fastest_of_[first / some_nodes]);
         }
+        power_of_[first / some_nodes] = ((power[0] + power[1]) + (power[2] + power[3])) + (power[4] + power[5]);
         return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
     });
     if (!std::isfinite(check)) {
@@ -53,12 +57,17 @@ void CentralDifferences::accelerate(Step& step) {
     }
     take_reactions([&](int n, int c) { return w_.resisting[n][c] - w_.external[n][c]; });
     if (!mass.heavy().empty()) mass.rotate_offset_masses(w_.state, w_.trial);
+    double power = 0;
+    for (const double of_piece : power_of_) power += of_piece;
     for (const Mass::Heavy& h : mass.heavy()) {
-        Vec6 a = h.inverse * (w_.external[h.node] - w_.resisting[h.node]);
+        const Vec6 f = w_.external[h.node] - w_.resisting[h.node];
+        Vec6 a = h.inverse * f;
         for (int c = 0; c < 6; ++c)
             if (w_.state.held[h.node] >> c & 1) a[c] = 0;
+        power += a.dot(f);
         move(h.node, load_row<6>(a.data()), fastest_of_.back());
     }
+    swing_ = 0.5 * half * half * power;
     note_fastest(step.end());
 }
 

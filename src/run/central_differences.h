@@ -20,12 +20,17 @@ public:
     int correct_stage() override { return accelerate_; }
     bool correct(Step& step) override { return ++step.iteration, false; }
     const std::vector<Vec6>& change() const override { return w_.trial.acceleration; }
+    double swing() const override { return swing_; }
     void save(Writer& to) const override { to(fastest); }
     void restore(Reader& from) override { from(fastest); }
 
 private:
     void accelerate(Step& step);
     int accelerate_;
+    std::vector<double> power_of_;  ///< a^T F of each piece of the nodes, N m / s^2
+    /// J, of the last step: dt^2 a^T M a / 8. In a linear model the velocities half a step before and after conserve
+    /// v^T M v / 2 + u^T K u / 2; with the velocity between them the energy differs by this.
+    double swing_ = 0;
 };
 
 }  // namespace hinge

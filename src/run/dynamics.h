@@ -91,6 +91,7 @@ private:
     std::optional<bool> holds(const Remedy& remedy, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
     void guard();
+    void look_between();
     void tell_error();
     void look_at_pairs();
     void add_inertia_to_reactions();

@@ -8,6 +8,9 @@ namespace {
 
 constexpr long most_between = 100;          ///< steps from one look to the next: the balance costs half a step
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
+constexpr double expected_part =
+    0.5;  ///< of a large error: where it is expected, the balance is computed at every step
+constexpr double expected_growth = 1.25;    ///< where a larger one is known: by which it must be exceeded
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
 constexpr double most_left = 0.01;          ///< of the largest energy, that what no shorter step mends may come to
@@ -59,6 +62,7 @@ std::optional<std::string> Guard::look(State& state, const Energy& energy, const
     if (!(tolerance_ > 0)) {
         if (largest.most() <= 2 * before || !running) largest_error_.take(share, state.time);
         looked_at_ = state.step;
+        error_ = energy.error;
         return {};
     }
     const double grown = share == 0 ? 0 : (energy.error - error_) / largest.most();
@@ -97,6 +101,13 @@ std::optional<std::string> Guard::look(State& state, const Energy& energy, const
         good_.reset();
     }
     return why;
+}
+
+bool Guard::may_miss(double swing, double most) const {
+    const double known = std::abs(largest_error_.share), last = (swing + std::abs(error_)) / most;
+    if (!(most > 0)) return false;
+    return known > large_error ? last > expected_growth * known
+                               : std::max(last, known + swing / most) > expected_part * large_error;
 }
 
 bool StepControl::due(bool abrupt, const StepSize& size) const {

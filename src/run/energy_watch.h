@@ -11,6 +11,9 @@
 
 namespace hinge {
 
+/// An energy error, as a part of the largest energy, of which a run that completes warns.
+inline constexpr double large_error = 0.01;
+
 /// The largest energy: the largest value that any account of the balance has had so far.
 ///
 /// An account counts only up to what the other side of the balance explains, so that energy made by an error does not
@@ -75,6 +78,10 @@ public:
     const LargestError& largest_error() const { return largest_error_; }
     /// An energy error that was computed elsewhere, of a step that is kept; as LargestError::take.
     void take(double share, double time) { largest_error_.take(share, time); }
+    /// Whether the balance must be computed although no look is due: where it may be off by `swing` J for a moment, and
+    /// that would be a large error, larger than any that is known. Such a look ends no run. most: the largest energy,
+    /// J.
+    bool may_miss(double swing, double most) const;
 
     /// By how much of the largest energy the error may grow between two looks: half the tolerance, or 1 % where that is
     /// more.

@@ -83,6 +83,8 @@ public:
     virtual void dt_changed(double dt) { (void)dt; }
     virtual void removed(int element) { (void)element; }
     virtual EffectiveStiffness* effective() { return nullptr; }
+    /// By how much the energy balance at the end of the step may be off for a moment, J, and come back.
+    virtual double swing() const { return 0; }
     /// dt |da| / |v| of the last step, weighted by mass.
     virtual double jump() const { return 0; }
 
