@@ -31,6 +31,8 @@ return {
     { slow = true, energy_error = 2e-2, warns = "the energy error at t = " }),
   -- struts that are pressed to many times their buckling load, by explicit steps
   drawn(1266, "frame is struck at 255 m/s, explicit steps", { says = "the energy balance no longer closes" }),
+  -- explicit steps: errors of 3.9 % for a few steps, between two looks of the guard; the run warns of it
+  drawn(9219, "bar falls flat at 35 m/s, explicit steps", { energy_error = 5e-2, warns = "the energy error at t = " }),
   -- explicit steps with contact, the longest that dt = "auto" takes
   drawn(219, "frame is struck, explicit steps"),
   -- hinges that turn an end by more than half a turn
