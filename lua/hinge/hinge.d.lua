@@ -1070,13 +1070,13 @@ function model:dynamic(options) end
 ---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance (1 % where
 ---that is more). Default 0.01; 0.1 with explicit steps, whose energy swings with the fastest vibrations; 0 with shift =
 ---"whole", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01, at its end or at
----an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100 steps, or 20
----times in a short run, and at the end. With explicit steps it is also checked, for the warning alone, at every step in
----which the fastest vibrations may make it large. The state of a failed run is that of the last check at which the
----balance closed (models of up to 200 000 elements); run.energy_error and the last row of history.csv are those of the
----check that failed. run.reason ends with a setting that held from that state to 20 steps beyond the failure, in a short
----trial that calls no function of the script and recovers the forces of at most 1.5 million elements, some 1 to 3 s. If
----the model has such functions, it names a setting that was not tried
+---an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100 steps, or
+---20 times in a short run, and at the end. With explicit steps it is also checked, for the warning alone, at every
+---step in which the fastest vibrations may make it large. The state of a failed run is that of the last check at
+---which the balance closed (models of up to 200 000 elements); run.energy_error and the last row of history.csv are
+---those of the check that failed. run.reason ends with a setting that held from that state to 20 steps beyond the
+---failure, in a short trial that calls no function of the script and recovers the forces of at most 1.5 million
+---elements, some 1 to 3 s. If the model has such functions, it names a setting that was not tried
 ---@field energy_tolerance? number
 ---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
 ---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
