@@ -1,5 +1,7 @@
 // The program: runs scripts, says what would be simulated, draws what was written.
-#include <csignal>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <unistd.h>
@@ -11,6 +13,7 @@
 #include "new_project.h"
 #include "prompt.h"
 #include "script/folders.h"
+#include "script/interrupts.h"
 #include "script/module.h"
 #include "script/objects.h"
 #include "version.h"
@@ -77,18 +80,6 @@ int call_library(lua_State* L, const char* module, const char* function, Request
     return lua_isinteger(L, -1) ? int(lua_tointeger(L, -1)) : 0;
 }
 
-Context* to_interrupt = nullptr;
-
-/// Ctrl-C and SIGTERM end the run under way after its step; the second one ends the program at once.
-void end_on_signals(Context& context) {
-    to_interrupt = &context;
-    context.ends_on_signals = true;
-    struct sigaction note = {};
-    note.sa_handler = [](int signal) { to_interrupt->interrupted = signal; };
-    note.sa_flags = int(SA_RESTART | SA_RESETHAND);
-    for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &note, nullptr);
-}
-
 /// --json: objects alone go to standard output; what else would be printed there goes to standard error.
 std::FILE* events_alone_on_stdout() {
     std::fflush(stdout);
@@ -147,7 +138,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     context->sandbox = request.sandbox;
     context->resume = request.resume;
     const bool ends_on_signals = request.verb == "run" || request.verb == "study" || request.verb == "render";
-    if (ends_on_signals) end_on_signals(*context);
+    if (ends_on_signals) hinge::script::end_on_signals(L);
     std::unique_ptr<hinge::live::Live> live;
     if (request.live_port) try {
             live = begin_live(L, *context, *request.live_port);
@@ -156,8 +147,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     const int status = call_library(L, module, function, request);
     if (live) end_live(*live, *context, status);
     if (request.verb == "run") request.out = context->out_dir;  // its name may tell the parameters
-    if (ends_on_signals)
-        for (int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+    if (ends_on_signals) hinge::script::forget_signals();
     return status;
 }
 
@@ -193,9 +183,7 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
     return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int program(int argc, char** argv) {
     CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
     app.set_version_flag("--version", hinge::version_text, "Print version, build and libraries, and exit");
     app.require_subcommand(1);
@@ -245,4 +233,13 @@ int main(int argc, char** argv) {
         return with_lua(request, "hinge.prompt", verb == "do" ? "line" : "main", verb == "prompt");
     }
     return run(std::move(request), named, verbs);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int status = program(argc, argv);
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return status;
+    std::cerr << "hinge: cannot write to standard output: " << std::strerror(errno) << "\n";
+    return status == 0 ? 1 : status;
 }

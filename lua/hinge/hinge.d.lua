@@ -1018,6 +1018,9 @@ function model:static(options) end
 ---`loads`. So a push-over under dead load is two runs. In a model without load cases, all loads are applied again from
 ---0
 ---@field from? hinge.run
+---true: this run may complete although `from` failed, or ended at a limit load or before its load factor. Default
+---false: a run that goes on from such a state counts as failed when it has ended, and run.reason says from which run
+---@field allow_failed? boolean
 ---the load cases that act, as { dead = 1.35, live = 1.5 }, or the name of a combination or a case. It is needed if the
 ---model has cases. A case that is not named has its factor in `from`, else 0
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
@@ -1061,8 +1064,11 @@ function model:dynamic(options) end
 ---@field duration number s; rounded to whole steps if dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
 ---the run whose state this run begins from, such as rest under gravity. A static run must be finished or stopped first.
----Every such run must have done at least one step. If it failed, its last good state is used
+---Every such run must have done at least one step. If it failed, its last good state is used (see allow_failed)
 ---@field from? hinge.run
+---true: this run may complete although `from` failed, or ended at a limit load or before its load factor. Default
+---false: a run that goes on from such a state counts as failed when it has ended, and run.reason says from which run
+---@field allow_failed? boolean
 ---the load cases that act, as in static_options. Default: those of `from`, with the factors at its end. A case that was
 ---declared after that run must be named
 ---@field loads? table<string|hinge.case, number>|string|hinge.case
@@ -1137,19 +1143,21 @@ function model:dynamic(options) end
 ---@field factor number in statics: the load factor reached
 ---@field index integer number of steps done
 ---@field planned_steps integer
+---a run is as good as the run that it goes on from: it is "failed" at its end if that one failed, or ended at a limit
+---load or before the load factor of its arc length, unless allow_failed = true
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----why the run failed, with the node or element that caused it. For statics with the verdict "completed": a limit load
----or branching point on the way, with unstable = "continue" whether the state at the end is stable, and whether arc
----length stopped short of its load factor. Under plain Lua, a failed run is reported on stderr when the script has
----ended, unless the script has read verdict or reason
+---why the run failed, with the node or element that caused it, or with the run before it that failed. For statics with
+---the verdict "completed": a limit load or branching point on the way, with unstable = "continue" whether the state at
+---the end is stable, and whether arc length stopped short of its load factor. Under plain Lua, a failed run is reported
+---on stderr when the script has ended, unless the script has read verdict or reason
 ---@field reason string
----what the model cannot show, or what the run may have missed, each once. A member of two elements that is compressed
----beyond Euler's load between clamped ends (dynamics; in statics that is an instability). Moments of loads along such a
----member that are more than 5 % too small for its compression (p_delta = "member"): beyond 0.6 of that load, and with
----weight = "nodes" also below. Four elements show both. A free body that spins so fast for the steps of Newmark's
----method that its angle is lost: integrator = "energy-momentum" keeps it. A step of
----static load that moves the structure more than 30 times as far as the same load did at first. Dynamics checks this
----every 100 steps, or 20 times in a short run, and at the end. `hinge run` prints the warnings; they are in
+---what the model cannot show, or what the run may have missed, each once. That the run goes on from one that failed. A
+---member of two elements that is compressed beyond Euler's load between clamped ends (dynamics; in statics that is an
+---instability). Moments of loads along such a member that are more than 5 % too small for its compression (p_delta =
+---"member"): beyond 0.6 of that load, and with weight = "nodes" also below. Four elements show both. A free body that
+---spins so fast for the steps of Newmark's method that its angle is lost: integrator = "energy-momentum" keeps it. A
+---step of static load that moves the structure more than 30 times as far as the same load did at first. Dynamics checks
+---this every 100 steps, or 20 times in a short run, and at the end. `hinge run` prints the warnings; they are in
 ---summary.json
 ---@field warnings string[]
 ---@field energy hinge.energy
@@ -1676,7 +1684,8 @@ function hinge.study(scenario, options) end
 ---@field jobs? integer cases at a time; default: the cores that there are
 ---@field timeout? number s, the most that a case may take
 ---@field memory? number bytes, the most that a case may take beyond what the script has when the study begins
----@field out? string folder, default out/study
+---folder, default out/study. An error if another process writes to it
+---@field out? string
 ---@field resume? boolean keep finished cases whose script, modules, data files and engine are the same; default false
 ---@field restart? boolean run all again, also what the folder holds; default false: an error where it holds cases
 ---@field progress? boolean a line on stderr, default false
@@ -1690,7 +1699,10 @@ function hinge.study(scenario, options) end
 ---"timed out", "out of memory"
 ---@field verdict string
 ---@field reason? string
----@field results table<string, number|string|boolean> what the scenario returned, names in tables joined by dots
+---what the scenario returned, names in tables joined by dots. The names of columns that results.csv has of its own are
+---errors: number, case, verdict, reason, steps, energy_error. So is that of a parameter that varies, if the value is
+---another
+---@field results table<string, number|string|boolean>
 ---@field energy_error? number of the last run, as a part of its largest energy
 ---@field steps? integer of the last run
 ---@field seconds number from start to end

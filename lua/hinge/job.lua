@@ -31,13 +31,16 @@ local function picture_path(where, job, filename, svg)
   return job.out == "" and filename or job.out .. "/" .. filename
 end
 
--- A picture that cannot be drawn (no display, a full disk) is noted; it does not cost the run its results.
+-- A picture that cannot be drawn (no display) or written (a full disk) is noted; it does not cost the run its results.
+-- What could not be written is missed in the folder, so the job as a whole has failed (core.lose).
 local function try(job, what, f, ...)
   if core.planning() then return true end
   local ok, failure = pcall(f, ...)
   if ok then return true end
   if core.error_kind(failure) ~= "outside" then error(failure, 0) end
-  job:note(("%s not drawn: %s"):format(what, tostring(failure)))
+  local text = tostring(failure)
+  if text:find "^cannot write" or text:find "^cannot make folder" then core.lose(("%s: %s"):format(what, text)) end
+  job:note(("%s not drawn: %s"):format(what, text))
   return false
 end
 

@@ -163,8 +163,9 @@ function job:plot(what, choice, filename) end
 ---@param text string
 function job:note(text) end
 
----Sets the verdict of a job of several runs, in place of that of its last run. It is in summary.json, and sets the exit
----status 0 or 1.
+---Sets the verdict of a job of several runs. It is in summary.json, and sets the exit status 0 or 1. Without it the
+---verdict is that of the last run, and "failed" if an earlier run failed and the script has never read how it went. If
+---a picture or a frame could not be written, such as on a full disk, the job has failed in any case.
 ---```lua
 ---local lost = run:count { state = "broken" }
 ---if lost > 0 then job:verdict("failed", lost .. " members broke") else job:verdict "completed" end

@@ -60,7 +60,9 @@ function runner.load(path, overrides, sandbox)
   if not chunk then check.fail("%s", problem) end
   local watched, plain, must_be_read = parameters.of(overrides, path, code)
   about_settings = parameters.all_about_units(overrides)
+  local before = core.script_runs(true)
   local result = chunk(watched)
+  core.script_runs(before)
   about_settings = ""
   if scenario.is(result) then return result end
   return nil, result, plain, must_be_read
@@ -123,16 +125,19 @@ local function own_output(options, used, changed)
   if not options.out then return core.out_dir() end
   local owner = { script = options.script and core.whole_path(options.script), case = options.case,
     parameters = used, changed = changed }
-  return job.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
+  local folder = job.own_output(runner.folder(options, changed), owner, options.out_given ~= nil)
+  core.refuse_locked(folder) -- before hours of work
+  return folder
 end
 
 --- Runs a script and writes its summary. Returns the exit status; see runner.main for the options. One more: scenario,
--- where it is known; the script is not loaded then.
+-- where it is known; the script is not loaded then. And see(results, parameters, scenario or nil), which may object.
 function runner.run(options)
   local settings = parameters.given(options.overrides)
   local this = job.new(own_output(options, settings, settings), options.case)
   job.use(this)
 
+  local before = core.script_runs(true)
   local used
   local loaded, results, plain, must_be_read = options.scenario, nil, nil, nil
   if not loaded then
@@ -148,6 +153,8 @@ function runner.run(options)
     end
     used = plain
   end
+  core.script_runs(before)
+  if options.see then options.see(results, used, loaded) end
   local all_read, unread = pcall(must_be_read or function() end)
   if not all_read then this.whole = { verdict = "failed", reason = tostring(unread) } end
   local verdict, reason = core.write_summary {

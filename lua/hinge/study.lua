@@ -22,6 +22,7 @@ local function new(options)
   local plan, proposed = options.plan, options.propose ~= nil
   local all, varied = {}, {}
   if not proposed then all, varied = vary.cases(plan) end
+  for _, name in ipairs(varied) do tables.check_parameter(name) end
   local self = setmetatable({ options = options, all = all, varied = varied, said = plan.said, script = options.script,
     has_cases = plan.cases ~= nil, proposed = proposed, planned = not proposed and #all or nil, cases = {}, ended = {},
     queue = {}, at = 0, seen = {}, digits = math.max(5, #tostring(#all)) }, Study)
@@ -49,6 +50,8 @@ function Study:open()
   local options = self.options
   local owner = { script = options.script and core.whole_path(options.script), study = self.said }
   self.folder = job.own_output(options.out, owner, options.out_given)
+  -- Tasks of a job array write to cases and journals of their own, so several may be at work, as may --collect.
+  core.lock(self.folder, (options.only ~= nil or options.collect) and not options.restart)
   self.found = journal.read(self.folder)
   local n = #check.keys(self.found)
   if n > 0 and not options.resume and not options.restart then
@@ -119,6 +122,7 @@ function Study:add_proposed(parameters)
   for name in pairs(self.options.fixed or {}) do known[name] = true end
   for _, name in ipairs(self.varied) do known[name] = true end
   for _, name in ipairs(check.keys(parameters)) do
+    tables.check_parameter(name)
     if not known[name] then self.varied[#self.varied + 1] = name end
   end
   self:add(one)
@@ -149,7 +153,7 @@ function Study:next(running)
   self.at = self.at + 1
   return { number = one.number, one = one, folder = self.folder .. "/" .. self:place(one.number),
     resume = options.resume, what = { scenario = options.scenario, script = options.script,
-      case = one.case, overrides = case.overrides(one.parameters) } }
+      case = one.case, overrides = case.overrides(one.parameters), varied = self.varied } }
 end
 
 -- A task of the pool has ended: a case as users and journals see it.
@@ -197,7 +201,7 @@ function study.write(of)
   core.write_json(of.folder .. "/summary.json", {
     verdict = of.interrupted and "stopped" or "completed", hinge = core.version, script = of.script,
     study = of.said, cases = #of.cases, planned = of.planned, verdicts = study.describe(of.cases),
-    quantities = tables.quantities(of.cases), pictures = of.pictures,
+    quantities = tables.columns_of(of), pictures = of.pictures,
   })
 end
 
@@ -251,6 +255,7 @@ function study.run(scenario, options, ...)
   local before, output = job.use(nil), job.current_output()
   local _ <close> = setmetatable({}, { __close = function() -- also after an error: the run has its folder back
     job.use(before)
+    if core.out_dir() ~= output[1] then core.unlock(core.out_dir()) end
     job.restore_output(output)
   end })
   local source = debug.getinfo(scenario.run, "S").source:match "^@(.*)$"

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/doing.h"
+
 namespace hinge {
 
 void DirectFactors::add(int row, int column, const Mat6& block) {
@@ -12,6 +14,7 @@ void DirectFactors::add(int row, int column, const Mat6& block) {
 }
 
 bool DirectFactors::factorise(int nodes) {
+    const Doing doing("a factorisation of the stiffness,", 6L * nodes, "unknowns");
     Eigen::SparseMatrix<double> A(6 * nodes, 6 * nodes);
     A.setFromTriplets(entries_.begin(), entries_.end());
     entries_ = {};

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "beam/tangent.h"
+#include "core/doing.h"
+#include "core/errors.h"
 #include "core/text.h"
 
 namespace hinge {
@@ -84,6 +86,7 @@ struct Inverse {
     Eigen::Index rows() const { return factors.rows(); }
     void set_shift(double) {}  // the factors have it
     void perform_op(const double* x, double* y) const {
+        if (asked_to_end) throw Interrupted("");
         auto out = Vector::Map(y, rows());
         out = factors.solve(Vector::Map(x, rows()));
         if (modes.cols() > 0) out -= modes * (M_modes.transpose() * out);
@@ -101,6 +104,7 @@ std::vector<double> lowest_eigenvalues(const Sparse& K, const Sparse& M, double 
         for (int i = 1; i <= wanted; ++i) found.push_back(1 / solver.eigenvalues()[size - i] - a);
         return found;
     }
+    const Doing doing("the search for natural frequencies,", size, "unknowns");
     const Factors factors(K + a * M);
     Inverse inverse{factors, {}, {}};
     MassProduct mass{M};

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <random>
 
+#include "script/chain.h"
 #include "script/frame_pack.h"
 #include "script/happenings.h"
 #include "script/recording.h"
@@ -139,8 +140,8 @@ void Live::take_shot(const Context& c, const RunRecord& run) {
     State s;
     s.run = run.number;
     s.snapshot = std::make_shared<const output::Snapshot>(script::make_snapshot(*run.run));
-    Json summary = {{"verdict", name(run.run->verdict())}};
-    if (!run.run->reason().empty()) summary["reason"] = run.run->reason();
+    Json summary = {{"verdict", name(script::verdict_of(run))}};
+    if (const std::string reason = script::reason_of(run); !reason.empty()) summary["reason"] = reason;
     if (const Json owner = Json::parse(c.owner, nullptr, false); owner.is_object())
         for (const char* field : {"script", "case", "parameters"})
             if (owner.contains(field)) summary[field] = owner[field];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/doing.h"
 #include "core/errors.h"
 #include "core/rotation.h"
 #include "core/text.h"
@@ -138,6 +139,7 @@ Vec6 Statics::unit_load(std::size_t node) const {
 
 /// `off_balance`: what is out of balance, as a part of the forces at work.
 bool Statics::renew_and_factorise(double off_balance) {
+    if (asked_to_end) throw Interrupted("");  // a static run is done anew
     stages_.timed(stiffness_stage_, [&] {
         std::vector<int> list;
         if (structure_->large() || !built_) {

@@ -49,6 +49,10 @@ public:
     long substeps() const { return substeps_; }  ///< equilibria found: a step that was halved takes several
     long rejected() const { return rejected_; }  ///< tries that found none and were halved
     bool limit() const { return limit_; }        ///< it has ended at a limit load
+    /// Control by arc length has ended before its load factor.
+    bool short_of_target() const {
+        return settings_.control == Control::arc && !at_target_ && verdict_ == Verdict::completed;
+    }
     const StaticSettings& settings() const { return settings_; }
     const std::vector<std::uint8_t>& held() const {
         return held_;

@@ -175,8 +175,10 @@ std::string Statics::limit_point() const {
 std::string Statics::advice_at_end() {
     if (settings_.control == Control::load) {
         const std::string where = limit_point(),
-                          on = "; control by displacement or arc length goes on past it, to_limit = true takes it as "
-                               "the end, and model:dynamic follows what comes after it in time";
+                          on =
+                              "; control by displacement or arc length goes on past it, to_limit = true takes it as "
+                              "the end, and model:dynamic with from = and allow_failed = true follows what comes after "
+                              "it in time";
         return where.empty() ? ": a limit load, a mechanism or a snap" + on : where + on;
     }
     if (settings_.control == Control::arc)

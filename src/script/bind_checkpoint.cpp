@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "core/archive.h"
+#include "core/doing.h"
 #include "core/files.h"
+#include "script/interrupts.h"
 #include "script/kept_values.h"
 #include "run/checkpoint.h"
 
@@ -214,15 +216,15 @@ void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
 void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
     if (!c.interrupted) return;
     if (!c.ends_on_signals) {  // the prompt goes on, and so may the run
-        c.interrupted = 0;
+        asked_to_end = c.interrupted = 0;
         lua_sethook(L, nullptr, 0, 0);
         throw Interrupted("interrupted");
     }
     // the signal stays noted: a script that catches this error is not asked twice
     c.exit_status = 128 + c.interrupted;
-    const std::string where = std::string("interrupted by ") + (c.interrupted == SIGTERM ? "SIGTERM" : "Ctrl-C") +
-                              " after " + place_text(*r.run) + "; ";
+    const std::string where = interrupted_by(c) + std::string(" after ") + place_text(*r.run) + "; ";
     std::string trouble;
+    const Doing doing("writing the checkpoint");
     try {
         if (r.checkpoint) write_checkpoint(L, c, r, r.checkpoint->file);  // first, and with the rows in it
         write_rows(r);
@@ -244,8 +246,10 @@ void keep_if_due(lua_State* L, Context& c, RunRecord& r) {
     try {
         write_checkpoint(L, c, r, r.checkpoint->file);
     } catch (const OutsideError& e) {  // no reason to lose the run
-        std::fprintf(stderr, "%s; %s, the checkpoint before stays as it was\n", e.what(),
-                     r.closed ? "the run is over" : "the run goes on");
+        const std::string text = std::string(e.what()) + (r.closed ? "; the run is over" : "; the run goes on") +
+                                 ", the checkpoint before stays as it was";
+        std::fprintf(stderr, "%s\n", text.c_str());
+        if (std::find(c.warned.begin(), c.warned.end(), text) == c.warned.end()) c.warned.push_back(text);
     }
     r.checkpoint->last = Clock::now();
 }

@@ -4,7 +4,9 @@
 
 #include "core/files.h"
 #include "core/text.h"
+#include "script/chain.h"
 #include "script/events.h"
+#include "script/folder_lock.h"
 #include "script/folders.h"
 #include "script/happenings.h"
 #include "script/summary.h"
@@ -24,7 +26,12 @@ void prepare_folder(const Context& c, const std::string& file) {
             throw InputError("'" + file + "' is outside the output folder " + c.out_dir +
                              "; a script in the sandbox writes nowhere else");
     }
-    if (!folder.empty()) make_folder(folder.string());
+    if (folder.empty()) return;
+    make_folder(folder.string());
+    const fs::path within = fs::path(c.out_dir).lexically_normal(), here = folder.lexically_normal();
+    if (!c.out_dir.empty() &&
+        std::mismatch(within.begin(), within.end(), here.begin(), here.end()).first == within.end())
+        take_lock(c.out_dir);
 }
 
 namespace {
@@ -74,11 +81,21 @@ int write_summary(lua_State* L) {
     };
     if (const auto& r = c->record) {
         const Run& run = *r->run;
-        verdict = run.verdict() == Verdict::running ? "stopped" : name(run.verdict());
+        verdict = run.verdict() == Verdict::running ? "stopped" : name(verdict_of(*r));
         reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : reason_of(*r);
+        if (is_weak(*r)) verdict = "failed", reason = reason_of(*r);
+        if (const std::string other = unasked_failure(*c); verdict != "failed" && !other.empty())
+            verdict = "failed", reason = other;
     }
     if (const Json whole = field("whole"); !whole.is_null())
         verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");
+    if (!c->lost.empty()) {
+        const std::string missing =
+            c->lost.front() + (c->lost.size() > 1 ? "; and " + std::to_string(c->lost.size() - 1) + " more" : "");
+        reason = (verdict == "failed" ? reason + "; " : "") + "not all was written: " + missing;
+        verdict = "failed";
+        j["lost"] = c->lost;
+    }
     j["verdict"] = verdict;
     if (!reason.empty()) j["reason"] = reason;
     for (const char* name : {"script", "case", "parameters"})
@@ -185,6 +202,33 @@ int own_output(lua_State* L) {
     return lua_pushstring(L, c->out_dir.c_str()), 1;
 }
 
+/// core.lock(folder, shared): makes the folder, which this process alone writes to from now on; shared: beside other
+/// tasks of a study, each to cases of its own.
+int lock(lua_State* L) {
+    const char* folder = luaL_checkstring(L, 1);
+    make_folder(folder);
+    take_lock(folder, lua_toboolean(L, 2) ? Share::with_tasks : Share::alone);
+    return 0;
+}
+
+/// core.unlock(folder)
+int unlock(lua_State* L) {
+    leave_lock(luaL_checkstring(L, 1));
+    return 0;
+}
+
+/// core.refuse_locked(folder): an error where another process writes there.
+int refuse_taken(lua_State* L) {
+    refuse_locked(luaL_checkstring(L, 1));
+    return 0;
+}
+
+/// core.lose(text): what the script asked for and could not be written, and why; the job has failed.
+int lose(lua_State* L) {
+    context(L)->lost.emplace_back(luaL_checkstring(L, 1));
+    return 0;
+}
+
 /// core.whole_path(path): from the root, without links.
 int whole_path(lua_State* L) {
     const char* path = luaL_checkstring(L, 1);
@@ -215,6 +259,10 @@ void open_output(lua_State* L, int module) {
                                          {"write_summary", guarded<write_summary>},
                                          {"out_dir", guarded<out_dir>},
                                          {"own_output", guarded<own_output>},
+                                         {"lock", guarded<lock>},
+                                         {"unlock", guarded<unlock>},
+                                         {"refuse_locked", guarded<refuse_taken>},
+                                         {"lose", guarded<lose>},
                                          {"whole_path", guarded<whole_path>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <vector>
 
+#include "core/doing.h"
 #include "core/errors.h"
 #include "core/files.h"
 #include "script/events.h"
@@ -64,11 +65,12 @@ void settle_in(pid_t parent, const char* output, double memory) {
 void forget_runs(Context& c) {
     c.record = nullptr, c.writer = nullptr;
     c.runs = c.histories = c.begun = c.warnings_told = c.looked_over = 0;
-    c.failed.clear(), c.frames.clear(), c.warned.clear(), c.checkpoints.clear();
+    c.failed.clear(), c.frames.clear(), c.warned.clear(), c.checkpoints.clear(), c.lost.clear();
+    c.asked_how.clear();
     c.progress = false, c.events = nullptr;
     c.out_dir.clear(), c.owner.clear();
     c.owner_written = false;
-    c.interrupted = 0;
+    asked_to_end = c.interrupted = 0;
     if (c.onlooker) c.onlooker->forked(), c.onlooker = nullptr;
 }
 

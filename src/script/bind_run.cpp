@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/text.h"
+#include "script/chain.h"
 #include "script/check.h"
 #include "script/happenings.h"
 #include "script/plan.h"
@@ -58,14 +59,6 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     tell_collector(L, 2000 * record->run->structure().elements().size());
     tell_of_run(L);
     return 1;
-}
-
-std::string reason_of(const RunRecord& record) {
-    const std::string& reason = record.run->reason();
-    if (record.run->verdict() != Verdict::failed || !record.of_units) return reason;
-    const Warning& w = *record.of_units;
-    return reason + "; the cause may be what the warning" + (w.asked_at.empty() ? "" : " at " + w.asked_at) +
-           " says: " + w.what;
 }
 
 namespace {
@@ -235,8 +228,8 @@ int fields(lua_State* L) {
     else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
     else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt")
         d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
-    else if (key == "verdict") lua_pushstring(L, name(run.verdict()));
-    else if (key == "reason") lua_pushstring(L, run.reason().c_str());
+    else if (key == "verdict") lua_pushstring(L, name(verdict_of(r)));
+    else if (key == "reason") lua_pushstring(L, (verdict_of(r) == run.verdict() ? run.reason() : reason_of(r)).c_str());
     else if (key == "kind") lua_pushstring(L, run.kind());
     else if (key == "energy") push_energy(L, run);
     else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
@@ -255,6 +248,7 @@ int fields(lua_State* L) {
     else if (key == "warnings") {
         lua_newtable(L);
         int i = 0;
+        if (!r.weak.empty()) lua_pushstring(L, ("goes on from " + r.weak).c_str()), lua_rawseti(L, -2, ++i);
         for (const RunWarning& w : run.warnings())
             lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
     } else if (key == "contacts") {
@@ -363,7 +357,7 @@ int text(lua_State* L) {
         return lua_pushstring(L, (name_of(box) + since).c_str()), 1;
     const Run& run = *box.value->run;
     char t[160];
-    std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(run.verdict()),
+    std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(verdict_of(*box.value)),
                   run.steps_done(), run.planned_steps(), run.state().time);
     return lua_pushstring(L, t), 1;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "script/chain.h"
 #include "script/check.h"
 #include "script/checkpoint.h"
 #include "script/load_warnings.h"
@@ -34,15 +35,6 @@ const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
                        "a " + std::string(run.kind()) + " run that has done " + std::to_string(run.steps_done()) +
                            " of " + std::to_string(run.planned_steps()) + " steps (made at " + record->asked_at + ")",
                        "finish it first with run:finish(), or end it with run:stop() to go on from there");
-        if (run.verdict() == Verdict::failed) {
-            Warning w;
-            w.what = "a run goes on from run " + std::to_string(record->number) +
-                     ", which failed: it has the last good " + "state" +
-                     (is_static ? ", at load factor " + number_text(run.state().factor, 3) : "");
-            w.advice = "look at run.verdict before";
-            w.asked_at = where(L);
-            tell(*context(L), w);
-        }
     }
     lua_pop(L, 1);
     return record;
@@ -210,9 +202,10 @@ void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& 
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
-    o.expect(
-        {"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "hold", "record", "from", "loads"});
+    o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "hold", "record", "from",
+              "allow_failed", "loads"});
     const RunRecord* before = run_before(o, m);
+    Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, true);
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice));
     StaticSettings s;
@@ -257,8 +250,9 @@ int static_run(lua_State* L) {
             "hinge.material a density, or leave gravity out");
     context(L)->running = L;
     try {
-        return make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every,
-                        empty_cases(*m, choice, where(L)));
+        make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every,
+                 empty_cases(*m, choice, where(L)));
+        return chain.keep(L);
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
 }
 
@@ -345,10 +339,12 @@ int dynamic_run(lua_State* L) {
               "step_control",
               "rho_infinity",
               "checkpoint",
+              "allow_failed",
               "loads"});
     const std::string integrator = o.word("integrator", {"newmark", "energy-momentum", "explicit"}, "newmark");
     const bool in_explicit_steps = integrator == "explicit", conserving = integrator == "energy-momentum";
     const RunRecord* before = run_before(o, m);
+    Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, false);
     const auto structure =
         std::make_shared<const Structure>(copy_of(L, *m, choice), in_explicit_steps ? MassKind::lumped
@@ -456,7 +452,7 @@ int dynamic_run(lua_State* L) {
     auto plan = read_checkpoint_plan(o, *m);
     make_run(L, std::move(run), m, every, std::move(doubts));
     find<RunBox>(L, -1)->value->checkpoint = std::move(plan);
-    return 1;
+    return chain.keep(L);
 }
 
 }  // namespace hinge::script

@@ -10,6 +10,7 @@
 #include "core/files.h"
 #include "run/checkpoint.h"
 #include "script/events.h"
+#include "script/folder_lock.h"
 
 namespace hinge::script {
 namespace {
@@ -126,6 +127,7 @@ std::string free_folder(const std::string& wanted, const std::string& owner) {
 void take_folder(Context& c) {
     if (c.out_dir.empty()) return;
     make_folder(c.out_dir);
+    take_lock(c.out_dir);
     if (c.owner.empty() || c.owner_written) return;
     c.owner_written = true;
     Json mine = Json::parse(c.owner);

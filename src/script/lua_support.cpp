@@ -4,6 +4,8 @@
 #include <cctype>
 #include <cstring>
 
+#include "script/interrupts.h"
+
 namespace hinge::script {
 namespace {
 
@@ -50,7 +52,7 @@ void explain_caught(lua_State* L) {
         message = e.what();
         note_error(L, message, "hook");
     } catch (const Interrupted& e) {
-        message = e.what();
+        message = *e.what() ? e.what() : ended_halfway(L);
         note_error(L, message, "interrupted");
     } catch (const OutsideError& e) {
         message = e.what();

@@ -3,6 +3,7 @@
 
 #include "script/bind_hinges.h"
 #include "script/checkpoint.h"
+#include "script/interrupts.h"
 #include "script/module.h"
 #include "script/places.h"
 #include "script/processes.h"
@@ -59,6 +60,7 @@ int open_core(lua_State* L) {
     open_hinges(L, module);
     open_measure(L, module);
     open_processes(L, module);
+    open_interrupts(L, module);
     open_film(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
                                          {"error_kind", guarded<error_kind>},

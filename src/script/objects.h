@@ -57,7 +57,8 @@ struct Context {
     int begun = 0;                                    ///< runs that have taken a step
     std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
     std::set<int> asked_how;                          ///< runs of which the script has read how they went
-    std::size_t unseen = 0;                           ///< bytes that objects took outside Lua since all was collected
+    std::vector<std::string> lost;  ///< pictures, frames and checkpoints that could not be written, and why
+    std::size_t unseen = 0;         ///< bytes that objects took outside Lua since all was collected
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
 bool has_context(lua_State* L);
@@ -199,6 +200,8 @@ struct RunRecord : Recorded {
     std::string asked_at;             ///< the script's line that made the run
     std::vector<Warning> doubts;      ///< likely mistakes that are seen where it is made
     std::optional<Warning> of_units;  ///< of its model: what looks as if it were in another unit
+    std::string weak;                 ///< the run before that did not come to its end (weak_link); "" for none
+    bool weak_allowed = false;        ///< allow_failed = true
     std::string changed;              ///< what was declared first since, and where; "" for nothing
     bool begun = false;               ///< its files are open
     bool stepping = false;            ///< a step is going on: the script's functions may not ask for another
@@ -321,7 +324,7 @@ void open_cases(lua_State* L);
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every,
              std::vector<Warning> doubts = {});
 
-/// Why a run failed, and which warning may tell the cause.
+/// Why a run failed, or the run that it goes on from, and which warning may tell the cause.
 std::string reason_of(const RunRecord& record);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);

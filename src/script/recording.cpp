@@ -6,13 +6,16 @@
 #include <cstring>
 #include <unistd.h>
 
+#include "core/doing.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "script/chain.h"
 #include "script/check.h"
 #include "script/checkpoint.h"
 #include "script/events.h"
 #include "script/folders.h"
 #include "script/happenings.h"
+#include "script/interrupts.h"
 #include "script/onlooker.h"
 #include "script/summary.h"
 
@@ -200,7 +203,7 @@ void show_progress(const Context& c, RunRecord& r, bool last, bool trying = fals
                   {"steps", all},    {"time", r.run->state().time}, {"factor", r.run->state().factor},
                   {"part", share},   {"wall_seconds", wall},        {"energy_error", r.last_energy_share},
                   {"halved", trying}};
-        if (last) j["verdict"] = name(r.run->verdict()), j["reason"] = r.run->reason();
+        if (last) j["verdict"] = name(verdict_of(r)), j["reason"] = reason_of(r);
         write_event(c, last ? "run_ended" : "progress", std::move(j));
         return;
     }
@@ -346,6 +349,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         r.started = true;
         tell_of_beginning(c, r);
     }
+    run_is_under_way(true);
     mind_interrupts(L, *c, r);
     keep_if_due(L, *c, r);
     if (r.closed) return false;
@@ -353,7 +357,12 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     bool more;
     try {
         const InsideStep inside(r, true);
+        const Doing doing(r.run->kind()[0] == 's' ? "a step of the static run" : "a step of the dynamic run");
         more = r.run->advance();
+    } catch (const HookError&) {
+        write_rows(r);
+        if (asked_to_end) throw Interrupted("");  // so did the function of the script
+        throw;
     } catch (...) {
         write_rows(r);
         throw;
@@ -369,7 +378,8 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     if (more && !r.on_step.empty()) call_on_step(L, record);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
-    if (over && r.run->verdict() == Verdict::failed)
+    if (over) run_is_under_way(false);
+    if (over && verdict_of(r) == Verdict::failed)
         c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
                                              (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
                                              ", failed: " + reason_of(r));

@@ -37,6 +37,7 @@ end
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
   if not self.path then return self end
+  core.lock(folder)
   local source = debug.getinfo(run, "S").source
   local content = source:sub(1, 1) == "@" and read(source:sub(2)) or source
   self.mark = core.version .. " " .. core.fingerprint(content)

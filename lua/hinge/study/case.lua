@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local files = require "hinge.study.files"
 local runner = require "hinge.runner"
+local tables = require "hinge.study.table"
 
 local case = {}
 
@@ -29,6 +30,25 @@ local function json(path)
   return text and core.from_json(text) or nil
 end
 
+-- Raises an error where a result has the name of a column that results.csv has for something else.
+local function check_names(results, parameters, scenario, what)
+  local line = scenario and debug.getinfo(scenario.run, "S")
+  local where = line and ("%s:%d"):format(line.short_src, line.linedefined) or what.script
+  local varied = {}
+  for _, name in ipairs(what.varied or {}) do varied[name] = true end
+  for name, value in pairs(flat(results)) do
+    if varied[name] then
+      if value ~= parameters[name] then
+        check.fail("%s: the result '%s' is %s, and the study varies a parameter of that name, which is %s; choose "
+          .. "another name for the result", where, name, check.show(value), check.show(parameters[name]))
+      end
+    elseif tables.own[name] then
+      check.fail("%s: the result '%s' has the name of a column that results.csv has of its own; choose another name "
+        .. "than %s", where, name, table.concat(check.keys(tables.own), ", "))
+    end
+  end
+end
+
 --- Makes the folder ready: what an earlier try has left there says nothing about this one.
 function case.prepare(folder)
   core.write_text(folder .. "/output.txt", "")
@@ -36,12 +56,14 @@ function case.prepare(folder)
 end
 
 --- Runs one case into `folder`, as hinge run does, and writes case.json, the files that it has read. what: scenario, or
--- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }). Returns the exit
--- status of the process.
+-- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }), varied (names).
+-- Returns the exit status of the process.
 function case.run(what, folder)
   local status = runner.guard(function()
     local result = runner.run { scenario = what.scenario, script = what.script, case = what.case,
-      overrides = what.overrides, out = folder, out_given = true }
+      overrides = what.overrides, out = folder, out_given = true, see = function(results, parameters, scenario)
+        check_names(results, parameters, scenario, what)
+      end }
     if result == 0 then core.drop_checkpoints() end
     return result
   end)
@@ -56,6 +78,8 @@ function case.outcome(folder, ended)
     energy_error = summary.energy_error, steps = summary.steps, files = (json(folder .. "/case.json") or {}).files }
   if ended.late then
     kept.verdict, kept.reason = "timed out", ("stopped after %g s"):format(ended.late)
+  elseif ended.kind == "signal" and ended.stopped then
+    kept.verdict, kept.reason = "interrupted", nil
   elseif ended.kind == "signal" then
     kept.verdict, kept.reason = "crashed", ("ended by signal %d"):format(ended.code)
   elseif said:find("not enough memory", 1, true) then
@@ -67,6 +91,9 @@ function case.outcome(folder, ended)
     for line in said:gmatch "hinge: ([^\n]*)" do kept.reason = line end
   end
   if kept.reason == "" then kept.reason = nil end
+  if kept.verdict == "completed" or kept.verdict == "stopped" then -- runs whose failure the script knows of
+    kept.reason = kept.reason or (summary.failed_runs or {})[1]
+  end
   return kept
 end
 

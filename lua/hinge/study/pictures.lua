@@ -124,7 +124,7 @@ end
 --- Rank correlations: { { quantity =, parameter =, correlation = }, ... } of all numbers with all numeric parameters.
 function pictures.correlations(of)
   local list = {}
-  for _, quantity in ipairs(tables.quantities(of.cases)) do
+  for _, quantity in ipairs(tables.columns_of(of)) do
     for _, axis in ipairs(numeric(of)) do
       local x, y = {}, {}
       for _, c in ipairs(of.cases) do
@@ -185,9 +185,12 @@ function pictures.draw(of)
     end
     local good, problem = pcall(core.write_plot, plot, of.folder .. "/" .. name)
     if good then names[#names + 1] = name
-    else of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem)) end
+    else
+      of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem))
+      if tostring(problem):find "^cannot write" then of.lost = of.lost or of.notes[#of.notes] end
+    end
   end
-  for _, quantity in ipairs(tables.quantities(known.cases)) do
+  for _, quantity in ipairs(tables.columns_of(known)) do
     if #axes == 0 then draw(by_name(known, quantity), file_name(quantity .. ".png")) end
     local truth = false
     for _, c in ipairs(known.cases) do truth = truth or type(c.results[quantity]) == "boolean" end
@@ -213,7 +216,7 @@ function pictures.draw(of)
       by[one.quantity] = by[one.quantity] or {}
       table.insert(by[one.quantity], one)
     end
-    for _, quantity in ipairs(tables.quantities(known.cases)) do
+    for _, quantity in ipairs(tables.columns_of(known)) do
       if by[quantity] then
         draw(sensitivity(quantity, by[quantity]), file_name("sensitivity-" .. quantity .. ".png"))
       end

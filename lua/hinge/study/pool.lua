@@ -1,6 +1,7 @@
 -- Cases in processes of their own, several at a time.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
+local check = require "hinge.check"
 
 local pool = {}
 
@@ -9,12 +10,19 @@ local pool = {}
 -- nil. Returns true, or false where a signal ended it: what was under way has been stopped then.
 function pool.run(next, done, tick, options)
   local running, count, more = {}, 0, true
+  local script = core.script_runs(false) -- signals are looked for here
 
   local function start(task)
+    local free, problem = pcall(core.lock, task.folder) -- the case's process has the lock until its end
+    if not free then
+      done(task, { verdict = "wrong", reason = tostring(problem), results = {}, seconds = 0 })
+      return
+    end
     case.prepare(task.folder)
     task.began = core.clock()
     local process = core.start(function() return case.run(task.what, task.folder) end,
       task.folder .. "/output.txt", options.memory or 0, task.resume)
+    core.unlock(task.folder)
     running[process] = task
     count = count + 1
   end
@@ -24,7 +32,8 @@ function pool.run(next, done, tick, options)
     if not task then return end
     running[process] = nil
     count = count - 1
-    local outcome = case.outcome(task.folder, { kind = kind, code = code, late = task.late })
+    local outcome = case.outcome(task.folder, { kind = kind, code = code, late = task.late,
+      stopped = task.stopped })
     outcome.seconds, outcome.memory = core.clock() - task.began, memory
     done(task, outcome)
   end
@@ -44,7 +53,10 @@ function pool.run(next, done, tick, options)
       local task = next(count)
       if task then start(task) else more = false end
     end
-    if count == 0 and not more then return true end
+    if count == 0 and not more then
+      core.script_runs(script)
+      return true
+    end
     local process, kind, code, memory = core.wait(0.1)
     if process == "interrupted" then break end
     if process then
@@ -56,7 +68,14 @@ function pool.run(next, done, tick, options)
   end
 
   -- A signal came: what is under way writes its checkpoints, where it names some, and ends.
-  for process in pairs(running) do core.kill(process, true) end
+  if count > 0 then
+    io.stderr:write(("hinge: interrupted: waits at most 10 s for %s under way; once more ends it at once\n"):format(
+      check.count(count, "case")))
+  end
+  for process, task in pairs(running) do
+    task.stopped = true
+    core.kill(process, true)
+  end
   local until_then = core.clock() + 10
   while count > 0 do
     local process, kind, code, memory = core.wait(0.1, true)
@@ -65,6 +84,7 @@ function pool.run(next, done, tick, options)
       for left in pairs(running) do core.kill(left, false) end
     end
   end
+  core.script_runs(script)
   return false
 end
 

@@ -111,11 +111,15 @@ local function show(of, options)
   print("written to " .. of.folder)
 end
 
--- 0 if all cases have an answer, 1 if some have not, 3 after an interruption.
+-- 0 if all cases have an answer, 1 if some have not or a picture could not be written, 3 after an interruption.
 local function status_of(of)
   if of.interrupted then
     io.stderr:write("hinge: interrupted; the same command with --resume goes on\n")
     return 3
+  end
+  if of.lost then
+    io.stderr:write(("hinge: not all was written: %s\n"):format(of.lost))
+    return 1
   end
   for _, c in ipairs(of.cases) do
     if not case.finished(c.verdict) then return 1 end

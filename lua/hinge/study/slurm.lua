@@ -80,6 +80,7 @@ function slurm.submit(options, total)
   end
   core.own_output(options.out, { script = core.whole_path(options.script), study = table.concat(options.words, " ") },
     true)
+  core.lock(options.out, true)
   core.write_text(path, text)
   local pipe = io.popen(submit .. " 2>&1")
   local said = pipe:read "a"

@@ -21,6 +21,28 @@ local function csv(value)
   return text:find '[,"\n\r]' and '"' .. text:gsub('"', '""') .. '"' or text
 end
 
+-- What results.csv has of its own. The last two give way to a parameter of that name, and are then run.steps and
+-- run.energy_error.
+tables.own = { number = true, case = true, verdict = true, reason = true, steps = true, energy_error = true }
+
+--- Raises an error for a parameter that no study can vary: results.csv has a column of that name for something else.
+function tables.check_parameter(name)
+  if not tables.own[name] or name == "steps" or name == "energy_error" then return end
+  check.fail("a study cannot vary a parameter named '%s': results.csv has a column of that name; rename the parameter "
+    .. "(number, case, verdict and reason are taken)", name)
+end
+
+--- The names of results that have columns of their own: a result with the name of a parameter that varies is that
+-- parameter. And what varies, as a set.
+function tables.columns_of(study)
+  local varied, names = {}, {}
+  for _, name in ipairs(study.varied) do varied[name] = true end
+  for _, name in ipairs(tables.quantities(study.cases)) do
+    if not varied[name] then names[#names + 1] = name end
+  end
+  return names, varied
+end
+
 --- The names of all numbers, words and truths that cases returned, in alphabetical order.
 function tables.quantities(cases)
   local seen = {}
@@ -33,13 +55,15 @@ end
 --- results.csv: a row a case, in their order: number, case, what varied, verdict, what was returned, energy error,
 -- steps, reason. times.csv has what differs from one computer to another: seconds and memory.
 function tables.write(write, study)
-  local quantities = tables.quantities(study.cases)
+  local quantities, varied = tables.columns_of(study)
   local head = { "number" }
   if study.has_cases then head[#head + 1] = "case" end
   table.move(study.varied, 1, #study.varied, #head + 1, head)
   head[#head + 1] = "verdict"
   table.move(quantities, 1, #quantities, #head + 1, head)
-  table.move({ "energy_error", "steps", "reason" }, 1, 3, #head + 1, head)
+  for _, name in ipairs { "energy_error", "steps", "reason" } do
+    head[#head + 1] = (varied[name] and "run." or "") .. name
+  end
   for i, name in ipairs(head) do head[i] = csv(name) end
   local rows, times = { table.concat(head, ",") }, { "number,seconds [s],memory [bytes]" }
   for _, c in ipairs(study.cases) do
@@ -95,7 +119,7 @@ function tables.lines(study, width)
   if study.has_cases then first[2] = column("case", cases, function(c) return c.case end) end
   local results, varied = {}, {}
   local function add(list, c) table.insert(c.same and constants or list, c) end
-  for _, name in ipairs(tables.quantities(cases)) do
+  for _, name in ipairs((tables.columns_of(study))) do
     add(results, column(name, cases, function(c) return c.results[name] end))
   end
   for _, name in ipairs(study.varied) do add(varied, column(name, cases, function(c) return c.parameters[name] end)) end
