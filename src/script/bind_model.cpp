@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "script/objects.h"
+#include "script/size_notice.h"
 
 namespace hinge::script {
 
@@ -198,6 +199,7 @@ int add_member(lua_State* L) {
         o.complain("group", "'" + *twice + "' twice", "give each group once");
     if (fresh.empty()) {
         const int index = accept(L, *m, std::move(data));
+        tell_members(*context(L), m->members().size());
         push_handle<MemberBox>(L, m, index);
         return 1;
     }
@@ -205,6 +207,7 @@ int add_member(lua_State* L) {
     std::vector<int> names = data.groups;
     data.groups.clear();
     const int index = accept(L, *m, data);
+    tell_members(*context(L), m->members().size());
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);
     push_handle<MemberBox>(L, m, index);

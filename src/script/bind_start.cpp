@@ -12,6 +12,7 @@
 #include "run/dynamics.h"
 #include "algebra/stable_step.h"
 #include "script/element_count.h"
+#include "script/size_notice.h"
 #include "core/text.h"
 #include "run/statics.h"
 
@@ -47,6 +48,7 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadCho
     auto copy = std::make_shared<Model>(m);
     context(L)->running = L;
     decide_elements(*copy);
+    tell_size(*context(L), *copy);
     copy->choose(choice);
     if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
     look_over(*context(L), *copy);
@@ -249,6 +251,7 @@ int static_run(lua_State* L) {
             "model:static: the model has gravity, and nothing in it has mass: all densities are 0 kg/m^3; give "
             "hinge.material a density, or leave gravity out");
     context(L)->running = L;
+    weigh_static(*context(L), *structure, s.steps);
     try {
         make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every,
                  empty_cases(*m, choice, where(L)));
@@ -446,6 +449,7 @@ int dynamic_run(lua_State* L) {
     for (Warning& w :
          lone_velocities(*structure, start, before ? &before->run->structure().model() : nullptr, where(L)))
         doubts.push_back(std::move(w));
+    weigh_dynamic(*context(L), *structure);
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));

@@ -52,6 +52,16 @@ std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* 
     return row + '\n';
 }
 
+std::string duration_text(double s) {
+    const long whole = std::lround(s);
+    const auto two = [](long a, const char* large, long b, const char* small) {
+        return std::to_string(a) + large + (b > 0 ? " " + std::to_string(b) + small : "");
+    };
+    if (whole < 120) return std::to_string(whole) + " s";
+    return whole < 7200 ? two(whole / 60, " min", whole % 60, " s")
+                        : two(whole / 3600, " h", whole % 3600 / 60, " min");
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -176,17 +186,6 @@ const char* line_start() { return on_screen() ? "\r\033[K" : ""; }
 
 /// 1234, 12, 1.2, 0.12
 std::string rate_text(double v) { return v >= 9.5 ? number_text(std::round(v)) : number_text(v, 2); }
-
-/// 12 s, 3 min 20 s, 2 h 5 min
-std::string duration_text(double s) {
-    const long whole = std::lround(s);
-    const auto two = [](long a, const char* large, long b, const char* small) {
-        return std::to_string(a) + large + (b > 0 ? " " + std::to_string(b) + small : "");
-    };
-    if (whole < 120) return std::to_string(whole) + " s";
-    return whole < 7200 ? two(whole / 60, " min", whole % 60, " s")
-                        : two(whole / 3600, " h", whole % 3600 / 60, " min");
-}
 
 /// How far a run is; `trying`: a static run is within a step that is halved, and has found no equilibrium there yet.
 void show_progress(const Context& c, RunRecord& r, bool last, bool trying = false) {

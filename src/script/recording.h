@@ -15,4 +15,7 @@ int run_history(lua_State* L);  ///< core.run_history(run): what has been kept
 /// `lost`: of this moment, with probes that are not numbers; null: of the state.
 std::string history_row(const RunRecord& record, const Energy& energy, const LostBalance* lost = nullptr);
 
+/// 12 s, 3 min 20 s, 2 h 5 min
+std::string duration_text(double s);
+
 }  // namespace hinge::script
