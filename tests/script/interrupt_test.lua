@@ -61,11 +61,12 @@ expect(results.ok == false and results.why:find "scene.lua:2: interrupted by SIG
 -- What cannot be left is named, and the second signal ends it.
 status, complaint = run(signals { { 0.2, "TERM" }, { 1.6, "TERM" } }
   .. "coroutine.wrap(function() while true do end end)()\n")
-expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once more "
-  .. "ends it at once\n", 1, true), "a coroutine: %s", complaint)
+expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once "
+  .. "more ends it at once\n", 1, true), "a coroutine: %s", complaint)
 expect(tostring(status):find "signal 15" or status == 143, "a coroutine: status %s", status)
 status, complaint = run(bar .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
-  .. "run:on_step(function() while true do end end)\n" .. signals { { 0.2, "INT" }, { 1.6, "INT" } } .. "run:finish()\n")
+  .. "run:on_step(function() while true do end end)\n" .. signals { { 0.2, "INT" }, { 1.6, "INT" } }
+  .. "run:finish()\n")
 expect(complaint:find("hinge: Ctrl-C: it ends after the step of the run that is under way; once more ends it at "
   .. "once\n", 1, true), "a function of a step: %s", complaint)
 expect(tostring(status):find "signal 2" or status == 130, "a function of a step: status %s", status)
