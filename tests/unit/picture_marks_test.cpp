@@ -219,12 +219,12 @@ TEST_CASE("a value of a diagram stands once where members go on in each other, a
     first.Mx[0] = second.Mx[1] = 3.9e4, first.Mx[1] = second.Mx[0] = 4e4;
     const long one = words();
     second.member = 2;
-    CHECK(std::abs(words() - one) < 40);  // pixels; a second number has more
+    CHECK(std::abs(words() - one) < 8);  // pixels; a second number has more
     // A member whose moments are zero but for rounding has no number, whatever the sign of what is left.
     second.Mx[0] = second.Mx[1] = 9e-9;
     const long same_sign = words();
     second.Mx[1] = -8e-9;
-    CHECK(words() - same_sign < 40);
+    CHECK(words() - same_sign < 8);
 }
 
 TEST_CASE("f_y has its colours along the element", "[output]") {
