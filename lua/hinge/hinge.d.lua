@@ -1340,6 +1340,7 @@ function run:on_step(callback) end
 ---@return hinge.probe
 function run:probe(options) end
 
+---time and value are lists of what was recorded up to the moment when they are read.
 ---@class hinge.probe
 ---@field time number[] s; in statics the load factor
 ---@field value number[]

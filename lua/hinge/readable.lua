@@ -23,6 +23,7 @@ function readable(value, indent, outer)
   if type(value) == "string" then return ("%q"):format(value):gsub("\\\n", "\\n") .. "" end
   local meta = type(value) == "table" and debug.getmetatable(value)
   if type(value) ~= "table" or meta and (meta.__tostring or meta.__name) then return tostring(value) end
+  if meta and meta.__pairs then pairs(value) end -- a list that is filled only then
   if outer[value] or #outer >= deepest then return "{...}" end
   outer[#outer + 1], outer[value] = value, true
   local items, total, keys = {}, 0, {}

@@ -505,11 +505,8 @@ bool Statics::advance() {
             most_modes_ = modes;
             if (ends_at_limit) {
                 if (stable > 0 && try_step(stable) == Found::stable) commit(before);
-                end_at_limit(
-                    instability_text(),
-                    ". Beyond it load control finds equilibria that cannot be held; give the structure a small "
-                    "imperfection and control by displacement or arc length, or follow it in time with "
-                    "model:dynamic; unstable = 'continue' goes on all the same");
+                const std::string text = instability_text();
+                end_at_limit(text, advice_at_end());
                 break;
             }
             instability_->count = modes - modes_at_start_;

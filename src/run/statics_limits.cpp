@@ -171,15 +171,52 @@ std::string Statics::limit_point() const {
     return text;
 }
 
-/// No equilibrium is found from where the state is: why that may be, and what can be done about it.
+/// No equilibrium is found from where the state is, or only one that cannot be held: why that may be, and what can be
+/// done about it. Under load control that is the first of other kinds of control that goes on from there: by the
+/// displacement that gives way, or by arc length.
 std::string Statics::advice_at_end() {
     if (settings_.control == Control::load) {
-        const std::string where = limit_point(),
-                          on =
-                              "; control by displacement or arc length goes on past it, to_limit = true takes it as "
-                              "the end, and model:dynamic with from = and allow_failed = true follows what comes after "
-                              "it in time";
-        return where.empty() ? ": a limit load, a mechanism or a snap" + on : where + on;
+        if (settings_.to_limit && substeps_ > 0) return {};  // it has what it asked for
+        const bool unstable = instability_ && !settings_.past_unstable;
+        const int nodes = int(structure_->model().nodes().size());
+        int node = -1, component = 0;
+        double most = 0;
+        // where it is unstable and as stiff as ever, nothing leads from its path to another: a branching point
+        const bool branches = unstable && !(softness() > soft * first_softness_);
+        if (unstable && instability_->node < nodes && instability_->component < 3)
+            node = instability_->node, component = instability_->component;
+        for (int i = 0; node < 0 && !branches && i < nodes; ++i)
+            for (int c = 0; c < 3; ++c)
+                if (const double size = std::abs(response_[std::size_t(i)][c]); std::isfinite(size) && size > most)
+                    most = size, node = i, component = c;
+        const std::string where =
+            unstable ? ". Beyond it load control finds equilibria that cannot be held" : limit_point();
+        if (unstable && instability_->node < 0) return where;  // instability_text says what shows it
+        const std::string what = where.empty() ? ": a limit load, a mechanism or a snap" : where;
+        const StaticSettings asked = settings_;
+        const double way = way_, arc = last_arc_, begun = state_.factor;
+        const auto arrives = [&](Control control) {
+            settings_.control = control;
+            return try_step(1) != Found::nothing && std::abs(trial_factor_ - begun) <= std::max(1.0, std::abs(begun));
+        };
+        std::string on;
+        if (node >= 0) {
+            settings_.node = node, settings_.component = component;
+            const double along = response_[std::size_t(node)][component] < 0 ? -1 : 1;
+            for (const double part : {1e-3, 1e-4, 1e-5}) {
+                way_ = along * part * reach_;
+                if (!on.empty() || !arrives(Control::displacement)) continue;
+                on = std::string("control by ") + component_name(component) + " of " + structure_->node_name(node) +
+                     " goes on past it: tried over " + number_text(1e3 * part * reach_, 2) + " mm";
+            }
+        }
+        last_arc_ = 0;
+        if (on.empty() && !branches && arrives(Control::arc)) on = "control by arc length goes on past it: tried";
+        if (on.empty() && branches)
+            on = "a small load that moves it that way, as an imperfection, shows how it gives way";
+        settings_ = asked, way_ = way, last_arc_ = arc;
+        if (on.empty()) on = "model:dynamic with from = and allow_failed = true follows what comes after it in time";
+        return what + "; " + on;
     }
     if (settings_.control == Control::arc)
         return ": the path turns too sharply or ends there; more steps make a shorter arc";

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "output/plot.h"
+#include "script/probe_list.h"
 #include "script/picture_module.h"
 #include "script/recording.h"
 
@@ -71,6 +72,7 @@ std::vector<double> read_values(Options& o, const char* name) {
     lua_State* L = o.L();
     std::vector<double> values;
     if (o.push_field(name) != LUA_TTABLE) o.complain(name, show(L, -1), "must be a list of numbers");
+    fill_probe_list(L, -1);
     for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n; ++i) {
         values.push_back(lua_rawgeti(L, -1, i) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan(""));
         lua_pop(L, 1);
@@ -85,6 +87,7 @@ std::vector<std::string> read_texts(Options& o, const char* name) {
     std::vector<std::string> texts;
     const int type = o.push_field(name);
     if (type != LUA_TTABLE && type != LUA_TNIL) o.complain(name, show(L, -1), "must be a list of texts");
+    fill_probe_list(L, -1);
     for (lua_Integer i = 1, n = type == LUA_TTABLE ? lua_rawlen(L, -1) : 0; i <= n; ++i) {
         const int item = lua_rawgeti(L, -1, i);
         texts.push_back(item == LUA_TSTRING ? lua_tostring(L, -1) : item == LUA_TNUMBER ? show(L, -1) : std::string());
@@ -214,6 +217,7 @@ lua_Integer each_item(Options& o, const char* name, bool may_be_absent, const ch
     lua_State* L = o.L();
     const int type = o.push_field(name);
     if (type != LUA_TTABLE && !(may_be_absent && type == LUA_TNIL)) o.complain(name, show(L, -1), allowed);
+    fill_probe_list(L, -1);
     const lua_Integer n = type == LUA_TTABLE ? lua_Integer(lua_rawlen(L, -1)) : 0;
     for (lua_Integer i = 1; i <= n; ++i) {
         lua_rawgeti(L, -1, i);

@@ -8,6 +8,7 @@
 #include "script/check.h"
 #include "script/happenings.h"
 #include "script/plan.h"
+#include "script/probe_list.h"
 #include "script/recording.h"
 #include "script/snapshot.h"
 
@@ -365,10 +366,8 @@ int text(lua_State* L) {
 int probe_fields(lua_State* L) {
     const std::string key = key_argument(L);
     const Probe& p = *self<ProbeBox>(L, "probe." + key).value;
-    if (key == "time" || key == "value") {
-        const auto& v = key == "time" ? p.time : p.value;
-        push_array(L, v.data(), int(v.size()));
-    } else if (key == "name") lua_pushstring(L, p.name.c_str());
+    if (key == "time" || key == "value") return push_probe_list(L, key == "time");
+    if (key == "name") lua_pushstring(L, p.name.c_str());
     else if (key == "unit") lua_pushstring(L, unit_of(p));
     else if (key == "last") lua_pushnumber(L, p.value.back());
     else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));

@@ -1,5 +1,7 @@
 #include "script/events.h"
 
+#include "script/probe_list.h"
+
 #include <cmath>
 
 namespace hinge::script {
@@ -26,6 +28,7 @@ Json to_json(lua_State* L, int index, int depth) {
         default: return nullptr;
     }
     if (depth > 16 || !lua_checkstack(L, 4)) return "...";
+    fill_probe_list(L, index);
     if (const lua_Integer n = lua_rawlen(L, index); n > 0) {
         Json list = Json::array();
         for (lua_Integer i = 1; i <= n; ++i) {

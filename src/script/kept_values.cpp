@@ -1,6 +1,7 @@
 #include "script/kept_values.h"
 
 #include "core/archive.h"
+#include "script/probe_list.h"
 
 namespace hinge::script {
 namespace {
@@ -36,6 +37,7 @@ void pack(Writer& write, lua_State* L, int index, const std::string& what, int d
     if (depth > deepest || !lua_checkstack(L, 4))
         throw InputError(what + " is nested too deep to be kept; does a table hold itself?");
     write(Tag::table);
+    fill_probe_list(L, index);
     lua_pushnil(L);
     while (lua_next(L, index)) {
         const int kind = lua_type(L, -2);

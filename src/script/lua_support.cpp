@@ -1,5 +1,7 @@
 #include "script/lua_support.h"
 
+#include "script/probe_list.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstring>
@@ -160,6 +162,7 @@ int taking(lua_State* L, const char* name, int most, Body body) {
 
 lua_Integer list_length(lua_State* L, int index, const std::string& what) {
     index = lua_absindex(L, index);
+    fill_probe_list(L, index);
     const lua_Integer n = lua_Integer(lua_rawlen(L, index));
     lua_Integer found = 0;
     lua_pushnil(L);
