@@ -79,7 +79,9 @@ function allowed(rule)
   elseif kind == "numbers" then
     text = (rule.count or "two or more") .. " " .. number .. "s in braces, each"
   else
-    return ({ string = "a string", boolean = "true or false", table = "a table", ["function"] = "a function",
+    return ({ string = "a string",
+      hinges = "true, false or a list of run:hinges that was given a limit", boolean = "true or false",
+      table = "a table", ["function"] = "a function",
       section = "a section, such as hinge.section.box{...} gives",
       material = "a material, made by hinge.material{...}" })[kind]
   end
@@ -121,6 +123,7 @@ local function good(value, rule)
   end
   local mark = ({ section = "area", material = "E" })[kind]
   if mark then return (type(value) == "userdata" or type(value) == "table") and type(value[mark]) == "number" end
+  if kind == "hinges" then return type(value) == "boolean" or require "hinge.hinges".can_be_drawn(value) end
   if type(value) ~= kind then return false end
   return not rule.one_of or among(value, rule.one_of)
 end

@@ -247,6 +247,24 @@ function hinges.leave()
   if #list > 0 then core.write_text(path, csv(list)) elseif is_there(path) then os.remove(path) end
 end
 
+-- Pictures ------------------------------------------------------------------------------------------------------------
+
+--- Whether a value is what run:hinges gives, with limits to draw.
+function hinges.can_be_drawn(value)
+  return type(value) == "table" and getmetatable(value) == List and value.beyond ~= nil
+end
+
+--- What a picture takes of a list: { { element =, end =, ratio = }, ... }.
+function hinges.marks(list)
+  local marks = {}
+  for _, hinge in ipairs(list) do
+    if hinge.ratio then
+      marks[#marks + 1] = { element = hinge.element, ["end"] = hinge["end"], ratio = hinge.ratio }
+    end
+  end
+  return marks
+end
+
 core.add_run_method("hinges", of_run)
 
 return hinges

@@ -2,6 +2,7 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local history = require "hinge.history"
+local hinges = require "hinge.hinges"
 local view_rules = require "hinge.view".rules
 
 local Job = {}
@@ -13,6 +14,15 @@ local function named(job, what) return (job.prefix or "job:") .. what end
 
 local function new(out, case)
   return setmetatable({ out = out, case = case, notes = {} }, Job)
+end
+
+-- A view as the picture module takes it, and what it shows of hinges: a list of run:hinges, or false.
+local function view_of(where, view)
+  view = check.options(where, view, view_rules)
+  if not hinges.can_be_drawn(view.hinges) then return view, false end
+  local list = view.hinges
+  view.hinges = true
+  return view, hinges.marks(list)
 end
 
 local function must_be_run(where, run)
@@ -56,12 +66,14 @@ end
 function Job:picture(run, view, filename, ...)
   check.no_more(named(self, "picture"), ...)
   must_be_run(named(self, "picture"), run)
-  view = check.options(named(self, "picture"), view, view_rules)
+  local marks
+  view, marks = view_of(named(self, "picture"), view)
   if filename == nil then
     self.unnamed = (self.unnamed or 0) + 1
     filename = self.unnamed == 1 and "picture.png" or ("picture-%d.png"):format(self.unnamed)
   end
-  try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename))
+  try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename),
+    marks)
 end
 
 --- Draws snapshots side by side into one PNG picture: { { run or snapshot, view }, ... }, `columns` in a row.
@@ -69,15 +81,16 @@ function Job:strip(snapshots, columns, filename, ...)
   check.no_more(named(self, "strip"), ...)
   check.value(named(self, "strip"), "snapshots", snapshots, { "table" })
   check.value(named(self, "strip"), "columns", columns, { "number", whole = true, above = 0 })
-  local pictures, views = {}, {}
+  local pictures, views, marks = {}, {}, {}
   for i, item in ipairs(snapshots) do
     must_be_run(named(self, "strip"), item[1])
     pictures[i] = item[1].snapshot and item[1]:snapshot() or item[1]
-    views[i] = check.options(named(self, "strip"), item[2], view_rules)
+    views[i], marks[i] = view_of(named(self, "strip"), item[2])
   end
   if #pictures == 0 then check.fail("%s: snapshots is empty; must be { { run:snapshot(), view }, ... }",
     named(self, "strip")) end
-  try(self, filename, core.write_strip, pictures, views, columns, picture_path(named(self, "strip"), self, filename))
+  try(self, filename, core.write_strip, pictures, views, columns, picture_path(named(self, "strip"), self, filename),
+    marks)
 end
 
 --- Draws curves into a PNG or SVG picture in the output folder: a plot, or what a run recorded.

@@ -16,7 +16,7 @@ view.rules = {
   ghost = { "boolean", optional = true },
   supports = { "boolean", optional = true },
   ground = { "boolean", optional = true },
-  hinges = { "boolean", optional = true },
+  hinges = { "hinges", optional = true },
   loads = { "boolean", optional = true },
   labels = { "boolean", also = { "nodes", "members" }, optional = true },
   leave_out_broken = { "boolean", optional = true },

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "output/hinge_marks.h"
 #include "output/symbols.h"
 #include "output/words.h"
 
@@ -92,7 +93,13 @@ std::vector<Entry> legend(const Told& told, int dots) {
     }
     if (told.broken && !view.leave_out_broken && view.show != Show::nothing)
         entries.push_back({"fractured", class_colours[broken_class], 4.4, 0.7});
-    if (told.dot_unit > 0)
+    if (told.dot_unit > 0 && is_compared(told.snapshot)) {
+        for (int band = 1; band <= hinge_bands && dots > 0; ++band) {
+            const double of_limit = 0.5 * band * (band == hinge_bands ? 4.0 / 3 : 1);
+            entries.push_back({hinge_band_names[band - 1], band_colour(band), band == 2 ? 6.8 : 5.0,
+                               band == 1 ? 1.4 : 0, dot_radius(0.2 * of_limit / most_of_limit, told.dot_unit)});
+        }
+    } else if (told.dot_unit > 0)
         for (const double rotation : {0.01, 0.05, 0.2}) {
             if (dots == 0 || (dots == 1 && rotation != 0.2)) continue;
             char text[32];
@@ -147,7 +154,8 @@ void draw_legend(Pen& pen, const Told& told, double em) {
         pen.text(middle, foot + 0.4 * em, e.text, text);
         x += wide;
     }
-    if (dots >= 0) pen.text(dots, foot + 0.4 * em, "plastic rotation", {.size = 0.85 * em * std::max(fit, 0.75)});
+    const char* const what = is_compared(told.snapshot) ? "rotation against the limit" : "plastic rotation";
+    if (dots >= 0) pen.text(dots, foot + 0.4 * em, what, {.size = 0.85 * em * std::max(fit, 0.75)});
 }
 
 /// In the lower left corner, below the structure.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/hinge_marks.h"
 #include "output/mesh.h"
 
 namespace hinge::output {
@@ -48,14 +49,19 @@ Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double
     Mesh dots(camera.target), rims(camera.target);
     for (const DrawnBar& bar : bars) {
         if (bar.bar->state == BarState::broken || !bar.bar->hinges) continue;
+        const bool compared = bar.bar->hinges & hinges_compared;
         const auto dot_at = [&](double t, double rotation) {
+            const int band = compared ? band_at(*bar.bar, t == 1 ? 2 : 1) : 0;
+            if (compared && band == 0) return;
+            if (compared) rotation *= largest_rotation / most_of_limit;  // of its limit
+            const Colour& colour = compared ? band_colour(band) : class_colours[plastic_class];
             const double pixel = camera.pixel_at(bar.at(t)), radius = dot_radius(rotation, unit) * pixel;
             // Beside the node, so that each of the members that meet there shows its own; before the member itself.
             const double inward = std::min(radius / bar.length(), 0.5);
             const double section = std::hypot(bar.shape.width, bar.shape.depth) / 2;
             const Vec p = camera.nearer(bar.at(t == 0 ? inward : t == 1 ? 1 - inward : t), section + radius);
             const int sides = radius > 8 * pixel ? 20 : 10;
-            add_ball(dots, p, radius, sides, class_colours[plastic_class]);
+            add_ball(dots, p, radius, sides, colour);
             add_ball(rims, p, radius + 1.3 * pixel, sides, ink);
         };
         if (bar.bar->hinges & 1) dot_at(0, bar.bar->rotation[0]);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "output/film.h"
+#include "output/hinge_marks.h"
 #include "script/picture_module.h"
 #include "script/view.h"
 
@@ -35,36 +36,66 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-/// core.write_picture(snapshot, view, path)
+/// The snapshot with what run:hinges said of its hinges, { { element =, end =, ratio = }, ... } at that place of the
+/// stack; as it is where there is nothing.
+output::Snapshot with_marks(lua_State* L, int index, const output::Snapshot& snapshot) {
+    output::Snapshot marked = snapshot;
+    if (!lua_istable(L, index)) return marked;
+    for (output::Bar& bar : marked.bars) bar.hinges = std::uint8_t((bar.hinges & 7) | output::hinges_compared);
+    for (lua_Integer i = 1, n = lua_Integer(lua_rawlen(L, index)); i <= n; ++i) {
+        lua_rawgeti(L, index, i);
+        const auto number = [&](const char* field) {
+            lua_getfield(L, -1, field);
+            const double value = lua_tonumber(L, -1);
+            lua_pop(L, 1);
+            return value;
+        };
+        const double element = number("element"), end = number("end"), ratio = number("ratio");
+        lua_pop(L, 1);
+        if (!(element >= 1 && element <= double(marked.bars.size()))) continue;
+        output::Bar& bar = marked.bars[std::size_t(element) - 1];
+        bar.rotation[end == 2 ? 1 : 0] = ratio;
+        bar.hinges |= output::band_bits(end == 2 ? 2 : 1, output::band_of(ratio));
+    }
+    return marked;
+}
+
+/// core.write_picture(snapshot, view, path, marks)
 int write_picture(lua_State* L) {
     const SnapshotBox& box = snapshot_argument(L, 1, "write_picture");
     if (lua_type(L, 3) != LUA_TSTRING) throw InputError("write_picture: the path is " + show(L, 3) + "; give a string");
     const output::View view = read_view(L, 2, box.value, &box);
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
+    const output::Snapshot marked = with_marks(L, 4, box.value);
     char error[512] = "";
     must_work(
-        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), box.value, view, error, sizeof error),
+        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), marked, view, error, sizeof error),
         error);
     return 0;
 }
 
-/// core.write_strip(snapshots, views, columns, path): as many views as snapshots
+/// core.write_strip(snapshots, views, columns, path, marks): as many views as snapshots; marks: of each, false for none
 int write_strip(lua_State* L) {
     const char* file = luaL_checkstring(L, 4);  // these raise: nothing may be pending yet
     const int columns = int(luaL_checkinteger(L, 3));
     const std::string path = file;
-    std::vector<const output::Snapshot*> list;
+    std::vector<output::Snapshot> marked;
     std::vector<output::View> views;
     for (lua_Integer i = 1, n = lua_rawlen(L, 1); i <= n; ++i) {
         lua_rawgeti(L, 1, i);
         lua_rawgeti(L, 2, i);
         const SnapshotBox& box = snapshot_argument(L, lua_absindex(L, -2), "write_strip");
-        list.push_back(&box.value);
+        if (lua_istable(L, 5)) lua_rawgeti(L, 5, i);
+        else lua_pushnil(L);
+        marked.push_back(with_marks(L, lua_absindex(L, -1), box.value));
+        lua_pop(L, 1);
         views.push_back(read_view(L, lua_absindex(L, -1), box.value, &box));
         lua_pop(L, 2);
     }
     prepare_folder(*context(L), path);
+    std::vector<const output::Snapshot*> list;
+    for (const output::Snapshot& snapshot : marked) list.push_back(&snapshot);
     char error[512] = "";
     must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
                   path.c_str(), int(list.size()), list.data(), views.data(), columns, error, sizeof error),

@@ -1,7 +1,7 @@
 -- run:hinges: rotation, work, utilisation and first yield of every plastic hinge, against limits; over chained runs,
 -- checkpoints and the reversal of a load; as text, as hinges.csv, by storey.
 --
--- Run: lua5.4 tests/script/hinges_test.lua BUILD_FOLDER
+-- Run: lua5.4 tests/script/hinges_test.lua BUILD_FOLDER [PICTURE]      PICTURE: where one of its pictures goes
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
@@ -235,6 +235,8 @@ do
   refused("run:hinges: ...'lift'...did you mean 'left'...", hinges { limit = { lift = 1 } })
   refused("run:hinges: ...group...'none'...", hinges { group = "none" })
   refused("run:hinges: takes no further argument, got also 1", function() run:hinges({}, 1) end)
+  refused("hinge.picture: field 'hinges' is ...; must be true, false or a list of run:hinges that was given a limit",
+    function() hinge.picture(run, { hinges = bare }) end)
   refused("hinges:write: filename is '../a.csv'; must be a plain name ending in .csv ...",
     function() bare:write "../a.csv" end)
 end
@@ -261,6 +263,15 @@ model:load { node = node[0][2], force = { how.push, 0, 0 } }
 local run = model:static { steps = 60, control = { node = node[0][2], "ux", to = 1e-6 * how.push } }:finish()
 local list = run:hinges { limit = 0.05 }
 if how.write == "yes" then list:write() end
+if how.picture == "yes" then
+  local view = { hinges = list, view = "front", width = 640, height = 480 }
+  hinge.picture(run, view, "limits.png")
+  hinge.strip({ { run, view }, { run, view } }, 2, "strip.png")
+  view.hinges = true
+  hinge.picture(run, view, "plain.png")
+  view.hinges = run:hinges { limit = 1 }
+  hinge.picture(run, view, "far.png")
+end
 print(list)
 return { n = #list }
 ]=]
@@ -298,6 +309,16 @@ do
   end
   expect(printed:find("^" .. #rows .. " plastic hinges, %d+ beyond the limit; the worst: member %d"), "prints %s",
     printed)
+  if support.is_there(arg[1] .. "/libhinge_output.so") then
+    equal(hinge_on("run -q", scene, "push=4e5 picture=yes --out drawn"), 0, "pictures")
+    local drawn = {}
+    for _, name in ipairs { "limits", "plain", "far", "strip" } do
+      drawn[name] = support.read(folder .. "/drawn/" .. name .. ".png") or ""
+      expect(drawn[name]:find "^\137PNG", "no picture %s", name)
+    end
+    expect(drawn.limits ~= drawn.plain and drawn.limits ~= drawn.far, "a picture does not show the limits")
+    if arg[2] then support.write(arg[2], drawn.limits) end
+  end
   -- the script's own list stays
   equal(hinge_on("run -q", scene, "push=4e5 write=yes --out two"), 0, "written by the script")
   local own = rows_of "two/hinges.csv"
