@@ -422,14 +422,14 @@ do
   end
   -- a shallow truss snaps through: the node that gives way can be driven
   local arch = hinge.model {}
-  local one, crown, other = arch:node { -5, 0, 0 }, arch:node { 0, 0, 0.5 }, arch:node { 5, 0, 0 }
+  local one, crown, other = arch:node { -5, 0, 0 }, arch:node { 0, 0, 0.1 }, arch:node { 5, 0, 0 }
   local thin = hinge.section.solid { width = 0.1, depth = 0.1 }
   arch:fix({ one, other }, "x,y,z,rx,rz")
   arch:fix(crown, "y")
   for _, foot in ipairs { one, other } do arch:member { foot, crown, section = thin, material = steel } end
-  arch:load { node = crown, force = { 0, 0, -1e7 } }
+  arch:load { node = crown, force = { 0, 0, -1e4 } }
   local snap = arch:static { steps = 20 }:finish()
-  local named = "control by uz of node 2 at {0, 0, 0.5} m goes on past it: tried"
+  local named = "control by uz of node 2 at {0, 0, 0.1} m goes on past it: tried"
   expect(snap.verdict == "failed" and snap.reason:find(named, 1, true), "a truss that snaps: %s", snap.reason)
   -- a column that is pressed along its line has nothing that moves it off
   local post = hinge.model {}
