@@ -47,7 +47,8 @@ Context* its_context = nullptr;
 /// At the next step that Lua takes; between the steps of a run, `advance` looks for itself.
 void stop_script(lua_State* L, lua_Debug*) {
     lua_sethook(L, nullptr, 0, 0);
-    if (const auto c = context(L)) asked_to_end = 0, c->interrupted = 0;
+    asked_to_end = 0;
+    if (const auto c = context(L)) c->interrupted = 0;
     lua_pushliteral(L, "interrupted");
     lua_error(L);
 }
@@ -68,7 +69,8 @@ void stop_on_interrupt(lua_State* L) {
     its_context = context(L).get();
     struct sigaction stop = {};
     stop.sa_handler = [](int) {
-        asked_to_end = SIGINT, its_context->interrupted = SIGINT;
+        asked_to_end = SIGINT;
+        its_context->interrupted = SIGINT;
         lua_sethook(evaluating, stop_script, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
     };
     stop.sa_flags = SA_RESTART;

@@ -216,7 +216,8 @@ void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
 void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
     if (!c.interrupted) return;
     if (!c.ends_on_signals) {  // the prompt goes on, and so may the run
-        asked_to_end = 0, c.interrupted = 0;
+        asked_to_end = 0;
+        c.interrupted = 0;
         lua_sethook(L, nullptr, 0, 0);
         throw Interrupted("interrupted");
     }

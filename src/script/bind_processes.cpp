@@ -70,7 +70,8 @@ void forget_runs(Context& c) {
     c.progress = false, c.events = nullptr;
     c.out_dir.clear(), c.owner.clear();
     c.owner_written = false;
-    asked_to_end = 0, c.interrupted = 0;
+    asked_to_end = 0;
+    c.interrupted = 0;
     if (c.onlooker) c.onlooker->forked(), c.onlooker = nullptr;
 }
 

@@ -69,7 +69,8 @@ void on_second(int) {
 }
 
 void on_signal(int signal) {
-    its_context->interrupted = signal, asked_to_end = signal;
+    its_context->interrupted = signal;
+    asked_to_end = signal;
     for (const int other : {SIGINT, SIGTERM}) std::signal(other, SIG_DFL);
     if (is_script && !is_stepping) stop_at_next_line();
     if (timed != ::getpid()) return;
@@ -88,7 +89,8 @@ int set_script_runs(lua_State* L) {
 std::string ended_halfway(lua_State* L) {
     Context& c = *context(L);
     if (!c.ends_on_signals) {  // the prompt goes on
-        asked_to_end = 0, c.interrupted = 0;
+        asked_to_end = 0;
+        c.interrupted = 0;
         lua_sethook(L, nullptr, 0, 0);
         return "interrupted";
     }
