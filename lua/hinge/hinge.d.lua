@@ -1329,16 +1329,35 @@ function run:on_step(callback) end
 ---that at the start of the run. A reaction at the start is the force that holds the supports under the loads at that
 ---time, together with the inertia of masses that accelerate at once. In statics it is the reaction at a load factor of
 ---0.
+---
+---With relative_to the probe is the difference to another node: a displacement against a floor, or the velocity of two
+---bodies against each other. The difference is taken along the global axes; rx ry rz are the rotation vector of the one
+---node against the other. drift_x and drift_y are the difference of ux or uy over the height between the two nodes at
+---the start, along z, or over `height`.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---local sag = swing:probe { node = tip, "uz", name = "sag" }
 ---swing:finish()
 ---print(sag.min, sag.last, #sag.value)
+---
+---local push = model:static { steps = 4 }
+---local bending = push:probe { node = tip, relative_to = wall, "uz" }
+---local drift = push:probe { node = tip, relative_to = wall, "drift_x", height = 3 }
+---push:finish()
+---print(bending.last, drift.max)
 ---```
----@param options { node: hinge.node, [1]: string, name?: string } ux uy uz rx ry rz (displacement), vx .. vrz
----  (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction)
+---@param options hinge.probe_options
 ---@return hinge.probe
 function run:probe(options) end
+
+---@class hinge.probe_options
+---@field node hinge.node
+---ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz (acceleration), fx fy fz mx my mz (reaction),
+---drift_x drift_y
+---@field [1] string
+---@field relative_to? hinge.node the node whose value is taken off; not for reactions
+---@field height? number m, of a drift; default: the difference of z of the two nodes at the start
+---@field name? string its column in history.csv; default such as node12_ux, node12_ux_to_node3
 
 ---time and value are lists of what was recorded up to the moment when they are read.
 ---@class hinge.probe
@@ -1348,7 +1367,7 @@ function run:probe(options) end
 ---@field max number
 ---@field min number
 ---@field name string its column in history.csv
----@field unit string of the values: m, rad, m/s, rad/s, m/s^2, rad/s^2, N or N m
+---@field unit string of the values: m, rad, m/s, rad/s, m/s^2, rad/s^2, N or N m; "" of a drift
 
 ---```lua
 ---local _, _, uz = run:displacement(tip)

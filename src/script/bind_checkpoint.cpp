@@ -85,7 +85,8 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
             " is damaged: its contents are not valid; go on from an older copy of it, or start the run anew");
     const auto same = [](const std::shared_ptr<Probe>& here, const Probe& there) {
         return here->name == there.name && here->node == there.node && here->quantity == there.quantity &&
-               here->component == there.component;
+               here->component == there.component && here->relative_to == there.relative_to &&
+               here->height == there.height;
     };
     if (const auto own = fingerprint(dynamic_cast<Dynamics&>(*r.run));
         difference(checkpoint.model, own).empty() &&

@@ -118,27 +118,61 @@ int stop(lua_State* L) {
     return 0;
 }
 
+/// The quantity of a probe by its name, and where that is a drift its height.
+void read_quantity(Options& o, const RunRecord& r, Probe& p) {
+    lua_State* L = o.L();
+    o.push_item(1);
+    const std::string what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    const bool drift = what == "drift_x" || what == "drift_y";
+    std::vector<std::string> names = node_quantities();
+    const auto at = std::find(names.begin(), names.end(), drift ? "u" + what.substr(6) : what);
+    const int index = int(at - names.begin());
+    if (at == names.end()) {
+        names.insert(names.end(), {"drift_x", "drift_y"});
+        throw InputError("run:probe: quantity is " + show(L, -1) +
+                         "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz "
+                         "(acceleration), fx fy fz mx my mz (reaction), drift_x drift_y" +
+                         did_you_mean(what, names));
+    }
+    lua_pop(L, 1);
+    p.quantity = Probe::Quantity(index / 6);
+    p.component = index % 6;
+    const bool relative = o.push_field("relative_to") != LUA_TNIL;
+    if (relative) p.relative_to = node_of_run(L, -1, r, "run:probe: field 'relative_to'");
+    lua_pop(L, 1);
+    if (relative && p.quantity == Probe::Quantity::reaction)
+        o.complain("relative_to", "given beside '" + what + "'", "a reaction is of one node; leave one of the two out");
+    if (relative && p.relative_to == p.node)
+        o.complain("relative_to", "the same node", "must be another one than 'node'");
+    if (drift && !relative)
+        throw InputError("run:probe: field 'relative_to' is missing; '" + what + "' takes a node of the floor below");
+    if (const auto height = o.maybe_number("height", "m", Range::positive)) {
+        if (!drift) o.complain("height", show(*height) + " m", "belongs to drift_x and drift_y");
+        p.height = *height;
+    } else if (drift) {
+        const auto& nodes = r.run->structure().position();
+        p.height = std::abs(nodes[std::size_t(p.node)].z() - nodes[std::size_t(p.relative_to)].z());
+        if (!(p.height > 0))
+            throw InputError("run:probe: both nodes are " + number_text(nodes[std::size_t(p.node)].z()) +
+                             " m high, so '" + what + "' has no height to divide by; give height = m");
+    }
+    if (const auto name = o.text("name")) {
+        p.name = *name;
+        return;
+    }
+    p.name = "node" + std::to_string(p.node + 1) + "_" + what;
+    if (relative) p.name += "_to_node" + std::to_string(p.relative_to + 1);
+}
+
 int probe(lua_State* L) {
     const auto r = self<RunBox>(L, "run:probe").value;
     Options o(L, 2, "run:probe");
     auto p = std::make_shared<Probe>();
     o.push_field("node");
     p->node = node_of_run(L, -1, *r, "run:probe: field 'node'");
-    o.push_item(1);
-    const std::string what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-    const std::vector<std::string>& names = node_quantities();
-    const auto at = std::find(names.begin(), names.end(), what);
-    if (at == names.end())
-        throw InputError("run:probe: quantity is " + show(L, -1) +
-                         "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz "
-                         "(acceleration), fx fy fz mx my mz (reaction)" +
-                         did_you_mean(what, names));
-    lua_pop(L, 2);
-    const int index = int(at - names.begin());
-    p->quantity = Probe::Quantity(index / 6);
-    p->component = index % 6;
+    lua_pop(L, 1);
+    read_quantity(o, *r, *p);
     if (p->quantity == Probe::Quantity::reaction) must_be_fixed_in(*r, p->node, "run:probe: field 'node'");
-    p->name = o.text("name").value_or("node" + std::to_string(p->node + 1) + "_" + what);
     o.finish(1);
     if (p->name.find_first_of(",\n\"") != std::string::npos)
         o.complain("name", "'" + p->name + "'",

@@ -118,16 +118,18 @@ struct CaseBox {
     int index;
 };
 
-/// A quantity of a node recorded at every step.
+/// A quantity of a node, or the difference of two nodes' recorded at every step.
 struct Probe {
     int node;
     enum class Quantity { displacement, velocity, acceleration, reaction } quantity;
     int component;
     std::string name;
     std::vector<double> time, value;
+    int relative_to = -1;  ///< the node whose value is taken off, -1: none
+    double height = 0;     ///< m, that the difference is divided by: a drift; 0: it is not
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.node, s.quantity, s.component, s.name, s.time, s.value);
+        a(s.node, s.quantity, s.component, s.name, s.time, s.value, s.relative_to, s.height);
     }
 };
 struct ProbeBox {

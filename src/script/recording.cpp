@@ -8,6 +8,7 @@
 
 #include "core/doing.h"
 #include "core/files.h"
+#include "core/rotation.h"
 #include "core/text.h"
 #include "script/chain.h"
 #include "script/check.h"
@@ -21,7 +22,25 @@
 
 namespace hinge::script {
 
+namespace {
+
+/// How a node has rotated against another, as a rotation vector in space.
+double relative_rotation(const Run& run, const Probe& p) {
+    const State& state = run.state();
+    if (!run.structure().large())
+        return (state.small_rotation[p.node] - state.small_rotation[p.relative_to])[p.component - 3];
+    return rotation_vector(state.rotation[p.node] * state.rotation[p.relative_to].conjugate())[p.component - 3];
+}
+
+}  // namespace
+
 double value_of(const Run& run, const Probe& p) {
+    if (p.relative_to >= 0) {
+        if (p.quantity == Probe::Quantity::displacement && p.component >= 3) return relative_rotation(run, p);
+        const auto of = [&](int node) { return value_of(run, Probe{node, p.quantity, p.component, {}, {}, {}}); };
+        const double difference = of(p.node) - of(p.relative_to);
+        return p.height > 0 ? difference / p.height : difference;
+    }
     switch (p.quantity) {
         case Probe::Quantity::velocity: return run.state().velocity[p.node][p.component];
         case Probe::Quantity::acceleration: return run.state().acceleration[p.node][p.component];

@@ -5,6 +5,7 @@ namespace hinge::script {
 
 const char* unit_of(const Probe& p) {
     const bool turns = p.component >= 3;
+    if (p.height > 0) return "";  // a drift
     switch (p.quantity) {
         case Probe::Quantity::velocity: return turns ? "rad/s" : "m/s";
         case Probe::Quantity::acceleration: return turns ? "rad/s^2" : "m/s^2";

@@ -31,11 +31,15 @@ double mass_of(const Structure& s) {
 
 Json probes_json(const RunRecord& r) {
     Json list = Json::array();
-    for (const auto& p : r.probes)
+    for (const auto& p : r.probes) {
         list.push_back({{"name", p->name},
                         {"node", p->node + 1},
                         {"quantity", node_quantities()[std::size_t(6 * int(p->quantity) + p->component)]},
                         {"unit", unit_of(*p)}});
+        if (p->relative_to >= 0) list.back()["relative_to"] = p->relative_to + 1;
+        if (p->height > 0) list.back()["quantity"] = p->component == 0 ? "drift_x" : "drift_y";
+        if (p->height > 0) list.back()["height"] = p->height;
+    }
     return list;
 }
 
