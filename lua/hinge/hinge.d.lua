@@ -216,6 +216,20 @@ function section.general(options) end
 ---@field Mz0? number N m
 ---@field width number m, along x; 0: the square root of the area; the same holds for depth
 ---@field depth number m, along y
+local any_section = {}
+
+---The exact plastic moments beside an axial force, as parts of those without it: about x over Mx0, and about y over
+---My0. Eq 14 has sqrt(1 - n^2) in their place, which is more for most shapes. A run and `hinge check` warn where a
+---member has more than 1.10 times the exact moment.
+---```lua
+---local heb300 = hinge.section.h { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019 }
+---local about_x, about_y = heb300:reduced_moments(0.3)
+---print(about_x, about_y) -- 0.791 and 0.976
+---```
+---@param n number N / N0, from -1 to 1
+---@return number? about_x, number? about_y 1 at n = 0, 0 at n = 1; nil for a section by its properties, whose shape is
+---  not known
+function any_section:reduced_moments(n) end
 
 -- Models -------------------------------------------------------------------------------------------------------------
 
@@ -588,7 +602,8 @@ function model:move(options) end
 ---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
 ---says, and a clamped member of two elements has end moments of w L^2 / 12 and w L^2 / 24 in the middle. Yield goes by
 ---these, as with loads `q` (model:load). Called again, the last call counts, for runs made after it; it is an error to
----call it for another load case.
+---call it for another load case. A dynamic run that goes on from a run without this gravity warns: the weight acts at
+---once there.
 ---```lua
 ---model:gravity { 0, 0, -9.80665 }
 ---local rest = model:static():finish()
@@ -619,8 +634,11 @@ function model:velocity(target, linear, angular) end
 
 ---Declares when members break: when a limit is reached (section 2.3, eq 16), or when a function returns true. The paper
 ---gives a critical curvature of 0.0004 without a unit: 0.4 here if it is per millimetre, 0.04 if it is per centimetre.
----If several rules apply to the groups of a member, the last one counts. An error in a function undoes the step, and is
----raised at the line of the script that asked for the step.
+---A rule for a group holds for its members, and one without a group for all others, whatever their order. If several
+---rules apply to the groups of a member, the last one counts. It is an error if a rule would take the place of another
+---one for all of its members: limits that of a function, or a group that of a group within it. A rule that holds for no
+---member, and a function that a run never called, is named in run.warnings at the end. An error in a function undoes
+---the step, and is raised at the line of the script that asked for the step.
 ---```lua
 ---model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
 ---model:fracture(function(section) return section.plastic_work > 500 end) -- J
@@ -729,8 +747,9 @@ function model:remove(options) end
 ---axes come closest. Each bar is round; its radius is half the smaller side of its section. A penetration g stores the
 ---energy k g^2 / 2. Only friction dissipates energy. gap (section 2.4, eqs 17-19): four gap elements tie two elements
 ---together for a while. The energy that they store is given back when the bars part. Members that share a joint, or
----that overlap when they are first checked, have no contact until they have parted. Each call adds a rule. If several
----rules fit the groups of both members, the last one counts.
+---that overlap when they are first checked, have no contact until they have parted. A run warns of members of different
+---bodies that overlap where it begins. Each call adds a rule. If several rules fit the groups of both members, the last
+---one counts.
 ---```lua
 ---local bar = model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = square,
 ---  material = steel, group = "bar" }

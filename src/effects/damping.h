@@ -11,8 +11,9 @@ inline constexpr const char* damping_effect = "damping";
 
 /// C = alpha M + beta K of a group's elements. Of several the last one that an element's groups fit counts.
 struct Damping {
-    double alpha = 0, beta = 0;  ///< 1/s, s
-    int group = -1;              ///< -1: all
+    double alpha = 0, beta = 0;                    ///< 1/s, s
+    int group = -1;                                ///< -1: all
+    double ratio[2] = {0, 0}, period[2] = {0, 0};  ///< that alpha and beta follow from, s; 0: given themselves
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.alpha, s.beta, s.group);

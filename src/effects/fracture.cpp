@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "effects/idle_rules.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
 #include "state/turned_ends.h"
@@ -125,7 +126,7 @@ struct Watched {
     }
 };
 
-class Fracture : public Effect {
+class Fracture : public Effect, public ChecksRun {
 public:
     Fracture(Workspace& w, Host& host);
     const char* decides() const override { return "fracture"; }
@@ -150,9 +151,10 @@ public:
         return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
     }
 
-    void save(Writer& to) const override { to(candidates_, watched_); }
-    void restore(Reader& from) override { from(candidates_, watched_); }
+    void save(Writer& to) const override { to(candidates_, watched_, called_); }
+    void restore(Reader& from) override { from(candidates_, watched_, called_); }
     bool restored(std::span<const State* const>) override;
+    void check_run(std::vector<RunWarning>& list) const override { name_idle_rules(w_.structure, called_, list); }
 
 private:
     class Asked;
@@ -182,6 +184,7 @@ private:
     std::vector<int> news_;                        ///< of those, strained in this step as never before
     std::vector<std::vector<int>> rule_elements_;  ///< of each rule; filled when a batch asks
     std::size_t kept_a_section_ = 0;               ///< numbers that rules keep of a section
+    std::vector<long> called_;                     ///< of each rule: how often its function was
     // for a step that is taken back
     struct Kept {
         double* at;
@@ -206,6 +209,7 @@ Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host) {
         w.state.strained.assign(three, 0);
     if (const std::size_t kept = 2 * elements * kept_a_section_; w.state.kept.size() != kept)
         w.state.kept.assign(kept, 0);
+    called_.assign(rules.size(), 0);
     in_candidates_.assign(elements, 0);
     for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
 }
@@ -214,6 +218,7 @@ bool Fracture::restored(std::span<const State* const> states) {
     const int n = int(w_.structure.elements().size());
     const auto within = [n](int e) { return e >= 0 && e < n; };
     if (!std::all_of(candidates_.begin(), candidates_.end(), within)) return false;
+    if (called_.size() != w_.structure.model().fracture().size()) return false;
     for (const Watched& w : watched_)
         if (!within(w.element)) return false;
     for (const State* s : states)
@@ -409,7 +414,9 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
 /// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
 void Fracture::ask_sections() {
     if (asked_.empty()) return;
-    const FractureRule& rule = w_.structure.model().fracture()[w_.structure.elements()[asked_[0].element].fracture];
+    const int number = w_.structure.elements()[asked_[0].element].fracture;
+    const FractureRule& rule = w_.structure.model().fracture()[number];
+    called_[number] += long(asked_.size());
     for (const SectionView& v : asked_)
         for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
     std::size_t at = 0;
@@ -537,6 +544,7 @@ void Fracture::ask_batch(int rule) {
     }
     const FractureRule& declared = w_.structure.model().fracture()[rule];
     const std::vector<int>& elements = rule_elements_[rule];
+    called_[rule] += !elements.empty();
     std::vector<int> places;
     saying_which(
         declared, [] { return std::string("all its elements"); },

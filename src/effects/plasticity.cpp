@@ -2,6 +2,7 @@
 // return to the yield surface is in the sweep, the tangents of what flows in run/yield_tangents.h.
 #include <algorithm>
 
+#include "effects/axial_strength.h"
 #include "effects/kinds.h"
 #include "state/hinge_records.h"
 #include "state/hinges.h"
@@ -9,9 +10,9 @@
 namespace hinge {
 namespace {
 
-class Plasticity : public Effect {
+class Plasticity : public Effect, public ChecksRun {
 public:
-    Plasticity(Workspace& w, Host& host) : Effect("plasticity", w, host) {
+    Plasticity(Workspace& w, Host& host) : Effect("plasticity", w, host), strength_(w.structure) {
         for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
             if (w.state.hinge[i]) flowing_.push_back(int(i));
         if (!w.state.data.find<HingeRecords>(hinge_records)) w.state.data.set(hinge_records, HingeRecords{});
@@ -32,7 +33,9 @@ public:
             w_.points_moved = true;
             host_.stiffness_changed(e);
         }
+        strength_.look(w_, step);
     }
+    void check_run(std::vector<RunWarning>& list) const override { strength_.check_run(w_, list); }
 
     bool calm() const override { return w_.yielding.empty(); }
     bool sleeps() const override { return w_.structure.can_yield(); }
@@ -43,18 +46,20 @@ public:
                w_.structure.element_name(w_.yielding[0].element);
     }
 
-    void save(Writer& to) const override { to(flowing_); }
-    void restore(Reader& from) override { from(flowing_); }
+    void save(Writer& to) const override { to(flowing_, strength_); }
+    void restore(Reader& from) override { from(flowing_, strength_); }
     bool restored(std::span<const State* const>) override {
         const int n = int(w_.structure.elements().size());
         if (!records().makes_sense(n)) return false;
-        return std::all_of(flowing_.begin(), flowing_.end(), [n](int e) { return e >= 0 && e < n; });
+        return std::all_of(flowing_.begin(), flowing_.end(), [n](int e) { return e >= 0 && e < n; }) &&
+               strength_.fits(w_.structure);
     }
 
 private:
     HingeRecords& records() { return *w_.state.data.find<HingeRecords>(hinge_records); }
 
     std::vector<int> flowing_;  ///< elements that flowed in the last step
+    AxialStrength strength_;
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {

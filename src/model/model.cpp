@@ -14,6 +14,33 @@ void must_be_finite(const Vec3& v, const char* what, const char* unit) {
         throw InputError(std::string(what) + " is " + vector_text(v) + " " + unit + "; all three must be finite");
 }
 
+bool is_function(const FractureRule& r) { return r.hook || r.batch; }
+
+/// Of two rules for the same members the later one holds. Refuses one that would so take the place of another without a
+/// word: limits that of a function, and a group's that of a group within it.
+void refuse_replacing(const Model& model, const FractureRule& rule) {
+    const auto at = [](const FractureRule& r) { return r.asked_at.empty() ? "" : " of " + r.asked_at; };
+    const auto name = [&](const FractureRule& r) { return "'" + model.groups()[r.group] + "'"; };
+    const std::vector<FractureRule>& rules = model.fracture();
+    const auto same =
+        std::find_if(rules.rbegin(), rules.rend(), [&](const FractureRule& r) { return r.group == rule.group; });
+    if (same != rules.rend() && is_function(*same) && !is_function(rule))
+        throw InputError(std::string("model:fracture: this would replace the function") + at(*same) + " for " +
+                         (rule.group < 0 ? "all members" : "the members of group " + name(rule)) +
+                         "; where both are meant to hold, give the limits and the function in one call");
+    if (rule.group < 0) return;  // those of groups hold beside it
+    std::vector<int> members(model.groups().size(), 0), shared = members;
+    for (const MemberData& m : model.members()) {
+        const bool meant = std::find(m.groups.begin(), m.groups.end(), rule.group) != m.groups.end();
+        for (int g : m.groups) ++members[g], shared[g] += meant;
+    }
+    for (const FractureRule& r : rules)
+        if (r.group >= 0 && r.group != rule.group && members[r.group] > 0 && shared[r.group] == members[r.group])
+            throw InputError("model:fracture: group " + name(rule) + " has all members of group " + name(r) +
+                             ", so this would replace the rule" + at(r) +
+                             " for all of them; declare the rule for group " + name(r) + " after this one");
+}
+
 }  // namespace
 
 Model::Model(ModelOptions options) : options_(options) {}
@@ -183,8 +210,10 @@ void Model::add_fracture(FractureRule rule) {
         throw InputError(
             "model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its "
             "own; declare it with mass = 'linear'");
+    refuse_replacing(*this, rule);
     fracture_.push_back(std::move(rule));
 }
+
 void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std::move(rule)); }
 void Model::add_motion(SupportMotion motion) {
     fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion));

@@ -7,6 +7,7 @@
 
 #include "contact/broad_phase.h"
 #include "core/text.h"
+#include "model/member_text.h"
 
 namespace hinge {
 namespace {
@@ -38,10 +39,7 @@ struct Finder {
     const Vec3& position(int node) const { return model.nodes()[node].position; }
     const Vec3& end(int member, int side) const { return position(model.members()[member].node[side]); }
     double length(int member) const { return (end(member, 1) - end(member, 0)).norm(); }
-    std::string name(int member) const {
-        const auto& groups = model.members()[member].groups;
-        return "member " + std::to_string(member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")");
-    }
+    std::string name(int member) const { return member_text(model, member); }
     std::string member_line(int member) const { return model.asked_at("member " + std::to_string(member + 1)); }
     std::string node_line(int node) const { return model.asked_at("node " + std::to_string(node + 1)); }
 

@@ -6,19 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "effects/run_warning.h"
 #include "state/state.h"
 
 namespace hinge {
-
-/// What a user should know of a run, as it is told by hinge run: "member 3 ...", and what can be done about it.
-struct RunWarning {
-    std::string what, advice;
-    int member = -1;
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.what, s.advice, s.member);
-    }
-};
 
 /// N l^2 / (pi^2 EI) of a pair, that begins with this element, in bending about x and about y: 1 where it buckles
 /// between clamped ends. Both 0 where it is none, or is broken.

@@ -82,6 +82,13 @@ void Run::warn(std::optional<RunWarning> warning) {
     if (warning) warnings_.push_back(std::move(*warning));
 }
 
+std::vector<RunWarning> Run::findings() const {
+    std::vector<RunWarning> list;
+    for (const auto& e : effects_)
+        if (const auto* effect = dynamic_cast<const ChecksRun*>(e.get())) effect->check_run(list);
+    return list;
+}
+
 Vec6 Run::displacement(int node) const {
     Vec6 d;
     d.head<3>() = state_.displacement[node];

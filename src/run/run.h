@@ -58,6 +58,8 @@ public:
     const std::vector<Waking>& wakings() const { return wakings_; }
     /// What it cannot show, or may have passed over; each once.
     const std::vector<RunWarning>& warnings() const { return warnings_; }
+    /// What effects have to say of the run as a whole, up to now.
+    std::vector<RunWarning> findings() const;
     long breaks() const { return breaks_; }  ///< elements that broke in this run
     /// What broke in the step done last, with its cause.
     virtual std::span<const Break> broken_last() const { return {}; }

@@ -48,7 +48,7 @@ Damping read_ratios(Options& o) {
         if (!(T > 0 && std::isfinite(T))) o.complain("periods", with(T, "s"), "must be positive numbers in s");
     if (period[0] == period[1] && ratio[0] != ratio[1])
         o.complain("periods", "twice " + with(period[0], "s"), "two ratios need two periods that differ");
-    const Damping d = rayleigh(ratio, period);
+    Damping d = rayleigh(ratio, period);
     if (!std::isfinite(d.alpha) || !std::isfinite(d.beta))
         o.complain("periods", "{ " + show(period[0]) + ", " + show(period[1]) + " } s",
                    "the coefficients that follow from them are not finite");
@@ -56,6 +56,7 @@ Damping read_ratios(Options& o) {
         o.complain("ratio", "{ " + show(ratio[0]) + ", " + show(ratio[1]) + " }",
                    "at these periods they ask for alpha = " + with(d.alpha, "1/s") + ", beta = " + with(d.beta, "s") +
                        ", and a negative one would add energy; bring the ratios or the periods closer to each other");
+    for (int i : {0, 1}) d.ratio[i] = ratio[i], d.period[i] = period[i];
     return d;
 }
 

@@ -5,6 +5,7 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "script/chain.h"
+#include "script/check.h"
 #include "script/events.h"
 #include "script/folder_lock.h"
 #include "script/folders.h"
@@ -80,6 +81,7 @@ int write_summary(lua_State* L) {
         return v;
     };
     if (const auto& r = c->record) {
+        tell_findings(*c, *r);
         const Run& run = *r->run;
         verdict = run.verdict() == Verdict::running ? "stopped" : name(verdict_of(*r));
         reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : reason_of(*r);

@@ -25,6 +25,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     record->every = every;
     record->doubts = std::move(doubts);
     const auto c = context(L);
+    if (c->record) tell_findings(*c, *c->record);
     if (c->record && !c->record->model->closed_at.empty()) {  // kept for the summary alone
         if (c->record->run) write_happenings(*c->record);
         c->record->run.reset();
@@ -114,7 +115,9 @@ int on_step(lua_State* L) {
 }
 
 int stop(lua_State* L) {
-    self<RunBox>(L, "run:stop").value->run->stop();
+    const auto r = self<RunBox>(L, "run:stop").value;
+    r->run->stop();
+    tell_findings(*context(L), *r);
     return 0;
 }
 
@@ -284,8 +287,9 @@ int fields(lua_State* L) {
         lua_newtable(L);
         int i = 0;
         if (!r.weak.empty()) lua_pushstring(L, ("goes on from " + r.weak).c_str()), lua_rawseti(L, -2, ++i);
-        for (const RunWarning& w : run.warnings())
-            lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
+        for (const auto& list : {run.warnings(), run.findings()})
+            for (const RunWarning& w : list)
+                lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
     } else if (key == "contacts") {
         lua_createtable(L, 0, 2);
         lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0),

@@ -253,8 +253,9 @@ int static_run(lua_State* L) {
     context(L)->running = L;
     weigh_static(*context(L), *structure, s.steps);
     try {
-        make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every,
-                 empty_cases(*m, choice, where(L)));
+        std::vector<Warning> doubts = empty_cases(*m, choice, where(L));
+        for (Warning& w : floors_twice(*structure)) doubts.push_back(std::move(w));
+        make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every, std::move(doubts));
         return chain.keep(L);
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
 }
@@ -445,6 +446,10 @@ int dynamic_run(lua_State* L) {
                                      start.time, s.duration, automatic ? 0 : s.dt))
         doubts.push_back(std::move(w));
     for (Warning& w : massless_loads(*structure, where(L))) doubts.push_back(std::move(w));
+    for (Warning& w : floors_twice(*structure)) doubts.push_back(std::move(w));
+    if (before)
+        for (Warning& w : late_gravity(*structure, *before, where(L))) doubts.push_back(std::move(w));
+    for (Warning& w : overlapping_bars(*structure, start)) doubts.push_back(std::move(w));
     for (Warning& w : damped_free_bodies(*structure, start)) doubts.push_back(std::move(w));
     for (Warning& w :
          lone_velocities(*structure, start, before ? &before->run->structure().model() : nullptr, where(L)))

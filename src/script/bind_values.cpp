@@ -1,4 +1,7 @@
 // hinge.material and hinge.section: what members are made of.
+#include <cmath>
+
+#include "model/plastic_shape.h"
 #include "script/objects.h"
 
 namespace hinge::script {
@@ -84,7 +87,20 @@ int section(lua_State* L) {
     return 1;
 }
 
+/// section:reduced_moments(n)
+int reduced_moments(lua_State* L) {
+    const Section& s = *self<SectionBox>(L, "section:reduced_moments").value;
+    const double n = lua_type(L, 2) == LUA_TNUMBER ? lua_tonumber(L, 2) : std::nan("");
+    if (!(std::abs(n) <= 1))
+        throw InputError("section:reduced_moments: N / N0 is " + show(L, 2) + "; must be a number from -1 to 1");
+    const auto shape = PlasticShape::of(s);
+    if (!shape) return lua_pushnil(L), 1;
+    for (int axis : {0, 1}) lua_pushnumber(L, shape->moment(axis, n));
+    return 2;
+}
+
 int section_fields(lua_State* L) {
+    if (push_method(L)) return 1;
     const Section& s = *self<SectionBox>(L, "section").value;
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     const std::pair<const char*, double> numbers[] = {{"area", s.area},
@@ -133,8 +149,10 @@ void open_values(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>,
                    guarded<material_text>, same<MaterialBox>);
-    make_metatable(L, SectionBox::lua_name, none, guarded<section_fields>, collect<SectionBox>, guarded<section_text>,
-                   same<SectionBox>);
+    static const luaL_Reg of_section[] = {
+        {"reduced_moments", guarded<takes<"section:reduced_moments", 2, reduced_moments>>}, {nullptr, nullptr}};
+    make_metatable(L, SectionBox::lua_name, of_section, guarded<section_fields>, collect<SectionBox>,
+                   guarded<section_text>, same<SectionBox>);
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
     name_fields(L, SectionBox::lua_name,
                 {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",

@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "model/warnings.h"
+#include "script/damping_check.h"
 #include "script/load_warnings.h"
 #include "script/plan.h"
 #include "state/bodies.h"
@@ -100,14 +101,19 @@ Waves shortest_waves(const Structure& structure) {
     return least;
 }
 
-std::string periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
-    if (!body.heavy) return "no periods without a density";
-    if (int(body.nodes.size()) > most_nodes)
-        return "periods are not looked for beyond " + std::to_string(most_nodes) + " nodes";
+struct Periods {
     std::string text;
-    for (double w : natural_frequencies(structure, body.nodes, rigid, periods_told, added))
-        text += (text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
-    return text.empty() ? "nothing that vibrates" : "natural periods " + text + " s";
+    std::vector<double> frequencies;  ///< rad/s, rising
+};
+Periods periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
+    if (!body.heavy) return {"no periods without a density", {}};
+    if (int(body.nodes.size()) > most_nodes)
+        return {"periods are not looked for beyond " + std::to_string(most_nodes) + " nodes", {}};
+    Periods found{"", natural_frequencies(structure, body.nodes, rigid, periods_told, added)};
+    for (double w : found.frequencies)
+        found.text += (found.text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
+    found.text = found.text.empty() ? "nothing that vibrates" : "natural periods " + found.text + " s";
+    return found;
 }
 
 /// Of the loads that are declared; none where the model is large. Bodies without supports are held.
@@ -196,6 +202,8 @@ std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, b
     if (loads)
         for (Warning& w : huge_loads(record, solution)) list.push_back(std::move(w));
     for (Warning& w : near_euler(record, solution)) list.push_back(std::move(w));
+    if (all)
+        for (Warning& w : unsafe_eq14(record, solution)) list.push_back(std::move(w));
     return list;
 }
 
@@ -216,22 +224,24 @@ std::string checked_model(const RunRecord& record) {
     const AddedToModes added = added_by_effects(*record.run);
     const std::vector<Piece> bodies = bodies_of(s, added);
     std::string text;
+    std::vector<Warning> list = warnings(s.model(), joined_by_connectors(s.model()));
     for (std::size_t i = 0; i < bodies.size() && i < bodies_told; ++i) {
         const Piece& body = bodies[i];
-        text += "  " +
-                (body.supports.empty()
-                     ? "free body of " + count(body.members, "member")
-                     : count(body.members, "member") + " on " + count(body.supports.size(), "supported node")) +
-                ", " + digits(body.mass, 6) +
-                " kg: " + periods(s, body, int(free_motions(s, body.nodes).size()), added) + "\n";
+        const std::string name = body.supports.empty() ? "free body of " + count(body.members, "member")
+                                                       : count(body.members, "member") + " on " +
+                                                             count(body.supports.size(), "supported node");
+        const Periods of = periods(s, body, int(free_motions(s, body.nodes).size()), added);
+        text += "  " + name + ", " + digits(body.mass, 6) + " kg: " + of.text +
+                damping_ratios(s, body.nodes, of.frequencies) + "\n";
+        if (auto w = damped_otherwise(s, body.nodes, of.frequencies, name)) list.push_back(std::move(*w));
     }
     if (bodies.size() > bodies_told)
         text += "  and " + std::to_string(bodies.size() - bodies_told) +
                 (bodies.size() == bodies_told + 1 ? " smaller body\n" : " smaller bodies\n");
+    text += weight_by_source(s);
     if (const Waves waves = shortest_waves(s); waves.in_element >= 0)
         text +=
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
-    std::vector<Warning> list = warnings(s.model(), joined_by_connectors(s.model()));
     for (Warning& d : warnings_of_run(record, most_nodes, true, !of_units(list))) list.push_back(std::move(d));
     for (const Warning& d : list) text += "  warning: " + warning_text(d) + "\n";
     return text + (list.empty() ? "  no warnings\n" : "");

@@ -43,9 +43,6 @@ constexpr double much_strain = 0.05, much_strain_in_dynamics = 0.5;
 /// hinges spread them over a frame, but not so much.
 constexpr double much_yield = 5;
 
-/// Loads along gravity over the weight of all mass, in dynamics: beyond it, floors are loads and not mass.
-constexpr double much_load = 3;
-
 /// Of the kinetic energy of a node that is given a velocity alone, by the mass of the elements there.
 constexpr double much_of_elements = 0.1;
 
@@ -294,29 +291,6 @@ std::vector<Warning> idle_histories(const Model& model, const Model* before, dou
     for (const Told& told : histories_of(model, before))
         if (const auto w = doubt(told, begin, duration, dt)) list.push_back(*w);
     return list;
-}
-
-std::vector<Warning> massless_loads(const Structure& s, const std::string& line) {
-    const Model& model = s.model();
-    if (!model.gravity() || model.gravity()->isZero(0)) return {};
-    const Vec3 down = model.gravity()->normalized();
-    double load = 0, mass = 0;
-    for (const NodalLoad& l : model.loads())
-        if (!l.history && !l.follows_state()) load += l.force.dot(down);
-    for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
-        if (l.has_history || l.axes == LoadAxes::local) continue;
-        const auto& node = model.members()[l.member].node;
-        const double length = (model.nodes()[node[1]].position - model.nodes()[node[0]].position).norm();
-        load += l.spread() ? 0.5 * length * (l.force[0] + l.force[1]).dot(down) : l.force[0].dot(down);
-    }
-    for (const Element& e : s.elements()) mass += e.mass();
-    for (const PointMass& m : model.declared<PointMass>(point_mass_effect)) mass += m.mass;
-    const double weight = mass * model.gravity()->norm();
-    if (load < much_load * weight) return {};
-    return {{"the loads along gravity, " + digits(load, 3) + " N, are " + digits(load / weight, 2) +
-                 " times the weight of the model's " + digits(mass, 3) +
-                 " kg; loads have no inertia, so what falls under them falls faster than free",
-             "give floors as mass: a density that holds them, or model:mass", line}};
 }
 
 std::vector<Warning> lone_velocities(const Structure& s, const State& start, const Model* before,

@@ -33,6 +33,11 @@ void tell(Context& c, const Warning& w) {
     else std::fprintf(stderr, "warning: and more than these %d; hinge check tells all\n", most_lines - 1);
 }
 
+void tell_findings(Context& c, const RunRecord& r) {
+    if (!r.run || r.run->steps_done() == 0) return;
+    for (const RunWarning& w : r.run->findings()) tell(c, warning_of(*r.run, w));
+}
+
 void look_over(Context& c, const Model& model) {
     c.of_units.reset();
     if (!c.looks_over || c.looked_over >= most_models || model.members().size() > most_members) return;

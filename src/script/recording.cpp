@@ -409,6 +409,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     tell_changes(*c, r, over);
     for (const auto& list = r.run->warnings(); r.warnings_seen < list.size(); ++r.warnings_seen)
         tell(*c, warning_of(*r.run, list[r.warnings_seen]));
+    if (over) tell_findings(*c, r);
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
     if (statics && statics->instability() && !r.instability_shown && r.run->verdict() != Verdict::failed) {
         r.instability_shown = true;

@@ -179,6 +179,31 @@ local carried = "dynamic { dt = 'auto', duration = 1 }"
 suspicious("floors that are loads, in dynamics", { more = "model:load { node = b, force = { 0, 0, -3e4 } }",
   make = carried }, "the loads along gravity, 3e+04 N, are 3.9 times the weight of the model's 785 kg", "model:dynamic",
   { more = "model:load { node = b, force = { 0, 0, -2e4 } } model:mass { node = b, mass = 3000 }", make = carried })
+suspicious("gravity that comes after the statics", { gravity = "{ 0, 0, 0 }",
+  more = "local rest = model:static { steps = 1 } model:gravity { 0, 0, -9.81 }",
+  make = "dynamic { from = rest, dt = 1e-5, duration = 1 }" },
+  "gravity {0, 0, -9.81} m/s^2 acts at once in this run, and did not act in the static run made at scene.lua:11, from "
+    .. "which it goes on (scene.lua:12); weight that acts at once", "model:dynamic", { gravity = "{ 0, 0, -9.81 }",
+    more = "local rest = model:static { steps = 1 } model:gravity { 0, 0, -9.81 }",
+    make = "dynamic { from = rest, dt = 1e-5, duration = 1 }" })
+local floor = "model:load { member = model:members()[2], q = { 0, 0, %s } } model:mass { node = b, mass = 600 } "
+  .. "model:mass { node = c, mass = 600 }"
+suspicious("floors as loads and as masses", { more = floor:format "-3e3" }, "loads along gravity, 1.2e+04 N, and point "
+  .. "masses, which weigh 1.177e+04 N, act together: 3.147e+04 N with the members", "model:mass",
+  { more = floor:format "-2e3" })
+suspicious("the same in statics", { more = floor:format "-3e3", make = "static {}" }, "loads along gravity, 1.2e+04 N",
+  "model:mass", { more = floor:format "3e3", make = "static {}" })
+suspicious("Hz for s", { more = "model:damping { ratio = 0.05, periods = { 2, 20 } }" },
+  "the longest natural period of the 3 members on 2 supported nodes is ", "model:damping",
+  { more = "model:damping { ratio = 0.05, periods = { 0.2, 0.02 } }" })
+local across = "model:contact {} member(joint(-1, %s, 1.5), joint(1, %s, 1.5))"
+suspicious("bars that overlap", { more = across:format("0.05", "0.05") }, "member 1 between nodes 1 and 2 and member 4 "
+  .. "between nodes 5 and 6 overlap by 0.05 m where this run begins, at {0, 0.025, 1.5} m: contact leaves such a pair "
+  .. "alone until it has parted", "model:contact", { more = across:format("0.1", "0.1") })
+local pressed = "for _, head in ipairs { b, c } do model:load { node = head, force = { 0, 0, %s } } end"
+suspicious("an axial force beside which eq 14 is unsafe", { more = pressed:format "-1.2e6", make = "static {}" },
+  "member 1, section solid, carries N / N0 = 0.49 in a linear solution of the loads: beside that N eq 14 gives it 15 % "
+    .. "more than its exact plastic moment about x (", "{a, b", { more = pressed:format "-9e5", make = "static {}" })
 local general = "local odd = hinge.section.general { area = 0.01, Ix = 1e-5, Iy = 1e-5, J = 1e-5, "
   .. "size = { width = 0.1, depth = 0.1 }%s } model:member { c, joint(6, 0, 3), section = odd, material = steel }"
 suspicious("a section that never yields", { more = general:format "" }, "the section (general) of member 4 has no "
@@ -227,6 +252,21 @@ suspicious("an oblique axis", { more = oblique .. "model:fix({ e, f }, 'xyz')" }
   "mechanism: the body of 2 members held at node 5 at {9, 0, 0} m and 1 more node can rotate about the line through",
   "model:fix({ e, f }", { more = oblique .. "model:fix({ e, f, g }, 'xyz')" })
 
+-- What pulls, by source; and Rayleigh damping at the first modes: alpha / (2 w) + beta w / 2.
+_, printed = check(scene { more = floor:format "-2e3" })
+expect(support.has(printed, "\n  along gravity: members 7698 N, point masses 1.177e+04 N (1200 kg), loads on members "
+  .. "8000 N, together 2.747e+04 N\n"), "what pulls: %s", printed)
+_, printed = check(scene { more = "model:damping { alpha = 0.5, beta = 2e-3 }" })
+local periods, ratios = printed:match "natural periods ([%d., e-]+) s; damping ratios ([%d., e-]+) %%\n"
+local ratio_of, told = (ratios or ""):gmatch "[^, ]+", 0
+for T in (periods or ""):gmatch "[^, ]+" do
+  local w = 2 * math.pi / tonumber(T)
+  checks.near(tonumber(ratio_of() or 0), 100 * (0.25 / w + 1e-3 * w), 0.01 * 100 * (0.25 / w + 1e-3 * w),
+    "the damping ratio at " .. T .. " s") -- it is printed with three digits
+  told = told + 1
+end
+equal(told, 3, "modes whose damping is told")
+
 -- A projectile is not a mechanism; one of a static run is refused as ever, at its line.
 status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" })
 expect(status == 0 and support.has(printed, "\n  free body of 1 member, 78.5 kg: natural periods ")
@@ -236,14 +276,18 @@ expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: 
   .. "{0, 0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do with "
   .. "model:fix", 1, true), "a mechanism in statics: %s %s", status, complaint)
 
--- The project's own scenes have none.
+-- The project's own scenes have none but that the paper's eq 14 is unsafe for the columns of its building.
 local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")
 for _, name in ipairs { "01_first_cantilever", "02_portal_collapse", "ten_storey_impact", "paper/two_beam_impact",
   "paper/space_frame_dynamic", "paper/space_frame_static", "paper/fracture_figures", "paper/ten_storey_cases" } do
   local script = quote(root .. "/scripts/" .. name .. ".lua")
   status, printed, complaint = run("cd " .. quote(folder) .. " && " .. hinge .. " check " .. script)
-  expect(status == 0 and printed:find "no warnings" and #warnings(printed) == 0, "scripts/%s.lua: status %s\n%s%s",
-    name, status, printed, complaint)
+  local others = 0
+  for _, warning in ipairs(warnings(printed)) do
+    others = others + (name:find "ten_storey" and warning:find "^member %d+ %(columns%), .* eq 14 gives it" and 0 or 1)
+  end
+  expect(status == 0 and others == 0 and (printed:find "no warnings" or printed:find "eq 14"),
+    "scripts/%s.lua: status %s\n%s%s", name, status, printed, complaint)
 end
 equal(support.output("ls " .. quote(folder)), "scene.lua\n", "what checks leave behind")
 

@@ -77,8 +77,8 @@ static:finish()
 model:load { node = tip, force = { 0, 0, -1e5 }, history = { { 0, 0 }, { 1e-4, 1 } } }
 model:load { node = tip, force = { 0, 1, 0 }, history = function(t) return #("x" .. t) end }
 local asked = 0
-model:fracture { rule = function() return false end, group = "beam" }
-model:fracture(function(s) asked = asked + #(s.group .. s.member) return false end)
+model:fracture(function() return false end)
+model:fracture { rule = function(s) asked = asked + #(s.group .. s.member) return false end, group = "beam" }
 model:contact {}
 local run = model:dynamic { dt = 1e-4, duration = 5e-4, from = static, step_control = 0 }
 local probe = run:probe { node = tip, "uz" }

@@ -1,0 +1,36 @@
+#include "effects/idle_rules.h"
+
+#include <algorithm>
+
+namespace hinge {
+
+void name_idle_rules(const Structure& structure, const std::vector<long>& called, std::vector<RunWarning>& list) {
+    const auto& rules = structure.model().fracture();
+    std::vector<int> members(rules.size(), 0);
+    int last = -1;
+    for (const Element& e : structure.elements())
+        if (e.fracture >= 0 && e.member != last) last = e.member, ++members[e.fracture];
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const FractureRule& rule = rules[i];
+        const bool function = rule.hook || rule.batch;
+        const bool replaced = std::any_of(rules.begin() + long(i) + 1, rules.end(),
+                                          [&](const FractureRule& r) { return r.group == rule.group; });
+        if (replaced || (function ? called[i] > 0 : members[i] > 0 || rule.group < 0)) continue;
+        const std::string name = std::string("the ") + (function ? "function" : "limits") + " of model:fracture" +
+                                 (rule.asked_at.empty() ? "" : " at " + rule.asked_at),
+                          group = rule.group < 0 ? "" : structure.model().groups()[rule.group];
+        if (members[i] > 0)
+            list.push_back({name + " was called 0 times: it is asked of sections that " +
+                                (rule.where == FractureRule::Where::yielded ? "have ever been" : "are") +
+                                " fully plastic, and none was",
+                            "where = 'all'? With it the function is called for every section at every step"});
+        else
+            list.push_back({name + (function ? " was called 0 times, for it holds" : " hold") + " for no member" +
+                                (rule.group < 0 ? "" : " of group '" + group + "'"),
+                            rule.group < 0 ? "every member has a rule of one of its groups"
+                                           : "put members into the group, or declare its rule after those of other "
+                                             "groups that the same members are in"});
+    }
+}
+
+}  // namespace hinge

@@ -1,0 +1,16 @@
+// How messages name a member.
+#pragma once
+
+#include <string>
+
+#include "model/model.h"
+
+namespace hinge {
+
+/// "member 3 (columns)"
+inline std::string member_text(const Model& model, int member) {
+    const auto& groups = model.members()[member].groups;
+    return "member " + std::to_string(member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")");
+}
+
+}  // namespace hinge

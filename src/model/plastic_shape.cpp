@@ -1,0 +1,91 @@
+#include "model/plastic_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "model/model.h"
+
+namespace hinge {
+namespace {
+
+constexpr double same = 1e-6;  ///< of area and moduli: a shape is known where the section has those of the shape
+
+bool agree(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
+
+/// Area of a circle's strip within `e` of a diameter, and the first moment of the circle beyond it, on both sides.
+double strip_of_circle(double radius, double e) {
+    e = std::min(e, radius);
+    return radius > 0 ? 2 * (e * std::sqrt(radius * radius - e * e) + radius * radius * std::asin(e / radius)) : 0;
+}
+double moment_beyond(double radius, double e) {
+    const double rest = radius * radius - e * e;
+    return rest > 0 ? 4.0 / 3 * rest * std::sqrt(rest) : 0;
+}
+
+}  // namespace
+
+/// The strip has the area n A. Beyond the distance e of its edge the section's first moment is left.
+double PlasticShape::Bands::moment(double n) const {
+    const double strip = n * area(), within = 2 * inner * step;
+    if (strip <= within) {
+        const double e = strip / (2 * inner);
+        return (modulus() - inner * e * e) / modulus();
+    }
+    const double e = step + (strip - within) / (2 * outer);
+    return outer * (height - e) * (height + e) / modulus();
+}
+
+/// The strip's edge is found by halving: its area rises with the distance.
+double PlasticShape::moment_of_ring(double outer, double inner, double n) {
+    const double area = std::numbers::pi * (outer * outer - inner * inner);
+    double low = 0, high = outer;
+    for (int i = 0; i < 60; ++i) {
+        const double e = 0.5 * (low + high);
+        (strip_of_circle(outer, e) - strip_of_circle(inner, e) < n * area ? low : high) = e;
+    }
+    const double e = 0.5 * (low + high);
+    return (moment_beyond(outer, e) - moment_beyond(inner, e)) / (moment_beyond(outer, 0) - moment_beyond(inner, 0));
+}
+
+double PlasticShape::moment(int axis, double n) const {
+    n = std::abs(n);
+    if (n >= 1) return 0;
+    return radius_ > 0 ? moment_of_ring(radius_, bore_, n) : bands_[axis].moment(n);
+}
+
+std::optional<PlasticShape> PlasticShape::of(const Section& s) {
+    PlasticShape shape;
+    const double b = s.width, d = s.depth, A = s.plastic_area;
+    if (!(b > 0 && d > 0 && A > 0 && s.Zx > 0 && s.Zy > 0)) return {};
+    if (s.kind == "pipe" || s.kind == "round") {
+        shape.radius_ = b / 2;
+        shape.bore_ = std::sqrt(std::max(0.0, b * b / 4 - A / std::numbers::pi));
+        if (s.kind == "round") shape.bore_ = 0;
+        const double Z = (std::pow(shape.radius_, 3) - std::pow(shape.bore_, 3)) * 4 / 3;
+        const bool known = agree(std::numbers::pi * (std::pow(shape.radius_, 2) - std::pow(shape.bore_, 2)), A);
+        return known && agree(Z, s.Zx) && agree(Z, s.Zy) ? std::optional(shape) : std::nullopt;
+    }
+    if (s.kind == "solid") {
+        shape.bands_[0] = {d / 2, d / 2, b, b};
+        shape.bands_[1] = {b / 2, b / 2, d, d};
+    } else if (s.kind == "h") {
+        shape.bands_[0] = {d / 2 - s.flange, d / 2, s.web, b};
+        shape.bands_[1] = {s.web / 2, b / 2, d, 2 * s.flange};
+    } else if (s.kind == "box") {  // its hollow has the area b d - A and the modulus b d^2 / 4 - Zx
+        const double hollow_depth = (b * d * d - 4 * s.Zx) / (b * d - A), hollow_width = (b * d - A) / hollow_depth;
+        shape.bands_[0] = {hollow_depth / 2, d / 2, b - hollow_width, b};
+        shape.bands_[1] = {hollow_width / 2, b / 2, d - hollow_depth, d};
+    } else {
+        return {};
+    }
+    const double Z[2] = {s.Zx, s.Zy};
+    for (int axis : {0, 1}) {
+        const Bands& of = shape.bands_[axis];
+        const bool sound = of.step > 0 && of.step <= of.height && of.inner > 0 && of.outer > 0;
+        if (!sound || !agree(of.area(), A) || !agree(of.modulus(), Z[axis])) return {};
+    }
+    return shape;
+}
+
+}  // namespace hinge
