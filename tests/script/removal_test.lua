@@ -123,7 +123,7 @@ for name, options in pairs { auto = { dt = "auto", duration = 0.01 },
   local run = model:dynamic(options)
   local longest, before, gone = 0, 0, nil
   for step in run:steps() do
-    longest, before = math.max(longest, step.time - before), step.time
+    longest, before = support.largest_of(longest, step.time - before), step.time
     gone = gone or rope:state(run) == "broken" and step.time or nil
   end
   equal(run.verdict, "completed", name .. ": verdict")

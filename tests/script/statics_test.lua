@@ -249,7 +249,9 @@ do
   leaning:load { node = high, force = { 0, 0, -F } }
   arc = leaning:static { control = { "arc", to = to }, steps = 60 }
   local highest, lowest = 0, 0
-  for step in arc:steps() do highest, lowest = math.max(highest, step.factor), math.min(lowest, step.factor) end
+  for step in arc:steps() do
+    highest, lowest = support.largest_of(highest, step.factor), support.smallest_of(lowest, step.factor)
+  end
   local z = h + select(3, arc:displacement(high))
   local s = math.sqrt(1 + h ^ 2 - z ^ 2) - 1
   expect(arc.verdict == "completed" and arc.reason == "" and highest > 1.2, "arc length from above: %s %s, peak %g",
