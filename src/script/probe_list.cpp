@@ -68,7 +68,7 @@ int fill_only(lua_State* L) { return fill(L), 0; }
 
 /// A metatable for lists of `count` numbers of the probe at index 1.
 void push_metatable(lua_State* L, bool times, lua_Integer count) {
-    lua_createtable(L, 0, 5);
+    ::lua_createtable(L, 0, 5);
     const auto set = [&](const char* event, lua_CFunction f) {
         lua_pushvalue(L, 1);
         lua_pushboolean(L, times);
