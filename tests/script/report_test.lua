@@ -272,7 +272,8 @@ if look then
   local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html", arg[2])
   equal(seen, 0, "in a browser: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
-  seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html")
+  seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html",
+    folder .. "/diagrams/report.html")
   equal(seen, 0, "what it says: " .. said .. wrong)
   expect((tonumber(said:match "(%d+) checked") or 0) > 20, "what it says: %s", said)
   seen, said, wrong = look("player_test.js", folder .. "/one/report.html", folder .. "/diagrams/report.html")

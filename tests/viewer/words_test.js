@@ -1,7 +1,7 @@
 // What the page of hinge report says is so: numbers at the cursor, damage by storey, warnings.
 //
-// Run: node tests/viewer/words_test.js CHROMIUM REPORT STOREYS      ends with a line for each thing that is wrong
-// REPORT and STOREYS are of the first and of the second scene of tests/script/report_test.lua.
+// Run: node tests/viewer/words_test.js CHROMIUM REPORT STOREYS CALM      ends with a line for each thing that is wrong
+// REPORT, STOREYS and CALM are of the first three scenes of tests/script/report_test.lua; CALM has no warning.
 "use strict";
 const { Browser, checks } = require("./browser.js");
 
@@ -60,10 +60,12 @@ async function at_the_cursor(b, report) {
   }
 }
 
-async function storeys_and_warnings(b, report) {
+async function storeys_and_warnings(b, without, report) {
   const card = "(t) => [...document.querySelectorAll('.card')].find((c) => c.querySelector('h2')?.textContent === t)";
   const first = "document.querySelector('main').children[1]?.querySelector('h2')?.textContent";
   const colour = "getComputedStyle(document.querySelector('.verdict strong')).backgroundColor";
+  await b.open(without);
+  await b.until(ready);
   const green = await b.value(colour);
   expect(await b.value(`(${card})("Warnings") === undefined`), "a run without warnings has a card of them");
   await b.open(report);
@@ -86,11 +88,11 @@ async function storeys_and_warnings(b, report) {
 }
 
 run(async () => {
-  const [program, report, storeys] = process.argv.slice(2);
+  const [program, report, storeys, without] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
     await b.size(1280, 720);
-    for (const part of [() => at_the_cursor(b, report), () => storeys_and_warnings(b, storeys)]) {
+    for (const part of [() => at_the_cursor(b, report), () => storeys_and_warnings(b, without, storeys)]) {
       await part();
       for (const problem of b.problems) expect(false, `the page complains: ${problem}`);
     }
