@@ -29,7 +29,7 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
             const double of_eq14 = std::sqrt(1 - n * n), exact = shape->moment(axis, n);
             if (!is_unsafe(of_eq14, exact)) continue;
             if (last != member) last = member, ++members;
-            if (of_eq14 - exact > worst) {
+            if (of_eq14 - exact > worst + alike_moment) {
                 worst = of_eq14 - exact, excess = of_eq14 / exact - 1;
                 worst_n = n, worst_member = member, worst_axis = axis;
             }
