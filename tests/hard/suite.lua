@@ -31,9 +31,9 @@ local settings = {
 }
 -- In how many scenes of those tried a setting holds, at least.
 local stated = quick and { ["1"] = { 58, 65 } } or {
-  ["1"] = { 68, 75 }, ["1/4"] = { 41, 41 }, ["1/2"] = { 41, 41 }, ["2"] = { 41, 43 }, ["4"] = { 36, 43 },
-  ["8"] = { 31, 43 }, ["8 control"] = { 42, 43 }, ["64 control"] = { 42, 43 }, ["8 damped"] = { 35, 43 },
-  ["as printed"] = { 36, 41 }, ["auto"] = { 36, 36 }, ["explicit"] = { 36, 37 },
+  ["1"] = { 68, 75 }, ["1/4"] = { 41, 41 }, ["1/2"] = { 41, 41 }, ["2"] = { 40, 43 }, ["4"] = { 41, 43 },
+  ["8"] = { 40, 43 }, ["8 control"] = { 42, 43 }, ["64 control"] = { 41, 43 }, ["8 damped"] = { 41, 43 },
+  ["as printed"] = { 38, 41 }, ["auto"] = { 36, 36 }, ["explicit"] = { 37, 37 },
 }
 local fewest_steps, most_times_the_steps = 4, 20 -- outside of these a setting is not tried
 
