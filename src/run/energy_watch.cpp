@@ -8,8 +8,7 @@ namespace {
 
 constexpr long most_between = 100;          ///< steps from one look to the next: the balance costs half a step
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
-constexpr double expected_part =
-    0.5;  ///< of a large error: where it is expected, the balance is computed at every step
+constexpr double expected_part = 0.5;       ///< of a large error: from there on every step is looked at
 constexpr double expected_growth = 1.25;    ///< where a larger one is known: by which it must be exceeded
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
