@@ -7,6 +7,7 @@ local support = require "support"
 local hinge = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "checkpoint"
+local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
@@ -73,28 +74,30 @@ end
 
 -- Runs the scene once, with a checkpoint now and then from which another run goes on, on one thread and on two.
 local function goes_on(name, options, times)
-  local whole = impact_run(options)
-  whole:finish()
-  expect(whole:count { state = "broken" } > 0 and whole.contacts.bound > 0, "%s: %d broken, %d bound", name,
-    whole:count { state = "broken" }, whole.contacts.bound)
-  local watched, resumed_from = impact_run(options), 0
-  for step in watched:steps() do
-    if step.index % (whole.index // times) == 3 then
-      resumed_from = resumed_from + 1
-      watched:checkpoint(path "one.checkpoint")
-      local threads = 1 + resumed_from % 2
-      local other = impact_run(with(options, { run = with(options.run or {}, { threads = threads }) }))
-        :resume(path "one.checkpoint")
-      equal(other.hash, watched.hash, ("%s: state at step %d"):format(name, step.index))
-      other:finish()
-      same(("%s, from step %d on %d threads"):format(name, step.index, threads), other, whole)
+  case("a run goes on from a checkpoint with the same bits: " .. name, function()
+    local whole = impact_run(options)
+    whole:finish()
+    expect(whole:count { state = "broken" } > 0 and whole.contacts.bound > 0, "%s: %d broken, %d bound", name,
+      whole:count { state = "broken" }, whole.contacts.bound)
+    local watched, resumed_from = impact_run(options), 0
+    for step in watched:steps() do
+      if step.index % (whole.index // times) == 3 then
+        resumed_from = resumed_from + 1
+        watched:checkpoint(path "one.checkpoint")
+        local threads = 1 + resumed_from % 2
+        local other = impact_run(with(options, { run = with(options.run or {}, { threads = threads }) }))
+          :resume(path "one.checkpoint")
+        equal(other.hash, watched.hash, ("%s: state at step %d"):format(name, step.index))
+        other:finish()
+        same(("%s, from step %d on %d threads"):format(name, step.index, threads), other, whole)
+      end
     end
-  end
-  expect(resumed_from >= times, "%s: went on %d times", name, resumed_from)
-  same(name .. ", with checkpoints taken", watched, whole)
-  if (options.run or {}).step_control then
-    expect(whole.counts.rejected_steps > 2, "%s: %d steps taken back", name, whole.counts.rejected_steps)
-  end
+    expect(resumed_from >= times, "%s: went on %d times", name, resumed_from)
+    same(name .. ", with checkpoints taken", watched, whole)
+    if (options.run or {}).step_control then
+      expect(whole.counts.rejected_steps > 2, "%s: %d steps taken back", name, whole.counts.rejected_steps)
+    end
+  end)
 end
 
 goes_on("gap", {}, 8)
@@ -124,39 +127,43 @@ goes_on("rules of the script's own", {
   end,
 }, 4)
 
--- A run that fails, and goes back to a state from before the checkpoint.
-local strict = { run = { energy_tolerance = 1e-3, step_control = 0 } }
-local failed = impact_run(strict)
-failed:finish()
-expect(failed.verdict == "failed" and failed.reason:find "energy balance",
-  "a run whose energy balance does not close: %s %s", failed.verdict, failed.reason)
-local failing = impact_run(strict)
-while failing.verdict == "running" and failing.index < failed.index + 5 do failing:step() end
-failing:checkpoint(path "failing.checkpoint")
-local fails_too = impact_run(strict):resume(path "failing.checkpoint")
-fails_too:finish()
-equal(fails_too.reason, failed.reason, "the reason why it failed")
-same("failed", fails_too, failed)
+case("a run that fails goes on from a checkpoint to the same failure", function()
+  -- A run that fails, and goes back to a state from before the checkpoint.
+  local strict = { run = { energy_tolerance = 1e-3, step_control = 0 } }
+  local failed = impact_run(strict)
+  failed:finish()
+  expect(failed.verdict == "failed" and failed.reason:find "energy balance",
+    "a run whose energy balance does not close: %s %s", failed.verdict, failed.reason)
+  local failing = impact_run(strict)
+  while failing.verdict == "running" and failing.index < failed.index + 5 do failing:step() end
+  failing:checkpoint(path "failing.checkpoint")
+  local fails_too = impact_run(strict):resume(path "failing.checkpoint")
+  fails_too:finish()
+  equal(fails_too.reason, failed.reason, "the reason why it failed")
+  same("failed", fails_too, failed)
+end)
 
--- The aircraft in the ten-storey frame, where contact is at its busiest.
-local function case_1(threads)
-  local model = hinge.model {}
-  local _, plane = impact.add(model, { gap = 0.1 })
-  local start = model:static { hold = plane }
-  start:finish()
-  local r = model:dynamic { from = start, dt = 1e-5, duration = 0.01, beta = 0.4, threads = threads }
-  r:probe { node = (plane:nodes()[1]), "uy" }
-  return r
-end
-local whole = case_1(1)
-for step in whole:steps() do
-  if step.index == 650 then whole:checkpoint(path "case1.checkpoint") end
-end
-expect(whole.contacts.bound > 2 and whole:count { state = "broken" } > 0, "Case I: %d bound, %d broken",
-  whole.contacts.bound, whole:count { state = "broken" })
-local resumed = hinge.resume(case_1(2), path "case1.checkpoint")
-resumed:finish()
-same("Case I on two threads", resumed, whole)
+case("Case I goes on from a checkpoint with the same bits on two threads", function()
+  -- The aircraft in the ten-storey frame, where contact is at its busiest.
+  local function case_1(threads)
+    local model = hinge.model {}
+    local _, plane = impact.add(model, { gap = 0.1 })
+    local start = model:static { hold = plane }
+    start:finish()
+    local r = model:dynamic { from = start, dt = 1e-5, duration = 0.01, beta = 0.4, threads = threads }
+    r:probe { node = (plane:nodes()[1]), "uy" }
+    return r
+  end
+  local whole = case_1(1)
+  for step in whole:steps() do
+    if step.index == 650 then whole:checkpoint(path "case1.checkpoint") end
+  end
+  expect(whole.contacts.bound > 2 and whole:count { state = "broken" } > 0, "Case I: %d bound, %d broken",
+    whole.contacts.bound, whole:count { state = "broken" })
+  local resumed = hinge.resume(case_1(2), path "case1.checkpoint")
+  resumed:finish()
+  same("Case I on two threads", resumed, whole)
+end)
 
 -- What is refused -----------------------------------------------------------------------------------------------------
 
@@ -187,139 +194,158 @@ for _ = 1, 7 do first:step() end
 first:checkpoint(file)
 local bytes = support.read(file)
 local victim = small(1e-4)
-local before = victim.hash
-local quiet = { expect = 0 }
-for i = 1, #bytes do -- every byte
-  local flipped = (i % 2 == 0) and 255 or 1 << (i % 8)
-  support.write(file, bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
-  local ok, failure = pcall(victim.resume, victim, file)
-  if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before
-    or victim.index ~= 0 then
-    quiet.expect = i
-    break
+case("every byte that is changed and every length that is cut is noticed", function()
+  local before = victim.hash
+  local quiet = { expect = 0 }
+  for i = 1, #bytes do -- every byte
+    local flipped = (i % 2 == 0) and 255 or 1 << (i % 8)
+    support.write(file, bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
+    local ok, failure = pcall(victim.resume, victim, file)
+    if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before
+      or victim.index ~= 0 then
+      quiet.expect = i
+      break
+    end
   end
-end
-equal(quiet.expect, 0, "byte changed that was not noticed")
-for length = 0, #bytes - 1 do -- every length
-  support.write(file, bytes:sub(1, length))
-  local ok, failure = pcall(victim.resume, victim, file)
-  if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then
-    quiet.expect = length + 1
-    break
+  equal(quiet.expect, 0, "byte changed that was not noticed")
+  for length = 0, #bytes - 1 do -- every length
+    support.write(file, bytes:sub(1, length))
+    local ok, failure = pcall(victim.resume, victim, file)
+    if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then
+      quiet.expect = length + 1
+      break
+    end
   end
-end
-equal(quiet.expect, 0, "cut short, not noticed, at byte")
-support.write(file, bytes .. "\0")
-refused("a byte more", "checkpoint " .. file .. " is damaged: ...", victim.resume, victim, file)
-support.write(file, "speed,height\n" .. bytes)
-refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume,
-  victim, file)
-refused("no file", "cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume,
-  victim, path "none")
-
--- Another version: the checksum (CRC-32 of all behind it) is right.
-local function crc(text)
-  local c = 0xffffffff
-  for i = 1, #text do
-    c = c ~ text:byte(i)
-    for _ = 1, 8 do c = (c >> 1) ~ (0xedb88320 & -(c & 1)) end
-  end
-  return ~c & 0xffffffff
-end
-local own = string.unpack("<I4", bytes, 13)
-local newer = string.pack("<I4", own + 1) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
-support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
-refused("another version",
-  ("checkpoint %s is of format %d, written by hinge 9.8.7; this is hinge %s, which reads format %d: go on with the "
-    .. "hinge that wrote it, or start the run anew"):format(file, own + 1, hinge.version, own), victim.resume, victim,
-  file)
-
-support.write(file, bytes)
-refused("other dt",
-  "...checkpoint " .. file .. " is of another run, which differs in dt...; give the script and parameters ...",
-  function() small(5e-5):resume(file) end)
-refused("another model",
-  "...is of another run, which differs in nodes (2 there, 3 here), members (1 there, 2 here), "
-    .. "materials (1 there, 2 here), " ..
-  "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...",
-  function() small(1e-4, true):resume(file) end)
-refused("other probes",
-  "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on",
-  function()
-  local r, tip = small(1e-4)
-  r:probe { node = tip, "uz", name = "tip" }
-  r:resume(file)
+  equal(quiet.expect, 0, "cut short, not noticed, at byte")
 end)
-refused("begun",
-  "...run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step",
-  function() first:resume(file) end)
-refused("in a step",
-  "...run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step...",
-  function()
-  impact_run({ declare = function(model, corner)
-    model:load { node = corner, force = function(_, r) r:checkpoint(file) return 0, 0, 0 end }
-  end }):step()
-end)
-refused("no name",
-  "...run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'",
-  function() first:checkpoint() end)
-refused("static",
-  "...run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew",
-  function()
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a)
-  model:member { a, b,
-    section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
-  model:static {}:checkpoint(file)
-end)
-local itself = {}
-itself.t = itself
-for given, message in pairs {
-  [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s, keep = table }",
-  [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s, keep = table }",
-  [{ file = "x", keep = 3 }] = "checkpoint: field 'keep' is 3...; must be a table, whose values are kept with the run",
-  [{ file = "x", keep = { list = { 1, print } } }] =
-    "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
-  [{ file = "x", keep = itself }] = "checkpoint: keep.t....t is nested too deep to be kept; does a table hold itself?",
-  [{ file = "x", every = -1 }] = "checkpoint: field 'every' is -1 s; must be ...",
-} do
-  refused("a wrong plan", "...model:dynamic..." .. message, function() impact_run { run = { checkpoint = given } } end)
-end
-victim:resume(file) -- and is none the worse for all that
-victim:finish()
-first:finish()
-equal(victim.hash, first.hash, "the small run, resumed after all")
 
--- What the script itself gathers.
-local function gathers(keep)
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a)
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-    material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
-  model:load { node = b, force = { 0, 0, -10 } }
-  local r = model:dynamic { dt = 1e-4, duration = 1e-2, checkpoint = { file = path "gathers.checkpoint", keep = keep } }
-  return r, function(step)
-    keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0,
-      { n = step.index, s = "a\0b" }
+case("a byte too many, another file, no file and another version are refused", function()
+  support.write(file, bytes .. "\0")
+  refused("a byte more", "checkpoint " .. file .. " is damaged: ...", victim.resume, victim, file)
+  support.write(file, "speed,height\n" .. bytes)
+  refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume,
+    victim, file)
+  refused("no file", "cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume,
+    victim, path "none")
+
+  -- Another version: the checksum (CRC-32 of all behind it) is right.
+  local function crc(text)
+    local c = 0xffffffff
+    for i = 1, #text do
+      c = c ~ text:byte(i)
+      for _ = 1, 8 do c = (c >> 1) ~ (0xedb88320 & -(c & 1)) end
+    end
+    return ~c & 0xffffffff
   end
-end
-local all, half, rest = { list = {} }, { list = {} }, { list = {}, lost = 1 }
-local r, gather = gathers(all)
-for step in r:steps() do gather(step) end
-r, gather = gathers(half)
-for step in r:steps() do
-  gather(step)
-  if step.index == 40 then r:checkpoint(path "gathers.checkpoint") break end
-end
-r, gather = gathers(rest)
-r:resume(path "gathers.checkpoint")
-expect(#rest.list == 40 and rest.lost == nil and rest.last == true and rest[1.5].n == 40 and rest[1.5].s == "a\0b"
-  and math.type(rest[1.5].n) == "integer", "what the script gathered, at step 40")
-for step in r:steps() do gather(step) end
-equal(#all.list, 100, "what was gathered")
-equal(table.concat(rest.list, " "), table.concat(all.list, " "), "what was gathered, half of it before")
+  local own = string.unpack("<I4", bytes, 13)
+  local newer = string.pack("<I4", own + 1) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
+  support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
+  refused("another version",
+    ("checkpoint %s is of format %d, written by hinge 9.8.7; this is hinge %s, which reads format %d: go on with the "
+      .. "hinge that wrote it, or start the run anew"):format(file, own + 1, hinge.version, own), victim.resume, victim,
+    file)
+end)
+
+case("a checkpoint of another model, step or set of probes is refused", function()
+  support.write(file, bytes)
+  refused("other dt",
+    "...checkpoint " .. file .. " is of another run, which differs in dt...; give the script and parameters ...",
+    function() small(5e-5):resume(file) end)
+  refused("another model",
+    "...is of another run, which differs in nodes (2 there, 3 here), members (1 there, 2 here), "
+      .. "materials (1 there, 2 here), " ..
+    "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...",
+    function() small(1e-4, true):resume(file) end)
+  refused("other probes",
+    "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on",
+    function()
+    local r, tip = small(1e-4)
+    r:probe { node = tip, "uz", name = "tip" }
+    r:resume(file)
+  end)
+  refused("begun",
+    "...run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step",
+    function() first:resume(file) end)
+  refused("in a step",
+    "...run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step...",
+    function()
+    impact_run({ declare = function(model, corner)
+      model:load { node = corner, force = function(_, r) r:checkpoint(file) return 0, 0, 0 end }
+    end }):step()
+  end)
+  refused("no name",
+    "...run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'",
+    function() first:checkpoint() end)
+  refused("static",
+    "...run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew",
+    function()
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a)
+    model:member { a, b,
+      section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
+    model:static {}:checkpoint(file)
+  end)
+end)
+
+case("wrong checkpoint options of model:dynamic are refused", function()
+  local itself = {}
+  itself.t = itself
+  for given, message in pairs {
+    [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s, keep = table }",
+    [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s, keep = table }",
+    [{ file = "x", keep = 3 }] = "checkpoint: field 'keep' is 3...; must be a table, whose values are kept with the "
+    .. "run",
+    [{ file = "x", keep = { list = { 1, print } } }] =
+      "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
+    [{ file = "x", keep = itself }] = "checkpoint: keep.t....t is nested too deep to be kept; does a table hold "
+      .. "itself?",
+    [{ file = "x", every = -1 }] = "checkpoint: field 'every' is -1 s; must be ...",
+  } do
+    refused("a wrong plan", "...model:dynamic..." .. message, function() impact_run { run = { checkpoint =
+      given } } end)
+  end
+end)
+
+case("a run that refused checkpoints resumes the right one with the same bits", function()
+  victim:resume(file) -- and is none the worse for all that
+  victim:finish()
+  first:finish()
+  equal(victim.hash, first.hash, "the small run, resumed after all")
+end)
+
+case("what a script gathers in keep goes on with the run", function()
+  -- What the script itself gathers.
+  local function gathers(keep)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a)
+    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+      material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
+    model:load { node = b, force = { 0, 0, -10 } }
+    local r = model:dynamic { dt = 1e-4, duration = 1e-2, checkpoint = { file = path "gathers.checkpoint", keep =
+      keep } }
+    return r, function(step)
+      keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0,
+        { n = step.index, s = "a\0b" }
+    end
+  end
+  local all, half, rest = { list = {} }, { list = {} }, { list = {}, lost = 1 }
+  local r, gather = gathers(all)
+  for step in r:steps() do gather(step) end
+  r, gather = gathers(half)
+  for step in r:steps() do
+    gather(step)
+    if step.index == 40 then r:checkpoint(path "gathers.checkpoint") break end
+  end
+  r, gather = gathers(rest)
+  r:resume(path "gathers.checkpoint")
+  expect(#rest.list == 40 and rest.lost == nil and rest.last == true and rest[1.5].n == 40 and rest[1.5].s == "a\0b"
+    and math.type(rest[1.5].n) == "integer", "what the script gathered, at step 40")
+  for step in r:steps() do gather(step) end
+  equal(#all.list, 100, "what was gathered")
+  equal(table.concat(rest.list, " "), table.concat(all.list, " "), "what was gathered, half of it before")
+end)
 
 -- The program ---------------------------------------------------------------------------------------------------------
 
@@ -344,66 +370,80 @@ end
 local function summary(out) return support.json(support.read(path(out) .. "/summary.json") or "{}") end
 local function history(out) return support.read(path(out) .. "/history.csv") end
 
-equal(run(command "whole"), 0, "a run with a checkpoint")
+local whole_status = run(command "whole")
 local wanted = summary "whole"
-expect(#history "whole" > 10000 and wanted.results.steps >= 5000, "the run: %s", wanted.results.steps)
-
--- A signal: the step ends, the checkpoint is written, and the same command goes on.
-local status, _, complaint = run(command("ended", "slow=1234"))
-equal(status, 3, "status after SIGTERM")
-local at = complaint:match "after step 1234, (t = %S+ s); written" -- some steps before it were halved
-expect(complaint:find(("hinge: interrupted by SIGTERM after step 1234, %s; written to "):format(at)
-  .. path "ended/impact.checkpoint" .. "; the same command with --resume goes on from there", 1, true),
-  "after SIGTERM: %s", complaint)
-expect(not support.is_there(path "ended/summary.json"), "a summary of a run that is not over")
-local _, told = run(program .. " history " .. quote(path "ended"))
-expect(told:find("  no summary, but a checkpoint, impact.checkpoint: the script has not ended, or stumbled; the same "
-  .. "command with --resume goes on from it; hinge ", 1, true), "history of an interrupted run: %s", told)
-status, _, complaint = run(command("ended", "threads=2 --resume"))
-equal(status, 0, "status of --resume: " .. complaint)
-expect(support.says(complaint, path "ended" .. " held the run of ...impact.lua, slow = 1234; what has a checkpoint "
-  .. "there goes on as the run of ...impact.lua, threads = 2\n...") and not complaint:find "replaced",
-  "whose it was: %s", complaint)
-expect(complaint:find("goes on from " .. path "ended/impact.checkpoint: step 1234, " .. tostring(at), 1, true),
-  "--resume: %s", complaint)
 local function as_whole(what, out)
   equal(summary(out).state_hash, wanted.state_hash, what .. ": state")
   equal(summary(out).results.uy, wanted.results.uy, what .. ": result")
   expect(history(out) == history "whole", "%s: history.csv is another", what)
 end
-as_whole("after SIGTERM", "ended")
-status, _, complaint = run(command("ended", "--resume"))
-equal(summary "ended".resumed_at, wanted.results.steps, "resumed_at of a run that is over")
-expect(status == 0 and complaint:find("step " .. wanted.results.steps, 1, true),
-  "--resume of a run that is over: %s %s", status, complaint)
-as_whole("over, once more", "ended")
-status, _, complaint = run(command("unkept", "slow=100 checkpoint=none"))
-equal(status, 143, "status after SIGTERM without a checkpoint")
-_, told = run(program .. " history " .. quote(path "unkept"))
-expect(told:find("  no summary: the script has not ended, or stumbled; hinge ", 1, true), "without: %s", told)
-expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1, true),
-  "without: %s", complaint)
--- the heading, step 0, and one in ten
-equal(select(2, history "unkept":gsub("\n", "")), 12, "rows of the history that SIGTERM left")
-status, _, complaint = run(command("fresh", "--resume duration=0.002"))
-expect(status == 0 and complaint:find("--resume: there is no "
-  .. path "fresh/impact.checkpoint; the run starts from its beginning", 1, true),
-  "--resume without a checkpoint: %s %s", status, complaint)
-status, _, complaint = run(command("fresh", "--resume duration=0.004"))
-expect(status == 2 and complaint:find("differs in duration", 1, true), "--resume of another run: %s %s",
-  status, complaint)
-status, _, complaint = run(command("fresh", "duration=0.004"))
-expect(status == 0 and not support.is_there(path "fresh/impact.checkpoint.before"),
-  "anew after one that is over: %s %s", status, complaint)
-equal(run(command("again", "slow=50")), 3, "status after SIGTERM")
-status, _, complaint = run(command("again", "duration=0.004"))
-expect(status == 0
-  and complaint:find("is of a run that is not over, and kept as " .. path "again/impact.checkpoint.before", 1, true),
-  "anew: %s %s", status, complaint)
+case("a run with a checkpoint completes", function()
+  equal(whole_status, 0, "a run with a checkpoint")
+  expect(#history "whole" > 10000 and wanted.results.steps >= 5000, "the run: %s", wanted.results.steps)
+end)
 
--- kill -9 at 50 random moments, each time going on from what is there; whenever a run came
--- to its end it is the same one.
-support.write(path "kill.sh", ([[
+case("a run ended by SIGTERM writes a checkpoint and goes on with --resume", function()
+  -- A signal: the step ends, the checkpoint is written, and the same command goes on.
+  local status, _, complaint = run(command("ended", "slow=1234"))
+  equal(status, 3, "status after SIGTERM")
+  local at = complaint:match "after step 1234, (t = %S+ s); written" -- some steps before it were halved
+  expect(complaint:find(("hinge: interrupted by SIGTERM after step 1234, %s; written to "):format(at)
+    .. path "ended/impact.checkpoint" .. "; the same command with --resume goes on from there", 1, true),
+    "after SIGTERM: %s", complaint)
+  expect(not support.is_there(path "ended/summary.json"), "a summary of a run that is not over")
+  local _, told = run(program .. " history " .. quote(path "ended"))
+  expect(told:find("  no summary, but a checkpoint, impact.checkpoint: the script has not ended, or stumbled; the same "
+    .. "command with --resume goes on from it; hinge ", 1, true), "history of an interrupted run: %s", told)
+  status, _, complaint = run(command("ended", "threads=2 --resume"))
+  equal(status, 0, "status of --resume: " .. complaint)
+  expect(support.says(complaint, path "ended" .. " held the run of ...impact.lua, slow = 1234; what has a checkpoint "
+    .. "there goes on as the run of ...impact.lua, threads = 2\n...") and not complaint:find "replaced",
+    "whose it was: %s", complaint)
+  expect(complaint:find("goes on from " .. path "ended/impact.checkpoint: step 1234, " .. tostring(at), 1, true),
+    "--resume: %s", complaint)
+  as_whole("after SIGTERM", "ended")
+  status, _, complaint = run(command("ended", "--resume"))
+  equal(summary "ended".resumed_at, wanted.results.steps, "resumed_at of a run that is over")
+  expect(status == 0 and complaint:find("step " .. wanted.results.steps, 1, true),
+    "--resume of a run that is over: %s %s", status, complaint)
+  as_whole("over, once more", "ended")
+end)
+
+case("a run without a checkpoint that SIGTERM ends says that it starts anew", function()
+  local status, _, complaint = run(command("unkept", "slow=100 checkpoint=none"))
+  equal(status, 143, "status after SIGTERM without a checkpoint")
+  local _, told = run(program .. " history " .. quote(path "unkept"))
+  expect(told:find("  no summary: the script has not ended, or stumbled; hinge ", 1, true), "without: %s", told)
+  expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1,
+    true),
+    "without: %s", complaint)
+  -- the heading, step 0, and one in ten
+  equal(select(2, history "unkept":gsub("\n", "")), 12, "rows of the history that SIGTERM left")
+end)
+
+case("--resume starts anew where there is no checkpoint and refuses that of another run", function()
+  local status, _, complaint = run(command("fresh", "--resume duration=0.002"))
+  expect(status == 0 and complaint:find("--resume: there is no "
+    .. path "fresh/impact.checkpoint; the run starts from its beginning", 1, true),
+    "--resume without a checkpoint: %s %s", status, complaint)
+  status, _, complaint = run(command("fresh", "--resume duration=0.004"))
+  expect(status == 2 and complaint:find("differs in duration", 1, true), "--resume of another run: %s %s",
+    status, complaint)
+  status, _, complaint = run(command("fresh", "duration=0.004"))
+  expect(status == 0 and not support.is_there(path "fresh/impact.checkpoint.before"),
+    "anew after one that is over: %s %s", status, complaint)
+  equal(run(command("again", "slow=50")), 3, "status after SIGTERM")
+  status, _, complaint = run(command("again", "duration=0.004"))
+  expect(status == 0
+    and complaint:find("is of a run that is not over, and kept as " .. path "again/impact.checkpoint.before", 1, true),
+    "anew: %s %s", status, complaint)
+end)
+
+case("a run killed 50 times and resumed has the same bits and files", function()
+  local complaint
+  -- kill -9 at 50 random moments, each time going on from what is there; whenever a run came
+  -- to its end it is the same one.
+  support.write(path "kill.sh", ([[
 RANDOM=11 kills=0 ends=0
 while [ $kills -lt 50 ]; do
   %s >%s 2>&1 & p=$!
@@ -417,27 +457,29 @@ while [ $kills -lt 50 ]; do
 done
 echo "kills $kills ends $ends"
 ]]):format(command("killed", "duration=0.05 every=0 --resume"), path "log", path "killed/impact.checkpoint",
-  path "log", path "killed/history.csv", path "killed/history.csv"))
-local killed, printed
-killed, printed, complaint = run("bash " .. quote(path "kill.sh"))
-expect(killed == 0 and printed:find "kills 50", "kill -9: %s %s", printed, complaint)
-print("kill -9: " .. printed:gsub("\n", ""))
-equal(run(command("killed", "duration=0.05 --resume")), 0, "after the last kill")
-equal(run(command("unkilled", "duration=0.05")), 0, "never killed")
-equal(summary "killed".state_hash, summary "unkilled".state_hash, "killed 50 times: state")
-expect(history "killed" == history "unkilled", "killed 50 times: history.csv is another")
-checks.same_files(path "killed/events.csv", path "unkilled/events.csv", "killed 50 times")
+    path "log", path "killed/history.csv", path "killed/history.csv"))
+  local killed, printed
+  killed, printed, complaint = run("bash " .. quote(path "kill.sh"))
+  expect(killed == 0 and printed:find "kills 50", "kill -9: %s %s", printed, complaint)
+  print("kill -9: " .. printed:gsub("\n", ""))
+  equal(run(command("killed", "duration=0.05 --resume")), 0, "after the last kill")
+  equal(run(command("unkilled", "duration=0.05")), 0, "never killed")
+  equal(summary "killed".state_hash, summary "unkilled".state_hash, "killed 50 times: state")
+  expect(history "killed" == history "unkilled", "killed 50 times: history.csv is another")
+  checks.same_files(path "killed/events.csv", path "unkilled/events.csv", "killed 50 times")
+end)
 
--- kill -9 of a run that names no checkpoint, and is slow towards its end: events.csv has all that happened up to the
--- last row of history.csv, and hinge report tells of it.
-local function lines_of(name)
-  local lines = {}
-  for line in (support.read(name) or ""):gmatch "[^\n]+" do lines[#lines + 1] = line end
-  return lines
-end
-local all_events = lines_of(path "whole/events.csv")
-expect(#all_events > 12, "events of the whole run: %d", #all_events - 1)
-support.write(path "kill_once.sh", ([[
+case("a killed run without a checkpoint leaves its history, its events and a report", function()
+  -- kill -9 of a run that names no checkpoint, and is slow towards its end: events.csv has all that happened up to the
+  -- last row of history.csv, and hinge report tells of it.
+  local function lines_of(name)
+    local lines = {}
+    for line in (support.read(name) or ""):gmatch "[^\n]+" do lines[#lines + 1] = line end
+    return lines
+  end
+  local all_events = lines_of(path "whole/events.csv")
+  expect(#all_events > 12, "events of the whole run: %d", #all_events - 1)
+  support.write(path "kill_once.sh", ([[
 %s >%s 2>&1 & p=$!
 for i in $(seq 600); do
   [ -e %s ] && [ $(wc -l <%s) -gt 20 ] && break
@@ -447,44 +489,52 @@ kill -9 $p
 wait $p
 [ $? = 137 ]
 ]]):format(command("cut", "checkpoint=none stall=4500"), path "log", path "cut/history-1.csv", path "cut/history.csv"))
-equal(run("bash " .. quote(path "kill_once.sh")), 0, "a run that is killed")
-local rows, events = lines_of(path "cut/history.csv"), lines_of(path "cut/events.csv")
-local reached, due = tonumber((rows[#rows] or ""):match "^[^,]*") or 0, 1
-while all_events[due + 1] and tonumber(all_events[due + 1]:match "^[^,]*") <= reached do due = due + 1 end
-print(("killed at %g s at least: %d rows, %d of %d events"):format(reached, #rows - 1, #events - 1, #all_events - 1))
-expect(due > 10 and #events >= due, "killed after %g s: %d lines of events.csv, wanted %d", reached, #events, due)
-for i = 1, math.min(#events, #all_events) do
-  equal(events[i], all_events[i], "killed: line " .. i .. " of events.csv")
-end
-local told_status, told_of, told_wrong = run(program .. " report " .. quote(path "cut"))
-equal(told_status, 0, "hinge report of a run that was killed: " .. told_wrong)
-expect(told_of:find("cut/report.html: 1 run, 0 frames", 1, true), "it says %s", told_of)
-local cut_page = support.read(path "cut/report.html") or ""
-expect(cut_page:find('"summary":null,"owner":{', 1, true), "its page has a summary, or not whose it is")
+  equal(run("bash " .. quote(path "kill_once.sh")), 0, "a run that is killed")
+  local rows, events = lines_of(path "cut/history.csv"), lines_of(path "cut/events.csv")
+  local reached, due = tonumber((rows[#rows] or ""):match "^[^,]*") or 0, 1
+  while all_events[due + 1] and tonumber(all_events[due + 1]:match "^[^,]*") <= reached do due = due + 1 end
+  print(("killed at %g s at least: %d rows, %d of %d events"):format(reached, #rows - 1, #events - 1, #all_events - 1))
+  expect(due > 10 and #events >= due, "killed after %g s: %d lines of events.csv, wanted %d", reached, #events, due)
+  for i = 1, math.min(#events, #all_events) do
+    equal(events[i], all_events[i], "killed: line " .. i .. " of events.csv")
+  end
+  local told_status, told_of, told_wrong = run(program .. " report " .. quote(path "cut"))
+  equal(told_status, 0, "hinge report of a run that was killed: " .. told_wrong)
+  expect(told_of:find("cut/report.html: 1 run, 0 frames", 1, true), "it says %s", told_of)
+  local cut_page = support.read(path "cut/report.html") or ""
+  expect(cut_page:find('"summary":null,"owner":{', 1, true), "its page has a summary, or not whose it is")
+end)
 
--- A full disk: a tiny file system where one can be mounted, else a limit on the size of files.
-local tiny = path "tiny"
-os.execute("mkdir " .. quote(tiny))
-local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=200k tmpfs %s && %%s'"):format(tiny)
-local can_mount = os.execute(mounted:format "true" .. " 2>" .. quote(path "log"))
-local kept = ("; s=$?; cp -r %s/out %s; exit $s"):format(tiny, path "full")
-if can_mount then
-  local inside = ("%s run %s --out %s"):format(program, path "impact.lua", tiny .. "/out") .. kept
-  status, _, complaint = run(mounted:format((inside:gsub("'", ""))))
-else
-  status, _, complaint = run(("trap '' XFSZ; ulimit -f 100; %s"):format(command "full"))
-end
-print("full disk: " .. (can_mount and "a file system of 200 kB" or "a limit on the size of files"))
-expect(complaint:find("cannot write .-: N?F?[oi][ l][se].-; the run goes on, the checkpoint before stays as it was"),
-  "full disk: status %s, %s", status, complaint)
-status, _, complaint = run(command("full", "--resume"))
-expect(status == 0 and complaint:find "goes on from", "after a full disk: %s %s", status, complaint)
-as_whole("after a full disk", "full")
+case("a full disk keeps the checkpoint before and the run goes on", function()
+  local status, _, complaint
+  -- A full disk: a tiny file system where one can be mounted, else a limit on the size of files.
+  local tiny = path "tiny"
+  os.execute("mkdir " .. quote(tiny))
+  local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=200k tmpfs %s && %%s'"):format(tiny)
+  local can_mount = os.execute(mounted:format "true" .. " 2>" .. quote(path "log"))
+  local kept = ("; s=$?; cp -r %s/out %s; exit $s"):format(tiny, path "full")
+  if can_mount then
+    local inside = ("%s run %s --out %s"):format(program, path "impact.lua", tiny .. "/out") .. kept
+    status, _, complaint = run(mounted:format((inside:gsub("'", ""))))
+  else
+    status, _, complaint = run(("trap '' XFSZ; ulimit -f 100; %s"):format(command "full"))
+  end
+  print("full disk: " .. (can_mount and "a file system of 200 kB" or "a limit on the size of files"))
+  expect(complaint:find("cannot write .-: N?F?[oi][ l][se].-; the run goes on, the checkpoint before stays as it was"),
+    "full disk: status %s, %s", status, complaint)
+  status, _, complaint = run(command("full", "--resume"))
+  expect(status == 0 and complaint:find "goes on from", "after a full disk: %s %s", status, complaint)
+  as_whole("after a full disk", "full")
+end)
 
--- A folder that cannot be written to is noticed before the first step.
-for name, message in pairs { ["/proc/hinge/x.checkpoint"] = "cannot make folder /proc/hinge",
-  ["/proc/x.checkpoint"] = "cannot write /proc/x.checkpoint" } do
-  status, _, complaint = run(command("nowhere", "checkpoint=" .. name))
-  expect(status == 1 and complaint:find(message, 1, true), "unwritable: %s %s", status, complaint)
-end
+case("a checkpoint in a folder that cannot be written to is refused before the first step", function()
+  local status, _, complaint
+  -- A folder that cannot be written to is noticed before the first step.
+  for name, message in pairs { ["/proc/hinge/x.checkpoint"] = "cannot make folder /proc/hinge",
+    ["/proc/x.checkpoint"] = "cannot write /proc/x.checkpoint" } do
+    status, _, complaint = run(command("nowhere", "checkpoint=" .. name))
+    expect(status == 1 and complaint:find(message, 1, true), "unwritable: %s %s", status, complaint)
+  end
+end)
+
 checks.done()

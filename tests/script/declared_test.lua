@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local checks = support.checks "declared"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local quote = support.quote
 
 local steel = hinge.material { E = 200e9, nu = 0.3, density = 8000 }
@@ -34,8 +34,7 @@ local function refused(message, call)
   expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(complaint), message)
 end
 
--- A velocity that is given after the statics -------------------------------------------------------------------------
-do
+case("a velocity given after statics acts in the run that goes on from it", function()
   local model, foot, tip = cantilever()
   model:gravity { 0, 0, -9.8 }
   local rest = model:static { steps = 1 }:finish()
@@ -61,9 +60,9 @@ do
   equal(other:dynamic { from = before, dt = 1e-6, duration = 1e-5 }:finish().hash, first.hash, "given before or after")
   refused("model:velocity: target is node 1, which supports hold in all directions of this velocity; ...",
     function() model:velocity(foot, { 1, 0, 0 }) end)
-end
+end)
 
-do -- as a rigid body where it is by then: a bar that has turned by a quarter
+case("a velocity given to a group acts on it as a rigid body where it is by then", function()
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = bar, material = steel, group = "bar" }
@@ -78,36 +77,37 @@ do -- as a rigid body where it is by then: a bar that has turned by a quarter
   model:velocity(mid, { 1, 0, 0 })
   refused("model:dynamic: a velocity was given to node 3 at {5, 0, 0} m, which belongs to no member",
     function() model:dynamic { dt = 1e-3, duration = 1e-3 } end)
-end
+end)
 
--- A load with a history in statics -----------------------------------------------------------------------------------
-for name, target in pairs { ["on a node"] = function(tip) return { node = tip, force = { 0, 0, -P } } end,
-  ["on a member"] = function(_, member) return { member = member, at = 1, force = { 0, 0, -P } } end } do
-  for shape, history in pairs { points = { { 0, 1 }, { 0.1, 0 } }, ["function"] = function() return 1 end } do
-    local what = name .. ", " .. shape .. ": "
-    local model, _, tip, member = cantilever()
-    local load = target(tip, member)
-    load.history = history
-    model:load(load)
-    refused("model:static: nothing acts: all loads have a history, which is for dynamics; ...",
-      function() model:static {} end)
-    model:load { node = tip, force = { 0, P, 0 } }
-    local rest = model:static { steps = 1 }:finish()
-    near(sag(rest, tip), 0, 1e-12, what .. "statics")
-    expect(select(2, rest:displacement(tip)) > 0.9 * drop, what .. "the other load")
-    -- dynamics begins with it, from rest: m a = P for the tip's own part
-    local run = model:dynamic { from = rest, dt = 1e-6, duration = 1e-6 }
-    expect(select(3, run:acceleration(tip)) < -1, what .. "dynamics")
-    -- by its case, in full
-    local by_case, _, far, arm = cantilever()
-    local blast = target(far, arm)
-    blast.history, blast.case = history, by_case:case "blast"
-    by_case:load(blast)
-    near(sag(by_case:static { steps = 1, loads = "blast" }:finish(), far), drop, 1e-9 * drop, what .. "its case")
-    near(sag(by_case:static { steps = 1, loads = { blast = 0.5 } }:finish(), far), drop / 2, 1e-9 * drop,
-      what .. "half of its case")
+case("a load with a history is no part of statics, unless its case is taken", function()
+  for name, target in pairs { ["on a node"] = function(tip) return { node = tip, force = { 0, 0, -P } } end,
+    ["on a member"] = function(_, member) return { member = member, at = 1, force = { 0, 0, -P } } end } do
+    for shape, history in pairs { points = { { 0, 1 }, { 0.1, 0 } }, ["function"] = function() return 1 end } do
+      local what = name .. ", " .. shape .. ": "
+      local model, _, tip, member = cantilever()
+      local load = target(tip, member)
+      load.history = history
+      model:load(load)
+      refused("model:static: nothing acts: all loads have a history, which is for dynamics; ...",
+        function() model:static {} end)
+      model:load { node = tip, force = { 0, P, 0 } }
+      local rest = model:static { steps = 1 }:finish()
+      near(sag(rest, tip), 0, 1e-12, what .. "statics")
+      expect(select(2, rest:displacement(tip)) > 0.9 * drop, what .. "the other load")
+      -- dynamics begins with it, from rest: m a = P for the tip's own part
+      local run = model:dynamic { from = rest, dt = 1e-6, duration = 1e-6 }
+      expect(select(3, run:acceleration(tip)) < -1, what .. "dynamics")
+      -- by its case, in full
+      local by_case, _, far, arm = cantilever()
+      local blast = target(far, arm)
+      blast.history, blast.case = history, by_case:case "blast"
+      by_case:load(blast)
+      near(sag(by_case:static { steps = 1, loads = "blast" }:finish(), far), drop, 1e-9 * drop, what .. "its case")
+      near(sag(by_case:static { steps = 1, loads = { blast = 0.5 } }:finish(), far), drop / 2, 1e-9 * drop,
+        what .. "half of its case")
+    end
   end
-end
+end)
 
 -- A history that jumps: no impulse is lost, wherever the steps end ---------------------------------------------------
 local function flying(history, options, on_member)
@@ -137,40 +137,44 @@ local pulses = { -- points, impulse over P
   ["a blast of one and a half steps"] = { { { 0, 1 }, { 1.5e-4, 0 } }, 0.75e-4 },
   ["kinks where steps end"] = { { { 1e-4, 0 }, { 2e-4, 1 }, { 4e-4, 0 } }, 1.5e-4 },
 }
-for name, pulse in pairs(pulses) do
-  for method, options in pairs { newmark = { dt = 1e-4 }, ["energy-momentum"] = { dt = 1e-4,
-    integrator = "energy-momentum" }, damped = { dt = 1e-4, rho_infinity = 0.6 }, explicit = { dt = 1e-5,
-    integrator = "explicit" }, controlled = { dt = 1e-4, step_control = 0.01 }, displacement = { dt = 1e-4,
-    predictor = "displacement" } } do
-    if method ~= "energy-momentum" then -- which is for large displacement
-      for _, on_member in ipairs { false, true } do
-        local copy = { energy_tolerance = 0 }
-        for key, value in pairs(options) do copy[key] = value end
-        local run, momentum, energy = flying(pulse[1], copy, on_member)
-        local what = name .. ", " .. method .. (on_member and ", on a member" or "")
-        -- Bossak's weights spread a jump over two steps
-        local within = method == "damped" and 0.09 * P * 1e-4 or 2e-7 * P * 1e-3
-        near(momentum, P * pulse[2], within, what .. ": momentum")
-        expect(math.abs(energy.remainder) <= (method == "explicit" and 0.1 or 1e-5) * energy.work,
-          "%s: energy error %g of %g", what, energy.remainder, energy.work)
-        expect(run.time > 0.999e-3, "%s: end", what)
+case("a load that jumps keeps its impulse wherever the steps end", function()
+  for name, pulse in pairs(pulses) do
+    for method, options in pairs { newmark = { dt = 1e-4 }, ["energy-momentum"] = { dt = 1e-4,
+      integrator = "energy-momentum" }, damped = { dt = 1e-4, rho_infinity = 0.6 }, explicit = { dt = 1e-5,
+      integrator = "explicit" }, controlled = { dt = 1e-4, step_control = 0.01 }, displacement = { dt = 1e-4,
+      predictor = "displacement" } } do
+      if method ~= "energy-momentum" then -- which is for large displacement
+        for _, on_member in ipairs { false, true } do
+          local copy = { energy_tolerance = 0 }
+          for key, value in pairs(options) do copy[key] = value end
+          local run, momentum, energy = flying(pulse[1], copy, on_member)
+          local what = name .. ", " .. method .. (on_member and ", on a member" or "")
+          -- Bossak's weights spread a jump over two steps
+          local within = method == "damped" and 0.09 * P * 1e-4 or 2e-7 * P * 1e-3
+          near(momentum, P * pulse[2], within, what .. ": momentum")
+          expect(math.abs(energy.remainder) <= (method == "explicit" and 0.1 or 1e-5) * energy.work,
+            "%s: energy error %g of %g", what, energy.remainder, energy.work)
+          expect(run.time > 0.999e-3, "%s: end", what)
+        end
       end
     end
   end
-end
+end)
 
--- Explicit steps: what a jump leaves between energy and work is taken up, as large as the pulse is short.
-for _, steps in ipairs { 1.5, 2.1, 2.5, 2.7, 3.5, 4.5 } do
-  local dt = 8e-6
-  local run, momentum, energy = flying({ { 0, 0 }, { steps * dt / 2, 1 }, { steps * dt, 0 } },
-    { dt = dt, integrator = "explicit" })
-  local what = ("a triangle of %g explicit steps"):format(steps)
-  near(momentum, P * steps * dt / 2, 1e-9 * P * dt, what .. ": momentum")
-  expect(energy.work > 0 and math.abs(run.energy_error) <= 2e-3, "%s: energy error %g of the largest energy", what,
-    run.energy_error)
-end
+case("explicit steps keep the impulse and the energy of a pulse of few steps", function()
+  -- Explicit steps: what a jump leaves between energy and work is taken up, as large as the pulse is short.
+  for _, steps in ipairs { 1.5, 2.1, 2.5, 2.7, 3.5, 4.5 } do
+    local dt = 8e-6
+    local run, momentum, energy = flying({ { 0, 0 }, { steps * dt / 2, 1 }, { steps * dt, 0 } },
+      { dt = dt, integrator = "explicit" })
+    local what = ("a triangle of %g explicit steps"):format(steps)
+    near(momentum, P * steps * dt / 2, 1e-9 * P * dt, what .. ": momentum")
+    expect(energy.work > 0 and math.abs(run.energy_error) <= 2e-3, "%s: energy error %g of the largest energy", what,
+      run.energy_error)
+  end
+end)
 
-do -- a checkpoint where a jump is still to come, and a step that is taken back over one
+case("a checkpoint before a jump, and a step taken back over one, change nothing", function()
   local function struck(options)
     local model, _, tip = cantilever {}
     model:load { node = tip, force = { 0, 0, -4e4 }, history = { { 0, 0 }, { 3.3e-4, 0 }, { 3.3e-4, 1 }, { 1, 1 } } }
@@ -194,15 +198,18 @@ do -- a checkpoint where a jump is still to come, and a step that is taken back 
     controlled.counts.rejected_steps, controlled.reason)
   expect(math.abs(finest.energy.remainder) <= 1e-6 * finest.energy.work, "taken back: energy error %g of %g",
     finest.energy.remainder, finest.energy.work)
-end
-refused("model:load: field 'history' is three times at 1 s; a jump is two points: up to its time, and from there on",
-  function()
-    local model, _, tip = cantilever()
-    model:load { node = tip, force = { 1, 0, 0 }, history = { { 1, 0 }, { 1, 2 }, { 1, 3 } } }
+end)
+
+case("three points of a history at one time, and jumps of a support, are refused", function()
+  refused("model:load: field 'history' is three times at 1 s; a jump is two points: up to its time, and from there on",
+    function()
+      local model, _, tip = cantilever()
+      model:load { node = tip, force = { 1, 0, 0 }, history = { { 1, 0 }, { 1, 2 }, { 1, 3 } } }
+    end)
+  refused("model:move: field 'x' is out of order at point 2 (time 1 s); times must rise", function()
+    local model, foot = cantilever()
+    model:move { node = foot, x = { { 1, 0 }, { 1, 2 } } }
   end)
-refused("model:move: field 'x' is out of order at point 2 (time 1 s); times must rise", function()
-  local model, foot = cantilever()
-  model:move { node = foot, x = { { 1, 0 }, { 1, 2 } } }
 end)
 
 -- What is declared after a run was made ------------------------------------------------------------------------------
@@ -226,29 +233,33 @@ local later = {
   ["model:damping"] = function(s) s.model:damping { alpha = 1 } end,
   ["model:ground"] = function(s) s.model:ground { point = { 0, 0, -9 } } end,
 }
-for name, declare in pairs(later) do
-  for _, kind in ipairs { "static", "dynamic" } do
-    for _, begun in ipairs { false, true } do
-      local s = {}
-      s.model, s.foot, s.tip, s.member = cantilever()
-      s.far, s.case = s.model:node { 4, 0, 0 }, s.model:case "live"
-      s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
-      local run = s.model[kind](s.model, kind == "static" and { steps = 4, loads = "live" }
-        or { dt = 1e-6, duration = 4e-6, loads = "live" })
-      if begun then run:step() end
-      declare(s)
-      local calls = { function() run:step() end, function() run:finish() end, function() run:steps()() end }
-      for _, call in ipairs(calls) do
-        refused("run:step: " .. name .. " at ...declared_test.lua:... came after this run was made at "
-          .. "...declared_test.lua:..., which does not know of it; declare it before, or make another run that goes on "
-          .. "from this one (from = run)", call)
+case("a declaration after a run was made stops that run with its line", function()
+  for name, declare in pairs(later) do
+    for _, kind in ipairs { "static", "dynamic" } do
+      for _, begun in ipairs { false, true } do
+        local s = {}
+        s.model, s.foot, s.tip, s.member = cantilever()
+        s.far, s.case = s.model:node { 4, 0, 0 }, s.model:case "live"
+        s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
+        local run = s.model[kind](s.model, kind == "static" and { steps = 4, loads = "live" }
+          or { dt = 1e-6, duration = 4e-6, loads = "live" })
+        if begun then run:step() end
+        declare(s)
+        local calls = { function() run:step() end, function() run:finish() end, function() run:steps()() end }
+        for _, call in ipairs(calls) do
+          refused("run:step: " .. name .. " at ...declared_test.lua:... came after this run was made at "
+            .. "...declared_test.lua:..., which does not know of it; declare it before, or make another run that "
+            .. "goes on "
+            .. "from this one (from = run)", call)
+        end
+        run:stop()
+        expect(not run:step(), "%s: a run that was stopped", name)
       end
-      run:stop()
-      expect(not run:step(), "%s: a run that was stopped", name)
     end
   end
-end
-do
+end)
+
+case("members, nodes and groups declared after a run was made are refused by it", function()
   local model, foot, tip, member = cantilever()
   local far = model:node { 4, 0, 0 }
   model:load { node = tip, force = { 0, 0, -1 } }
@@ -276,8 +287,9 @@ do
   near(select(3, foot:reaction(run)), 1, 1e-9, "what the run knows")
   refused("model:dynamic: field 'from' is a run of a structure with 4 nodes and 2 elements; ... add nothing ...",
     function() model:dynamic { from = run, dt = 1e-6, duration = 1e-6 } end)
-end
-do
+end)
+
+case("a run goes on only from one that is over and whose supports are unchanged", function()
   local model, _, tip = cantilever()
   model:load { node = tip, force = { 0, 0, -1 } }
   local rest = model:static { steps = 2 }
@@ -293,7 +305,7 @@ do
   model:fix(tip, "y")
   refused("model:dynamic: field 'from' is the run made at ...; node 2 at {2, 0, 0} m has been fixed since, ...",
     function() model:dynamic { from = rest, dt = 1e-6, duration = 1e-6 } end)
-end
+end)
 
 -- Load cases ---------------------------------------------------------------------------------------------------------
 local function loaded(options)
@@ -313,79 +325,96 @@ local function carried(s, run)
   local _, y, z = run:reaction(s.foot)
   return z, -y
 end
-for _, size in ipairs { "small", "large" } do
-  for what, case in pairs {
-    ["a table"] = { { dead = 1, live = 0.3 }, 1.3, 0 }, ["a combination"] = { "uls", 2.85, 0 },
-    ["combinations in one"] = { "all", 2 + 1.5, 2 }, ["a case"] = { "live", 1, 0 },
-    ["a combination and a case"] = { { uls = 2, dead = 0.3 }, 6, 0 }, ["none"] = { {}, 0, 0 },
-    ["negative"] = { { dead = -1, live = 0.5 }, -0.5, 0 }, ["handles"] = { "handles", 3, 0 },
-  } do
+case("statics takes the load cases and combinations that it names", function()
+  for _, size in ipairs { "small", "large" } do
+    for what, row in pairs {
+      ["a table"] = { { dead = 1, live = 0.3 }, 1.3, 0 }, ["a combination"] = { "uls", 2.85, 0 },
+      ["combinations in one"] = { "all", 2 + 1.5, 2 }, ["a row"] = { "live", 1, 0 },
+      ["a combination and a row"] = { { uls = 2, dead = 0.3 }, 6, 0 }, ["none"] = { {}, 0, 0 },
+      ["negative"] = { { dead = -1, live = 0.5 }, -0.5, 0 }, ["handles"] = { "handles", 3, 0 },
+    } do
+      local s = loaded { displacement = size }
+      local loads = row[1] == "handles" and { [s.dead] = 2, [s.live] = 1 } or row[1]
+      local run = s.model:static { steps = 2, loads = loads }:finish()
+      local z, y = carried(s, run)
+      near(z, row[2] * P, 1e-6 * P, size .. ", " .. what .. ": down")
+      near(y, row[3] * P, 1e-6 * P, size .. ", " .. what .. ": across")
+    end
+  end
+end)
+
+case("statics from another run holds its loads while others come on", function()
+  for _, size in ipairs { "small", "large" } do
+    -- statics that goes on: what was there is held
     local s = loaded { displacement = size }
-    local loads = case[1] == "handles" and { [s.dead] = 2, [s.live] = 1 } or case[1]
-    local run = s.model:static { steps = 2, loads = loads }:finish()
-    local z, y = carried(s, run)
-    near(z, case[2] * P, 1e-6 * P, size .. ", " .. what .. ": down")
-    near(y, case[3] * P, 1e-6 * P, size .. ", " .. what .. ": across")
+    local first = s.model:static { steps = 1, loads = { dead = 1 } }:finish()
+    local second = s.model:static { steps = 4, from = first, loads = { live = 1 } }
+    local factors = {}
+    for _ in second:steps() do
+      factors[#factors + 1] = second.factor
+      near(carried(s, second), P * (1 + second.factor), 1e-6 * P, size .. ": held while the other comes on")
+    end
+    equal(#factors, 4, "steps")
+    expect(second.loads.dead == 1 and second.loads.live == 1 and second.loads.blast == 0, "run.loads")
+    local less = s.model:static { steps = 2, from = second, loads = { dead = 0.5 } }
+    less:step()
+    near(carried(s, less), P * 1.75, 1e-6 * P, size .. ": half of the difference")
+    if size == "small" then
+      near(math.abs(s.member:forces(less).Mx), (0.75 + 0.5) * P * L, 1e-6 * P * L, "moment: a load on a member, held")
+    end
+    less:stop() -- where it is
+    local third = s.model:static { steps = 1, from = less, loads = { live = 0 } }:finish()
+    near(carried(s, third), P * 0.75, 1e-6 * P, size .. ": on from there")
+    local work = first.energy.work + second.energy.work
+    local at_once = s.model:static { steps = 1, loads = { dead = 1, live = 1 } }:finish()
+    if size == "small" then -- the work of a load that is held is its force times the way
+      near(second.energy.remainder, 0, 1e-9 * work, "energy of the second")
+      near(work, second.energy.elastic, 1e-9 * work, "work of both")
+      near(sag(second, s.tip), sag(at_once, s.tip), 1e-9 * drop, "the same place")
+      near(s.member:forces(second).Mx, s.member:forces(at_once).Mx, 1e-6 * P,
+        "moments: a load on a member that is held")
+    end
+    local pushed = s.model:static { from = first, loads = { blast = 1 }, steps = 3,
+      control = { node = s.tip, "uy", to = 0.5 * drop } }:finish()
+    equal(pushed.verdict, "completed", size .. ": pushed under what is held: " .. pushed.reason)
+    if size == "small" then near(pushed.factor, 0.5, 1e-9, "factor of the push alone") end
+    near(carried(s, pushed), P, 1e-6 * P, size .. ": what is held under a push")
   end
+end)
 
-  -- statics that goes on: what was there is held
-  local s = loaded { displacement = size }
-  local first = s.model:static { steps = 1, loads = { dead = 1 } }:finish()
-  local second = s.model:static { steps = 4, from = first, loads = { live = 1 } }
-  local factors = {}
-  for _ in second:steps() do
-    factors[#factors + 1] = second.factor
-    near(carried(s, second), P * (1 + second.factor), 1e-6 * P, size .. ": held while the other comes on")
+case("dynamics from statics stays at rest under the loads that it holds", function()
+  for _, size in ipairs { "small", "large" } do
+    local s = loaded { displacement = size }
+    -- dynamics: at rest under what is held, and what comes beside
+    local rest = s.model:static { steps = 2, loads = { dead = 1, live = 0.3 } }:finish()
+    for _, integrator in ipairs { "newmark", "explicit" } do
+      local still = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, integrator = integrator }:finish()
+      near(sag(still, s.tip), sag(rest, s.tip), 1e-9 * drop, size .. ", " .. integrator .. ": it stays at rest")
+      expect(still.loads.dead == 1 and still.loads.live == 0.3 and still.loads.blast == 0, "what goes on")
+      local hit = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, loads = { dead = 1, blast = 2 },
+        integrator = integrator, rest = false }
+      expect(hit.loads.live == 0.3 and hit.loads.blast == 2, "held ones go on")
+      hit:finish()
+      near(sag(hit, s.tip), sag(rest, s.tip), 1e-6 * drop, size .. ", " .. integrator .. ": the held ones are held")
+      expect(select(2, hit:displacement(s.tip)) > 1e-8, "%s, %s: the blast acts", size, integrator)
+      local without = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, loads = { live = 0, dead = 0 },
+        integrator = integrator }:finish()
+      expect(sag(without, s.tip) < sag(rest, s.tip) * (1 - 1e-8), "%s, %s: taken away", size, integrator)
+    end
   end
-  equal(#factors, 4, "steps")
-  expect(second.loads.dead == 1 and second.loads.live == 1 and second.loads.blast == 0, "run.loads")
-  local less = s.model:static { steps = 2, from = second, loads = { dead = 0.5 } }
-  less:step()
-  near(carried(s, less), P * 1.75, 1e-6 * P, size .. ": half of the difference")
-  if size == "small" then
-    near(math.abs(s.member:forces(less).Mx), (0.75 + 0.5) * P * L, 1e-6 * P * L, "moment: a load on a member, held")
-  end
-  less:stop() -- where it is
-  local third = s.model:static { steps = 1, from = less, loads = { live = 0 } }:finish()
-  near(carried(s, third), P * 0.75, 1e-6 * P, size .. ": on from there")
-  local work = first.energy.work + second.energy.work
-  local at_once = s.model:static { steps = 1, loads = { dead = 1, live = 1 } }:finish()
-  if size == "small" then -- the work of a load that is held is its force times the way
-    near(second.energy.remainder, 0, 1e-9 * work, "energy of the second")
-    near(work, second.energy.elastic, 1e-9 * work, "work of both")
-    near(sag(second, s.tip), sag(at_once, s.tip), 1e-9 * drop, "the same place")
-    near(s.member:forces(second).Mx, s.member:forces(at_once).Mx, 1e-6 * P,
-      "moments: a load on a member that is held")
-  end
-  local pushed = s.model:static { from = first, loads = { blast = 1 }, steps = 3,
-    control = { node = s.tip, "uy", to = 0.5 * drop } }:finish()
-  equal(pushed.verdict, "completed", size .. ": pushed under what is held: " .. pushed.reason)
-  if size == "small" then near(pushed.factor, 0.5, 1e-9, "factor of the push alone") end
-  near(carried(s, pushed), P, 1e-6 * P, size .. ": what is held under a push")
+end)
 
-  -- dynamics: at rest under what is held, and what comes beside
-  local rest = s.model:static { steps = 2, loads = { dead = 1, live = 0.3 } }:finish()
-  for _, integrator in ipairs { "newmark", "explicit" } do
-    local still = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, integrator = integrator }:finish()
-    near(sag(still, s.tip), sag(rest, s.tip), 1e-9 * drop, size .. ", " .. integrator .. ": it stays at rest")
-    expect(still.loads.dead == 1 and still.loads.live == 0.3 and still.loads.blast == 0, "what goes on")
-    local hit = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, loads = { dead = 1, blast = 2 },
-      integrator = integrator, rest = false }
-    expect(hit.loads.live == 0.3 and hit.loads.blast == 2, "held ones go on")
-    hit:finish()
-    near(sag(hit, s.tip), sag(rest, s.tip), 1e-6 * drop, size .. ", " .. integrator .. ": the held ones are held")
-    expect(select(2, hit:displacement(s.tip)) > 1e-8, "%s, %s: the blast acts", size, integrator)
-    local without = s.model:dynamic { from = rest, dt = 1e-6, duration = 2e-5, loads = { live = 0, dead = 0 },
-      integrator = integrator }:finish()
-    expect(sag(without, s.tip) < sag(rest, s.tip) * (1 - 1e-8), "%s, %s: taken away", size, integrator)
+case("a load with a history that statics took in full is held in the run after it", function()
+  for _, size in ipairs { "small", "large" } do
+    local s = loaded { displacement = size }
+    -- the blast in full in statics goes on in full in the next
+    local stood = s.model:static { steps = 1, loads = { blast = 1 } }:finish()
+    local more = s.model:static { steps = 1, from = stood, loads = { dead = 1 } }:finish()
+    near(select(2, carried(s, more)), P, 1e-6 * P, size .. ": a load with a history that statics took is held")
   end
-  -- the blast in full in statics goes on in full in the next
-  local stood = s.model:static { steps = 1, loads = { blast = 1 } }:finish()
-  local more = s.model:static { steps = 1, from = stood, loads = { dead = 1 } }:finish()
-  near(select(2, carried(s, more)), P, 1e-6 * P, size .. ": a load with a history that statics took is held")
-end
+end)
 
-do -- gravity belongs to one case, or to none
+case("gravity belongs to one load case, or to none", function()
   for _, last in ipairs { "none", "other" } do
     local model = hinge.model {}
     local dead, other = model:case "dead", model:case "other"
@@ -397,9 +426,9 @@ do -- gravity belongs to one case, or to none
     expect(not ok and tostring(message):find("gravity belongs to case 'dead' already, not to "
       .. (last == "none" and "no load case" or "case 'other'"), 1, true), "gravity in two cases: %s", message)
   end
-end
+end)
 
-do -- gravity in a case, a function of the state in one, and what belongs to none
+case("gravity and functions scale with their case; what belongs to no case acts in full", function()
   local model, foot, tip = cantilever()
   local weight = steel.density * bar.area * L * 9.8
   local mass = model:case "mass"
@@ -432,9 +461,10 @@ do -- gravity in a case, a function of the state in one, and what belongs to non
   expect(select(2, alone:velocity(tip)) > 1e-6, "a function of the state")
   refused("model:static: a load on node 2 at {2, 0, 0} m is a function of time and the run, ... put it into a load "
     .. "case that this run does not take", function() model:static { loads = "rule" } end)
-end
+end)
 
-do -- the same numbers as without cases, to the bit
+case("loads in a case with factor 1 give the bits of loads in no case", function()
+  -- the same numbers as without cases, to the bit
   local function hash(in_case)
     local model, _, tip, member = cantilever {}
     local name = in_case and model:case "all".name or nil
@@ -448,9 +478,9 @@ do -- the same numbers as without cases, to the bit
     return model:dynamic { dt = 1e-6, duration = 5e-5, loads = name }:finish().hash
   end
   equal(hash(true), hash(false), "in a case with factor 1 and in none")
-end
+end)
 
-do
+case("wrong load cases and combinations are refused", function()
   local s = loaded()
   local model, other = s.model, loaded()
   refused("model:static: field 'loads': no load case 'daed' (did you mean 'dead'?); the model has 'dead', 'live', "
@@ -499,10 +529,9 @@ do
   other.model:close()
   refused("case:gravity: this is load case '' of a model that was closed at ...",
     function() other.dead:gravity { 0, 0, -1 } end)
-end
+end)
 
--- Calls that take no more than they say ------------------------------------------------------------------------------
-do
+case("calls refuse arguments and fields that they would not read", function()
   local model, foot, tip, member = cantilever()
   refused("model:node: position has a field 'mass'; must be {x, y, z} in m and nothing else",
     function() model:node { 0, 0, 0, mass = 3 } end)
@@ -534,10 +563,9 @@ do
   } do
     refused(name .. ": takes one argument, got also 1", call)
   end
-end
+end)
 
--- Calls that did nothing, or not what they said ----------------------------------------------------------------------
-do
+case("declarations that would do nothing, or contradict each other, are refused", function()
   local model, foot, tip = cantilever()
   local member = model:members()[1]
   local gap = "...; "
@@ -617,33 +645,35 @@ do
   run:stop()
   equal(run.verdict, "completed", "stopped when it was over")
   equal(#member:groups(), 1, "groups of the member")
-end
+end)
 
 -- Parameters of a script that is made of plain statements ------------------------------------------------------------
 local hinge_on, folder = support.scenes(arg[1])
 local function run_script(text, settings) return hinge_on("run", text, settings .. " --out out") end
-for text, wanted in pairs {
-  ["return 1"] = "zzz=3: scene.lua takes no parameters; it does not read its argument, '...'",
-  ["local p = ...\nprint(p.speed or p.height)"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads height, speed",
-  ["local p = ...\nprint(p.zz)"] = "zzz=3: scene.lua reads no parameter 'zzz' (did you mean 'zz'?); it reads zz",
-  ["local function f(q) return q.speed end\nprint(f((...)))"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads "
-    .. "speed",
-} do
-  local status, _, complaint = run_script(text, "zzz=3")
-  expect(status == 2 and complaint:find("hinge: " .. wanted .. "\n", 1, true), "%s\n    says   %s\n    wanted %s", text,
-    complaint, wanted)
-end
-for _, text in ipairs { "local p = ...\nprint(p.zzz)", "print((...).zzz)", "for k in pairs(...) do print(k) end",
-  "-- zzz\nlocal p <const> = ...\nlocal q = p\nprint(q.zzz)", "local p = ...\nprint('load'..p.zzz)",
-  "local p = ...\nq = p\nload('print(q.zzz)')()" } do
-  local status, _, complaint = run_script(text, "zzz=3")
-  equal(status, 0, "read: " .. text .. ": " .. complaint)
-end
+case("a parameter that a script of plain statements does not read is refused", function()
+  for text, wanted in pairs {
+    ["return 1"] = "zzz=3: scene.lua takes no parameters; it does not read its argument, '...'",
+    ["local p = ...\nprint(p.speed or p.height)"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads height, speed",
+    ["local p = ...\nprint(p.zz)"] = "zzz=3: scene.lua reads no parameter 'zzz' (did you mean 'zz'?); it reads zz",
+    ["local function f(q) return q.speed end\nprint(f((...)))"] = "zzz=3: scene.lua reads no parameter 'zzz'; it reads "
+      .. "speed",
+  } do
+    local status, _, complaint = run_script(text, "zzz=3")
+    expect(status == 2 and complaint:find("hinge: " .. wanted .. "\n", 1, true), "%s\n    says   %s\n    wanted %s",
+      text,
+      complaint, wanted)
+  end
+  for _, text in ipairs { "local p = ...\nprint(p.zzz)", "print((...).zzz)", "for k in pairs(...) do print(k) end",
+    "-- zzz\nlocal p <const> = ...\nlocal q = p\nprint(q.zzz)", "local p = ...\nprint('load'..p.zzz)",
+    "local p = ...\nq = p\nload('print(q.zzz)')()" } do
+    local status, _, complaint = run_script(text, "zzz=3")
+    equal(status, 0, "read: " .. text .. ": " .. complaint)
+  end
+end)
 
-
--- One that no name of the script is like is refused before the first statement where the text tells, else at the end.
--- hinge plan says so too.
-do
+case("an unread parameter is refused before the first statement where the text tells, else at the end", function()
+  -- One that no name of the script is like is refused before the first statement where the text tells, else at the end.
+  -- hinge plan says so too.
   local with_load = [[
 print "begins"
 local p = ... or {}
@@ -681,6 +711,6 @@ model:static { steps = 1 }:finish()
     local status = hinge_on("run", text, "load=3")
     expect(status == 0 and support.is_there(folder .. "/out/scene-load=3/summary.json"), "%s, as it should be", what)
   end
-end
+end)
 
 checks.done()

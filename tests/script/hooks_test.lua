@@ -6,6 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local checks = support.checks "hooks"
+local case = checks.case
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 245e6 }
 local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
@@ -23,27 +24,29 @@ local function pulled(fracture, history)
   return model:dynamic { dt = 1e-5, duration = 4e-3 }
 end
 
-local numbers = pulled({ axial_strain = 0.01 }):finish()
-local seen = 0
-local functions = pulled(function(section)
-  seen = seen + 1
-  assert(section.group == "bars" and section.member == 1 and section.plastic)
-  return math.abs(section.axial_strain) >= 0.01
-end, function(t) return t >= 1e-3 and 1 or (1 - t / 1e-3) * 0 + t / 1e-3 * 1 end):finish()
-checks.equal(numbers:count { state = "broken" }, 1, "the bar breaks by numbers")
-checks.expect(seen > 10 and seen < 400, "the function is asked while the bar flows: %d times", seen)
-checks.equal(functions.hash, numbers.hash, "a function against numbers")
-local batch = pulled({ batch = function(elements)
-  local list = {}
-  for i, strain in ipairs(elements.axial_strain) do if math.abs(strain) >= 0.01 then list[#list + 1] = i end end
-  return list
-end }):finish()
-checks.equal(batch.hash, numbers.hash, "a batch against numbers")
-checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash,
-  "limits beside a rule that never breaks")
+case("numbers, a function and a batch break a bar at the same step", function()
+  local numbers = pulled({ axial_strain = 0.01 }):finish()
+  local seen = 0
+  local functions = pulled(function(section)
+    seen = seen + 1
+    assert(section.group == "bars" and section.member == 1 and section.plastic)
+    return math.abs(section.axial_strain) >= 0.01
+  end, function(t) return t >= 1e-3 and 1 or (1 - t / 1e-3) * 0 + t / 1e-3 * 1 end):finish()
+  checks.equal(numbers:count { state = "broken" }, 1, "the bar breaks by numbers")
+  checks.expect(seen > 10 and seen < 400, "the function is asked while the bar flows: %d times", seen)
+  checks.equal(functions.hash, numbers.hash, "a function against numbers")
+  local batch = pulled({ batch = function(elements)
+    local list = {}
+    for i, strain in ipairs(elements.axial_strain) do if math.abs(strain) >= 0.01 then list[#list + 1] = i end end
+    return list
+  end }):finish()
+  checks.equal(batch.hash, numbers.hash, "a batch against numbers")
+  checks.equal(pulled({ axial_strain = 0.01, rule = function() return false end }):finish().hash, numbers.hash,
+    "limits beside a rule that never breaks")
+end)
 
 -- Debris: the same members of Case I break at the same steps.
-do
+case("a rule in Lua breaks the same members of Case I at the same steps as numbers", function()
   local impact = require "hinge.models.ten_storey_impact"
   local abs = math.abs
   local function breaks(s)
@@ -67,12 +70,12 @@ do
     end
     return list
   end }.hash, limits.hash, "Case I by a batch")
-end
+end)
 
 -- What a section shows ------------------------------------------------------------------------------------------------
 
 -- Two rules by groups; every field against what the run tells after the step.
-do
+case("rules of two groups see their own sections, every field as the run has it", function()
   local model = hinge.model()
   local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 2, 0, 0 }
   model:fix(a, "all")
@@ -112,10 +115,10 @@ do
   checks.expect(run:count { state = "yielded", group = "near" } == 1 and math.abs(last[11].rest) > 1e-3,
     "the bar at the wall has flowed")
   checks.expect(asked.far > 0 and asked.far < 1000, "a rule is asked where something flows: %d times", asked.far)
-end
+end)
 
 -- What a rule has not asked for before, and what it may not: read once, read after it has returned, set, misspelt.
-do
+case("fields of a section can be read at any time, and neither set nor misspelt", function()
   local kept, strain
   local function says(rule, wanted)
     local ok, message = pcall(function() return pulled { rule = rule, keep = { "damage" } }:finish() end)
@@ -141,10 +144,10 @@ do
     "end [12]", "at step %d+, t = ", "the step was taken back" } do
     checks.expect(place:find(part), "an error in a rule says %s: %s", part, place)
   end
-end
+end)
 
 -- A rule that steps another run of its own: each sees its own sections.
-do
+case("a rule that steps another run sees its own sections alone", function()
   local inner
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
@@ -166,11 +169,11 @@ do
   end)
   model:dynamic { dt = 1e-5, duration = 2e-3 }:finish()
   checks.expect(nested > 0, "the run inside asks its rule: %d times", nested)
-end
+end)
 
 -- Two rules alternately along the frame are asked in the order of the elements; a section that
 -- breaks leaves out its twin alone.
-do
+case("two rules along a frame are asked in the order of its elements", function()
   local order = {}
   local model = hinge.model()
   for i = 1, 3 do
@@ -194,10 +197,10 @@ do
   checks.expect(twice["1"] and twice["2"] and not twice["3"] and twice["4"] and twice["6"], "the twins: %s",
     table.concat(order, " "))
   checks.equal(run:count { group = "even", state = "broken" }, 1, "what broke")
-end
+end)
 
 -- The fields of a batch are those of the sections.
-do
+case("the fields of a batch are those of the sections", function()
   local seen_by_rule, seen_by_batch = {}, {}
   local fields = { "curvature_x", "curvature_y", "axial_strain", "twist", "plastic_curvature_x", "plastic_axial_strain",
     "curvature_rate_x", "axial_strain_rate", "N", "Mz", "plastic_work", "member", "element" }
@@ -237,7 +240,7 @@ do
     checks.near(seen_by_batch[key] or 0 / 0, value, 1e-9 * math.abs(value) + 1e-15, key)
   end
   checks.expect(n == 6 * (#fields + 8) and flows > 0, "%d numbers compared, %d sections flow", n, flows)
-end
+end)
 
 -- Contact -------------------------------------------------------------------------------------------------------------
 
@@ -257,42 +260,53 @@ local function impact(declare, dt)
   run:finish()
   return run, events, members
 end
-local _, both = impact(function(m, _, note) m:contact { on_contact = note } end)
-local touched = {}
-for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
-checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
-checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s",
-  touched["left-middle"])
-local one, events = impact(function(m, _, note)
-  m:contact { between = { "left", "middle" }, on_contact = note, on_release = note }
+case("on_contact sees each touch with its members and time", function()
+  local _, both = impact(function(m, _, note) m:contact { on_contact = note } end)
+  local touched = {}
+  for _, e in ipairs(both) do touched[e.a.group .. "-" .. e.b.group] = e.time end
+  checks.expect(touched["left-middle"] and touched["middle-right"], "both sides touch")
+  checks.expect(touched["left-middle"] > 0.15 / 20 - 1e-4 and touched["left-middle"] < 0.15 / 20 + 1e-4, "when: %s s",
+    touched["left-middle"])
+  local one, events = impact(function(m, _, note)
+    m:contact { between = { "left", "middle" }, on_contact = note, on_release = note }
+  end)
+  checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0,
+    "between two groups alone; the right one flies through")
 end)
-checks.expect(#events >= 2 and one:count { group = "right", state = "touched" } == 0,
-  "between two groups alone; the right one flies through")
-local asked = 0
-local none = impact(function(m, members) m:contact { pairs = function(a, b)
-  asked = asked + 1
-  return not (a == members[1] or b == members[1])
-end } end)
-checks.expect(none:count { group = "left", state = "touched" } == 0
-  and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
-checks.expect(asked >= 2 and asked <= 3, "asked once a pair of members: %d", asked)
-local soft = impact(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
-local softer = impact(function(m) m:contact { stiffness = 1e6 } end)
-checks.equal(soft.hash, softer.hash, "a pair's own stiffness against the rule's")
-local mixed = impact(function(m)
-  m:contact {}
-  m:contact { between = { "left", "middle" }, rule = "gap" }
-end, 1e-6)
-checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial,
-  "gaps on one side, surfaces on the other: energy error %g of %g J", mixed.energy.remainder, mixed.energy.initial)
-checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
-local momentum = mixed:momentum().linear
-checks.expect(math.abs(momentum[2]) < 1e-8 * 20 * mixed:momentum().mass, "momentum: %g", momentum[2])
+
+case("pairs is asked once a pair of members and can leave it out", function()
+  local asked = 0
+  local none = impact(function(m, members) m:contact { pairs = function(a, b)
+    asked = asked + 1
+    return not (a == members[1] or b == members[1])
+  end } end)
+  checks.expect(none:count { group = "left", state = "touched" } == 0
+    and none:count { group = "right", state = "touched" } == 1, "pairs decides who touches")
+  checks.expect(asked >= 2 and asked <= 3, "asked once a pair of members: %d", asked)
+end)
+
+case("a stiffness that pairs returns acts as that of the rule", function()
+  local soft = impact(function(m) m:contact { pairs = function() return { stiffness = 1e6 } end } end)
+  local softer = impact(function(m) m:contact { stiffness = 1e6 } end)
+  checks.equal(soft.hash, softer.hash, "a pair's own stiffness against the rule's")
+end)
+
+case("pairs of different stiffness keep energy and momentum", function()
+  local mixed = impact(function(m)
+    m:contact {}
+    m:contact { between = { "left", "middle" }, rule = "gap" }
+  end, 1e-6)
+  checks.expect(math.abs(mixed.energy.remainder) < 2e-3 * mixed.energy.initial,
+    "gaps on one side, surfaces on the other: energy error %g of %g J", mixed.energy.remainder, mixed.energy.initial)
+  checks.expect(mixed:count { state = "touched" } == 3, "all three touch")
+  local momentum = mixed:momentum().linear
+  checks.expect(math.abs(momentum[2]) < 1e-8 * 20 * mixed:momentum().mass, "momentum: %g", momentum[2])
+end)
 
 -- Loads and supports --------------------------------------------------------------------------------------------------
 
 -- A spring that a script makes: the period of a mass on it, and its work.
-do
+case("a load that a function returns acts as a spring, with its work", function()
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { 0.5, 0, 0 }
   model:member { a, b, section = bar, material = elastic }
@@ -309,11 +323,11 @@ do
   checks.near(run:velocity(a), 1, 0.01, "as fast as at the start")
   checks.expect(math.abs(run.energy.remainder) < 1e-5 * run.energy.kinetic, "its work is counted: %g",
     run.energy.remainder)
-end
+end)
 
 -- Callbacks -----------------------------------------------------------------------------------------------------------
 
-do
+case("a function of on_step can stop the run", function()
   local run, calls = pulled { axial_strain = 0.01 }, 0
   run:on_step(function(r)
     calls = calls + 1
@@ -321,7 +335,7 @@ do
   end):finish()
   checks.equal(calls, 7, "calls until it was stopped")
   checks.equal(run.verdict, "stopped", "its verdict")
-end
+end)
 
 -- Steps that are taken back -------------------------------------------------------------------------------------------
 
@@ -355,7 +369,7 @@ local function scene(when, fail)
 end
 
 -- A load that is a function acts from where the run begins; an error between the first two questions changes no bit.
-do
+case("a load that is a function acts from where the run begins", function()
   local function from_start(fails)
     local model = hinge.model {}
     local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
@@ -378,7 +392,7 @@ do
   again:finish()
   checks.equal(table.concat(more, " "), "0.0 1e-05 1e-05 2e-05", "when it is asked again")
   checks.equal(again.hash, run.hash, "state after an error in the first step")
-end
+end)
 
 local hooks = {
   fracture = function(model, once)
@@ -398,27 +412,29 @@ local hooks = {
   end,
 }
 for name, declare in pairs(hooks) do
-  local steady_model, nothing, steady_run, steady_tip = scene(0)
-  declare(steady_model, nothing, steady_tip)
-  local steady = steady_run():finish()
-  for what, case in pairs(failing) do
-    local model, once, make, tip = scene(name == "on_contact" and 2 or name == "pairs" and 1 or 20, case[1])
-    declare(model, once, tip)
-    local run = make()
-    local ok, message = pcall(run.finish, run)
-    checks.expect(not ok and message:find(case[2], 1, true), "%s in %s: %s", what, name, tostring(message))
-    checks.expect(not ok and message:find "the step was taken back", "%s in %s, said: %s", what, name,
-      tostring(message))
-    checks.equal(run.verdict, "running", what .. " in " .. name .. ": the run can go on")
-    run:finish()
-    checks.equal(run.verdict, "completed", what .. " in " .. name .. ": it did")
-    local energy, expected = run.energy, steady.energy
-    for _, part in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "work" } do
-      checks.near(energy[part], expected[part], 1e-6 * expected.initial,
-        ("%s in %s: %s energy at the end"):format(what, name, part))
+  case("a step that fails in a hook is taken back: " .. name, function()
+    local steady_model, nothing, steady_run, steady_tip = scene(0)
+    declare(steady_model, nothing, steady_tip)
+    local steady = steady_run():finish()
+    for what, row in pairs(failing) do
+      local model, once, make, tip = scene(name == "on_contact" and 2 or name == "pairs" and 1 or 20, row[1])
+      declare(model, once, tip)
+      local run = make()
+      local ok, message = pcall(run.finish, run)
+      checks.expect(not ok and message:find(row[2], 1, true), "%s in %s: %s", what, name, tostring(message))
+      checks.expect(not ok and message:find "the step was taken back", "%s in %s, said: %s", what, name,
+        tostring(message))
+      checks.equal(run.verdict, "running", what .. " in " .. name .. ": the run can go on")
+      run:finish()
+      checks.equal(run.verdict, "completed", what .. " in " .. name .. ": it did")
+      local energy, expected = run.energy, steady.energy
+      for _, part in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "work" } do
+        checks.near(energy[part], expected[part], 1e-6 * expected.initial,
+          ("%s in %s: %s energy at the end"):format(what, name, part))
+      end
+      checks.expect(pcall(model.node, model, { 5, 5, 5 }), "the model is open again")
     end
-    checks.expect(pcall(model.node, model, { 5, 5, 5 }), "the model is open again")
-  end
+  end)
 end
 
 checks.done()

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "member_loads"
-local near, equal, expect = checks.near, checks.equal, checks.expect
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
 -- A short thick beam, so that shear counts; upright y, along x. Iy is not Ix.
 local E, G, A, Ix, Iy, J, Ax, Ay = 200e9, 77e9, 0.02, 8e-5, 3e-5, 5e-5, 0.009, 0.011
@@ -37,23 +37,25 @@ local function close(value, wanted, what, part) near(value, wanted, (part or 1e-
 -- Section forces at the two ends, as signed sums: with z along the member and y up, q = -w along y asks
 -- Qy = w L/2 at the first end and bends it with M(z) = EI theta'; so M = ... is checked by its size and by balance.
 local w = 3e4
-for _, formulation in ipairs { "asi-gauss", "asi", "conventional" } do
-  for _, n in ipairs(formulation == "asi-gauss" and { 2, 4 } or { 1, 2, 3, 4 }) do
-    local what = ("clamped, %s, %d elements: "):format(formulation, n)
-    local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all", "all" },
-      { displacement = "small", formulation = formulation, elements_per_member = n })
-    s.model:load { member = s.member[1], q = { 0, 0, -w } }
-    local run = solve(s)
-    local a, b = s.member[1]:forces(run)
-    close(math.abs(a.Mx), w * L ^ 2 / 12, what .. "moment at a")
-    close(a.Mx, b.Mx, what .. "moment at b")
-    close(math.abs(a.Qy), w * L / 2, what .. "shear at a")
-    close(a.Qy, -b.Qy, what .. "shear at b")
-    local r = { run:reaction(s.node[1]) }
-    close(r[3], w * L / 2, what .. "reaction")
-    close(math.abs(r[5]), w * L ^ 2 / 12, what .. "moment of the support")
+case("an even load on a clamped beam has the fixed-end moments and reactions of theory", function()
+  for _, formulation in ipairs { "asi-gauss", "asi", "conventional" } do
+    for _, n in ipairs(formulation == "asi-gauss" and { 2, 4 } or { 1, 2, 3, 4 }) do
+      local what = ("clamped, %s, %d elements: "):format(formulation, n)
+      local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all", "all" },
+        { displacement = "small", formulation = formulation, elements_per_member = n })
+      s.model:load { member = s.member[1], q = { 0, 0, -w } }
+      local run = solve(s)
+      local a, b = s.member[1]:forces(run)
+      close(math.abs(a.Mx), w * L ^ 2 / 12, what .. "moment at a")
+      close(a.Mx, b.Mx, what .. "moment at b")
+      close(math.abs(a.Qy), w * L / 2, what .. "shear at a")
+      close(a.Qy, -b.Qy, what .. "shear at b")
+      local r = { run:reaction(s.node[1]) }
+      close(r[3], w * L / 2, what .. "reaction")
+      close(math.abs(r[5]), w * L ^ 2 / 12, what .. "moment of the support")
+    end
   end
-end
+end)
 
 -- Triangular, trapezoidal and point loads, about both axes, in a clamped beam; shear flexibility does not change
 -- symmetric fixed-end moments, but these.
@@ -71,33 +73,36 @@ local function spread_moments(qa, qb, f) -- by the sum over many point loads (Si
   end
   return ma, mb
 end
-for axis, about in pairs { [3] = "My", [2] = "Mz" } do -- space z is local y: bends about local x (space y)
-  local f = axis == 3 and phi(Ix, Ay) or phi(Iy, Ax)
-  local moment = axis == 3 and "Mx" or "My"
-  local function force(size) return { 0, axis == 2 and -size or 0, axis == 3 and -size or 0 } end
-  for name, case in pairs {
-    ["point load at 0.3"] = { { at = 0.3, force = force(w) }, { point_moments(w, 0.3, f) } },
-    ["triangle"] = { { q = { b = force(w) } }, { spread_moments(0, w, f) } },
-    ["trapezoid"] = { { q = { a = force(w), b = force(2.5 * w) } }, { spread_moments(w, 2.5 * w, f) } },
-  } do
-    local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all", "all" })
-    case[1].member = s.member[1]
-    s.model:load(case[1])
-    local a, b = s.member[1]:forces(solve(s))
-    local what = ("%s, axis %d (%s): "):format(name, axis, about)
-    close(math.abs(a[moment]), case[2][1], what .. "moment at a", 1e-8)
-    close(math.abs(b[moment]), case[2][2], what .. "moment at b", 1e-8)
+case("triangular, trapezoidal and point loads have the fixed-end moments of theory about both axes", function()
+  for axis, about in pairs { [3] = "My", [2] = "Mz" } do -- space z is local y: bends about local x (space y)
+    local f = axis == 3 and phi(Ix, Ay) or phi(Iy, Ax)
+    local moment = axis == 3 and "Mx" or "My"
+    local function force(size) return { 0, axis == 2 and -size or 0, axis == 3 and -size or 0 } end
+    for name, row in pairs {
+      ["point load at 0.3"] = { { at = 0.3, force = force(w) }, { point_moments(w, 0.3, f) } },
+      ["triangle"] = { { q = { b = force(w) } }, { spread_moments(0, w, f) } },
+      ["trapezoid"] = { { q = { a = force(w), b = force(2.5 * w) } }, { spread_moments(w, 2.5 * w, f) } },
+    } do
+      local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all", "all" })
+      row[1].member = s.member[1]
+      s.model:load(row[1])
+      local a, b = s.member[1]:forces(solve(s))
+      local what = ("%s, axis %d (%s): "):format(name, axis, about)
+      close(math.abs(a[moment]), row[2][1], what .. "moment at a", 1e-8)
+      close(math.abs(b[moment]), row[2][2], what .. "moment at b", 1e-8)
+    end
   end
-end
-do -- a triangle without shear flexibility has w L^2/30 and w L^2/20: what the sum above tends to
+end)
+
+case("a triangular load without shear flexibility has moments w L^2/30 and w L^2/20", function()
   local a, b = spread_moments(0, w, 0)
   close(a, w * L ^ 2 / 30, "triangle, textbook, at a", 1e-8)
   close(b, w * L ^ 2 / 20, "triangle, textbook, at b", 1e-8)
-end
+end)
 
--- Cantilever: tip under a uniform load, axial load, torsion and moment per length; section forces at the wall and none
--- at the tip.
-do
+case("a cantilever under loads along it has the tip and section forces of theory", function()
+  -- Cantilever: tip under a uniform load, axial load, torsion and moment per length; section forces at the wall and
+  -- none at the tip.
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" })
   s.model:load { member = s.member[1], q = { 2 * w, -w, -w }, moment = { 500, 300, 0 } }
   local run = solve(s)
@@ -115,10 +120,10 @@ do
   for name, value in pairs(b) do
     if name ~= "f_y" then near(value, 0, 1e-9 * w * L, "cantilever: " .. name .. " at the tip") end
   end
-end
+end)
 
--- Simply supported, of two members, and propped.
-do
+case("simply supported and propped beams have the reactions and moments of theory", function()
+  -- Simply supported, of two members, and propped.
   local s = beam({ { 0, 0, 0 }, { L / 2, 0, 0 }, { L, 0, 0 } }, { "x,y,z,rx", nil, "y,z,rx" })
   s.model:load { group = "beam", q = { 0, 0, -w } }
   local run = solve(s)
@@ -135,11 +140,11 @@ do
   local a, e = s.member[1]:forces(solve(s))
   close(math.abs(a.Mx), wall, "propped: moment at the wall")
   near(e.Mx, 0, 1e-9 * wall, "propped: moment at the prop")
-end
+end)
 
--- A portal, clamped at its feet, of height h and span l, no sway by symmetry: slope-deflection gives at the corners
--- M = w l^2/12 * (4 E I_c/h) / (4 E I_c/h + 2 E I_b/l), with shear and axial strain made negligible.
-do
+case("a portal under an even load has the corner moments of slope-deflection", function()
+  -- A portal, clamped at its feet, of height h and span l, no sway by symmetry: slope-deflection gives at the corners
+  -- M = w l^2/12 * (4 E I_c/h) / (4 E I_c/h + 2 E I_b/l), with shear and axial strain made negligible.
   local model = hinge.model { displacement = "small" }
   local stiff = hinge.section.general { area = 1e4, Ix = Ix, Iy = Iy, J = J, shear_area_x = 1e6, shear_area_y = 1e6 }
   local h, l = 3, 5
@@ -158,10 +163,10 @@ do
   close(math.abs(a.Mx), corner, "portal: moment at the corner", 1e-5)
   local foot = m[1]:forces(run)
   close(math.abs(foot.Mx), corner / 2, "portal: moment at the foot", 1e-5)
-end
+end)
 
--- Inclined: snow per plan length, dead weight per own length, pressure across it.
-do
+case("loads per plan length, per own length and across an inclined member", function()
+  -- Inclined: snow per plan length, dead weight per own length, pressure across it.
   local rise = 1.2
   local length = math.sqrt(L ^ 2 + rise ^ 2)
   local function roof(more)
@@ -184,10 +189,10 @@ do
   close(x, -w * rise, "pressure: sideways")
   close(z, w * L, "pressure: down")
   close(math.abs(a.Mx), w * length ^ 2 / 12, "pressure: end moment")
-end
+end)
 
--- The weight per length is gravity; with weight at nodes to the error of the mass's lumping.
-do
+case("a load of the weight per length acts as gravity does", function()
+  -- The weight per length is gravity; with weight at nodes to the error of the mass's lumping.
   local function sag(n, declare, weight)
     local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" },
       { displacement = "small", elements_per_member = n, weight = weight })
@@ -200,7 +205,7 @@ do
     close(g "members", q, ("gravity and q, %d elements"):format(n))
     close(g "nodes", q, ("gravity at nodes and q, %d elements"):format(n), 0.485 / n ^ 2) -- 0.479 / n^2 by the lumping
   end
-end
+end)
 
 -- Dynamics ----------------------------------------
 
@@ -210,19 +215,21 @@ local function balance(run, what, part)
 end
 
 -- A free bar under q has the momentum q L t, whatever the steps; its spin too.
-for _, integrator in ipairs { "newmark", "explicit" } do
-  local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, {}, { displacement = "large" })
-  s.model:load { member = s.member[1], q = { a = { 0, 0, 3000 }, b = { 0, 900, -2000 } } }
-  local options = { duration = 0.02, dt = 2e-5 }
-  if integrator == "explicit" then options.integrator, options.dt = "explicit", "auto" end
-  local run = s.model:dynamic(options)
-  run:finish()
-  equal(run.verdict, "completed", integrator .. ": verdict")
-  local p = run:momentum()
-  close(p.linear[3], 500 * L * run.time, integrator .. ": momentum", 1e-6)
-  close(p.linear[2], 450 * L * run.time, integrator .. ": momentum aside", 1e-6)
-  balance(run, integrator .. ", free bar", integrator == "explicit" and 2e-5 or 1e-6)
-end
+case("a free bar under an even load has the momentum q L t", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, {}, { displacement = "large" })
+    s.model:load { member = s.member[1], q = { a = { 0, 0, 3000 }, b = { 0, 900, -2000 } } }
+    local options = { duration = 0.02, dt = 2e-5 }
+    if integrator == "explicit" then options.integrator, options.dt = "explicit", "auto" end
+    local run = s.model:dynamic(options)
+    run:finish()
+    equal(run.verdict, "completed", integrator .. ": verdict")
+    local p = run:momentum()
+    close(p.linear[3], 500 * L * run.time, integrator .. ": momentum", 1e-6)
+    close(p.linear[2], 450 * L * run.time, integrator .. ": momentum aside", 1e-6)
+    balance(run, integrator .. ", free bar", integrator == "explicit" and 2e-5 or 1e-6)
+  end
+end)
 
 -- Let on suddenly, a load lowers the joint twice as far as at rest (the lowest mode alone: a light beam, a heavy end).
 local function swing(options, load, model)
@@ -237,7 +244,7 @@ local function swing(options, load, model)
   for _, v in ipairs(probe.value) do lowest = -support.largest_of(-lowest, -v) end
   return lowest, run, probe
 end
-do
+case("a load let on suddenly lowers the joint twice as far as at rest", function()
   local rest = -w * L ^ 4 / (384 * E * Ix) - w * L ^ 2 / (8 * G * Ay)
   local lowest, run = swing({ dt = 1e-5, duration = 8e-3 }, { q = { 0, 0, -w } }, { displacement = "small" })
   near(lowest / rest, 2, 0.06, "let on at once: twice the deflection")
@@ -250,10 +257,10 @@ do
   lowest, run = swing({ integrator = "explicit", dt = "auto", duration = 8e-3 }, { q = { 0, 0, -w } }, {})
   near(lowest / rest, 2, 0.1, "explicit, let on at once")
   balance(run, "explicit", 5e-3) -- of second order in dt
-end
+end)
 
 -- Large displacement: a load in local axes rotates with its cantilever.
-do
+case("a load in local axes rotates with its member", function()
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" }, { displacement = "large", elements_per_member = 8 })
   s.model:load { member = s.member[1], q = { 0, E * Ix / L ^ 3, 0 }, axes = "local" }
   local run = solve(s, { steps = 4 })
@@ -268,31 +275,33 @@ do
   -- equilibrium: the supports hold what the pressure asks where it is
   local a = s.member[1]:forces(run)
   expect(math.abs(a.Mx) < 0.5 * E * Ix / L, "follower pressure: less than the dead load's moment")
-end
+end)
 
 -- Of a free bar one element of four breaks: its quarter of the load is gone from then on, and nothing else.
-for _, integrator in ipairs { "newmark", "explicit" } do
-  local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, {}, { displacement = "large", elements_per_member = 4 })
-  s.model:load { member = s.member[1], q = { 0, 0, 3000 } }
-  local broke
-  s.model:fracture(function(at)
-    if at.element ~= 2 or at.time < 4e-3 then return false end
-    broke = at.time
-    return true
-  end)
-  local options = { duration = 8e-3, dt = 2e-5 }
-  if integrator == "explicit" then options.integrator, options.dt = "explicit", "auto" end
-  local run = s.model:dynamic(options)
-  run:finish()
-  equal(run.verdict, "completed", integrator .. ", broken: verdict")
-  equal(run:count { state = "broken" }, 1, integrator .. ": members broken")
-  close(run:momentum().linear[3], 3000 * L * (broke + 0.75 * (run.time - broke)), integrator .. ", broken: momentum",
-    1e-6)
-  balance(run, integrator .. ", broken", 1e-4)
-end
+case("an element that breaks loses its part of the load and nothing else", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, {}, { displacement = "large", elements_per_member = 4 })
+    s.model:load { member = s.member[1], q = { 0, 0, 3000 } }
+    local broke
+    s.model:fracture(function(at)
+      if at.element ~= 2 or at.time < 4e-3 then return false end
+      broke = at.time
+      return true
+    end)
+    local options = { duration = 8e-3, dt = 2e-5 }
+    if integrator == "explicit" then options.integrator, options.dt = "explicit", "auto" end
+    local run = s.model:dynamic(options)
+    run:finish()
+    equal(run.verdict, "completed", integrator .. ", broken: verdict")
+    equal(run:count { state = "broken" }, 1, integrator .. ": members broken")
+    close(run:momentum().linear[3], 3000 * L * (broke + 0.75 * (run.time - broke)), integrator .. ", broken: momentum",
+      1e-6)
+    balance(run, integrator .. ", broken", 1e-4)
+  end
+end)
 
 -- At rest under its load, from statics: it stays so, with the same end forces.
-do
+case("a beam at rest under its load stays at rest in dynamics", function()
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" }, { displacement = "large" })
   s.model:load { group = "beam", q = { 0, 0, -w } }
   s.model:load { group = "beam", q = { 0, -w, 0 }, axes = "local" }
@@ -304,7 +313,7 @@ do
     close(s.member[1]:forces(run).Mx, s.member[1]:forces(start).Mx, "at rest: moment at the wall", 1e-8)
     near(run.energy.kinetic, 0, 1e-12 * start.energy.work, "at rest: kinetic energy")
   end
-end
+end)
 
 -- Checkpoint, undo, idle ----------------------------------------
 
@@ -323,27 +332,32 @@ end
 local folder = support.temporary_folder()
 for name, more in pairs { implicit = {}, explicit = { integrator = "explicit", dt = "auto" },
   ["step control"] = { dt = 1.6e-4, step_control = 7e-5 } } do
-  local whole = scene(loaded, more)
-  whole:finish()
-  equal(whole.verdict, "completed", name .. ": verdict")
-  local half = scene(loaded, more)
-  for step in half:steps() do
-    if step.index == whole.index // 2 then half:checkpoint(folder .. "/one.checkpoint") end
-  end
-  local resumed = scene(loaded, more):resume(folder .. "/one.checkpoint")
-  resumed:finish()
-  equal(resumed.hash, whole.hash, name .. ": state after a checkpoint")
-  equal(resumed.energy.work, whole.energy.work, name .. ": work after a checkpoint")
-  balance(whole, name .. ", loads that turn", 1e-3)
-  if more.step_control then
-    expect(whole.counts.rejected_steps > 0, "steps taken back: %s", tostring(whole.counts.rejected_steps))
-  end
+  case("checkpoints and steps taken back change no bit under member loads: " .. name, function()
+    local whole = scene(loaded, more)
+    whole:finish()
+    equal(whole.verdict, "completed", name .. ": verdict")
+    local half = scene(loaded, more)
+    for step in half:steps() do
+      if step.index == whole.index // 2 then half:checkpoint(folder .. "/one.checkpoint") end
+    end
+    local resumed = scene(loaded, more):resume(folder .. "/one.checkpoint")
+    resumed:finish()
+    equal(resumed.hash, whole.hash, name .. ": state after a checkpoint")
+    equal(resumed.energy.work, whole.energy.work, name .. ": work after a checkpoint")
+    balance(whole, name .. ", loads that turn", 1e-3)
+    if more.step_control then
+      expect(whole.counts.rejected_steps > 0, "steps taken back: %s", tostring(whole.counts.rejected_steps))
+    end
+  end)
 end
-local plain, idle = scene(), scene(function(s) s.model:load { group = "beam", q = { 0, 0, 0 } } end)
-plain:finish()
-idle:finish()
-equal(idle.hash, plain.hash, "a load of nothing: state")
-do -- left out of a comparison it is as not declared; statics too
+case("a load of nothing changes no bit", function()
+  local plain, idle = scene(), scene(function(s) s.model:load { group = "beam", q = { 0, 0, 0 } } end)
+  plain:finish()
+  idle:finish()
+  equal(idle.hash, plain.hash, "a load of nothing: state")
+end)
+
+case("a load left out of a comparison is as not declared", function()
   local core = require "hinge.core"
   local function hash(declare, left_out)
     core.leave_out(left_out)
@@ -357,8 +371,9 @@ do -- left out of a comparison it is as not declared; statics too
   end
   expect(hash(loaded) ~= hash(), "loads on members change nothing")
   equal(hash(loaded, "member loads"), hash(), "left out: states")
-end
-do -- the plan says that a history is asked, and where
+end)
+
+case("the plan says that a history is asked, and where", function()
   local function hooks(declare)
     for _, effect in ipairs(scene(declare).effects) do
       if effect.name == "hooks" then return effect end
@@ -370,8 +385,9 @@ do -- the plan says that a history is asked, and where
   expect(line.asked_at and line.asked_at:find "member_loads_test.lua:%d+", "plan of a history: where: %s",
     tostring(line.asked_at))
   equal(hooks(function(s) s.model:load { group = "beam", q = { 0, 0, 1 } } end).active, false, "plan without one")
-end
-do -- a history that fails takes the step back, and nothing of it stays
+end)
+
+case("a history function that fails takes the step back whole", function()
   local fails = false
   local function sine(s)
     s.model:load { group = "beam", q = { 0, 0, -1e5 }, history = function(t)
@@ -389,7 +405,7 @@ do -- a history that fails takes the step back, and nothing of it stays
   run:finish()
   equal(run.hash, whole.hash, "after a failed step: state")
   equal(run.energy.work, whole.energy.work, "after a failed step: work")
-end
+end)
 
 -- Wrong input ----------------------------------------
 
@@ -405,32 +421,35 @@ local function wrong(message, options)
   local _, _, down = solve(s):displacement(s.node[2])
   near(down, -L ^ 3 / (3 * E * Ix) - L / (G * Ay), 1e-15, "as before: " .. message)
 end
-wrong("model:load: field 'member' is 'beam'; must be a member made by model:member{a, b, ...}",
-  { member = "beam", q = { 0, 0, 1 } })
-wrong("model:load: field 'group': no group 'beems'...", { group = "beems", q = { 0, 0, 1 } })
-wrong("model:load: field 'group' is given beside member; give one of the two",
-  { member = true, group = "beam", q = { 0, 0, 1 } })
-wrong("model:load: field 'node' is given beside a member or group; give one of them",
-  { node = true, member = true, q = { 0, 0, 1 } })
-wrong("model:load: neither 'q' (N/m) nor 'moment' (N m/m) is given; give {x, y, z}, or ...", { member = true })
-wrong("model:load: neither 'force' (N) nor 'moment' (N m) is given beside 'at'", { member = true, at = 0.5 })
-wrong("model:load: field 'q' is 5; must be a table {x, y, z} in N/m", { member = true, q = 5 })
-wrong("model:load: field 'q': component z is not a number (nan); must be finite",
-  { member = true, q = { 0, 0, 0 / 0 } })
-wrong("model:load: field 'q': field 'b' is 1; must be a table {x, y, z} in N/m", { member = true, q = { b = 1 } })
-wrong("model:load: field 'at' is 1.5; must be from 0, the member's first end, to 1",
-  { member = true, at = 1.5, force = { 0, 0, 1 } })
-wrong("model:load: field 'force' is given without 'at'; is a point load, in N; give 'at' (0 to 1), or ...",
-  { member = true, force = { 0, 0, 1 } })
-wrong("model:load: field 'q' is given beside 'at'; is for the whole length; ...",
-  { member = true, at = 0.5, q = { 0, 0, 1 } })
-wrong("model:load: field 'axes' is 'globl'; must be...(did you mean 'global'?)",
-  { member = true, q = { 0, 0, 1 }, axes = "globl" })
-wrong("model:load: field 'axes' is 'projected'; is for 'q'; a point load has no length to be projected",
-  { member = true, at = 0.5, force = { 0, 0, 1 }, axes = "projected" })
-wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of {time, factor} pairs",
-  { member = true, q = { 0, 0, 1 }, history = 5 })
-wrong("model:load: unknown field 'forces' (did you mean 'force'?); it takes ...", { member = true, forces = 1 })
-wrong("model:load: field 'q' is given; belongs to a load on 'member', not on a node", { node = true, q = { 0, 0, 1 } })
+case("wrong loads on members are refused", function()
+  wrong("model:load: field 'member' is 'beam'; must be a member made by model:member{a, b, ...}",
+    { member = "beam", q = { 0, 0, 1 } })
+  wrong("model:load: field 'group': no group 'beems'...", { group = "beems", q = { 0, 0, 1 } })
+  wrong("model:load: field 'group' is given beside member; give one of the two",
+    { member = true, group = "beam", q = { 0, 0, 1 } })
+  wrong("model:load: field 'node' is given beside a member or group; give one of them",
+    { node = true, member = true, q = { 0, 0, 1 } })
+  wrong("model:load: neither 'q' (N/m) nor 'moment' (N m/m) is given; give {x, y, z}, or ...", { member = true })
+  wrong("model:load: neither 'force' (N) nor 'moment' (N m) is given beside 'at'", { member = true, at = 0.5 })
+  wrong("model:load: field 'q' is 5; must be a table {x, y, z} in N/m", { member = true, q = 5 })
+  wrong("model:load: field 'q': component z is not a number (nan); must be finite",
+    { member = true, q = { 0, 0, 0 / 0 } })
+  wrong("model:load: field 'q': field 'b' is 1; must be a table {x, y, z} in N/m", { member = true, q = { b = 1 } })
+  wrong("model:load: field 'at' is 1.5; must be from 0, the member's first end, to 1",
+    { member = true, at = 1.5, force = { 0, 0, 1 } })
+  wrong("model:load: field 'force' is given without 'at'; is a point load, in N; give 'at' (0 to 1), or ...",
+    { member = true, force = { 0, 0, 1 } })
+  wrong("model:load: field 'q' is given beside 'at'; is for the whole length; ...",
+    { member = true, at = 0.5, q = { 0, 0, 1 } })
+  wrong("model:load: field 'axes' is 'globl'; must be...(did you mean 'global'?)",
+    { member = true, q = { 0, 0, 1 }, axes = "globl" })
+  wrong("model:load: field 'axes' is 'projected'; is for 'q'; a point load has no length to be projected",
+    { member = true, at = 0.5, force = { 0, 0, 1 }, axes = "projected" })
+  wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of {time, factor} pairs",
+    { member = true, q = { 0, 0, 1 }, history = 5 })
+  wrong("model:load: unknown field 'forces' (did you mean 'force'?); it takes ...", { member = true, forces = 1 })
+  wrong("model:load: field 'q' is given; belongs to a load on 'member', not on a node", { node = true, q = { 0, 0,
+    1 } })
+end)
 
 checks.done()

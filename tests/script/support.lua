@@ -1,4 +1,5 @@
--- What the script tests share: counting checks, comparing messages, running commands, reading JSON.
+-- What the script tests share: named cases and checks, comparing messages, running commands, reading JSON.
+local cases = require "cases"
 local support = {}
 
 --- The folder of the tests, with a slash at its end; scripts may be started from anywhere.
@@ -26,23 +27,10 @@ function support.smallest_of(first, ...)
   return smallest
 end
 
---- A list of checks: expect(ok, what), equal(value, wanted, what), near(value, wanted, within, what),
---- prints(printed, shown, what), same_files(path, other, what), done() at the end.
-function support.checks(title)
-  local count, failures = 0, {}
-  local checks = {}
-  function checks.expect(ok, what, ...)
-    count = count + 1
-    if not ok then failures[#failures + 1] = select("#", ...) > 0 and what:format(...) or what end
-    return ok
-  end
-  function checks.equal(value, wanted, what)
-    return checks.expect(value == wanted, "%s: is %s, wanted %s", what, tostring(value), tostring(wanted))
-  end
-  function checks.near(value, wanted, within, what)
-    return checks.expect(math.abs(value - wanted) <= within, "%s: is %.10g, wanted %.10g within %.3g",
-      what, value, wanted, within)
-  end
+--- The cases of a test file and the checks in them: cases.lua, and prints(printed, shown, what),
+--- same_files(path, other, what).
+function support.checks(title, test)
+  local checks = cases.new(title, test)
   --- What was printed is what is shown: support.prints.
   function checks.prints(printed, shown, what)
     return checks.expect(support.prints(printed, shown), "%s: prints\n%s\nand not\n%s", what, printed, shown)
@@ -52,14 +40,6 @@ function support.checks(title)
     local text = support.read(path)
     return checks.expect(text and text == support.read(other), "%s: %s %s", what, path, not text and "is not there"
       or support.is_there(other) and "and " .. other .. " differ" or "is there, " .. other .. " is not")
-  end
-  function checks.done()
-    if #failures > 0 then
-      io.stderr:write(("%s: %d of %d checks failed:\n  %s\n")
-        :format(title, #failures, count, table.concat(failures, "\n  ")))
-      os.exit(1)
-    end
-    print(("%s: %d checks passed"):format(title, count))
   end
   return checks
 end
