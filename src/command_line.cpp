@@ -257,6 +257,8 @@ void add_render(CLI::App& app, Request& request) {
     flag("--loads", "loads", "Draw the loads, with their values");
     flag("--labels", "labels", "Write the numbers of nodes and members");
     text("--groups", "groups", "Only the members of these groups, such as columns,beams", "NAMES");
+    text("--plane", "plane", "Only what lay in this plane at the start, m: y=0 for one line of frames, z=3 for a floor",
+         "AXIS=M");
     text("--title", "title", "Text above", "TEXT");
     text("-j,--jobs", "jobs", "Pictures at a time (default: as many as there are cores)", "N");
     verb->footer(

@@ -37,10 +37,13 @@ local function read_frames(frames, what)
   local results = workers.run { what = "frames read", count = #frames, jobs = what.jobs,
     work = function(i) return core.frame_box(frames[i].file, what.view) end }
   local found = results and {}
+  local empty -- what is wrong with the plane, where no member lies in it
   for i, frame in ipairs(results and frames or {}) do
     frame.problem = results[i].problem
     found[#found + 1] = results[i].result
+    empty = empty or (frame.problem or ""):match "field 'plane' is (.*)$"
   end
+  if empty and #found == 0 then check.fail("--plane: %s", empty) end
   return found
 end
 

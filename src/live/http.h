@@ -1,4 +1,4 @@
-// HTTP/1.1 as far as a page on the loopback address needs it: what a request asks for, what stands above an answer.
+// Reads the head of an HTTP/1.1 request and writes the head of an answer. Only GET, one request a connection.
 #pragma once
 
 #include "live/server.h"
@@ -7,13 +7,14 @@ namespace hinge::live {
 
 inline constexpr std::size_t longest_head = 8192;  ///< bytes
 
-/// Reads a request's lines, each with its \r\n. 200, or the status that refuses it: 400 it is none; 403 it comes from a
-/// page of somebody else's, or was not sent to this computer by name; 405 it is no GET; 505 another protocol.
+/// Reads the lines of a request's head, each with its \r\n, and returns an HTTP status. 200: the request is allowed.
+/// 400: malformed. 403: its Host is not this computer, or another site's page sent it. 405: not GET. 505: not HTTP/1.
 int read_head(const std::string& head, Request& request);
 
-/// Status line and fields, with the empty line after them.
+/// Status line and header fields of an answer, with the empty line that ends them.
 std::string heading_of(const Answer& answer);
 
+/// An answer that names the status in its text.
 Answer refusal(int status);
 
 }  // namespace hinge::live

@@ -24,10 +24,9 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr std::size_t most_clients = 16;
-constexpr auto for_request = milliseconds(5000), for_news = milliseconds(20000), without_progress = milliseconds(5000),
-               for_goodbye = milliseconds(1000), at_end = milliseconds(300), without_files = milliseconds(500);
+constexpr auto for_goodbye = milliseconds(1000), at_end = milliseconds(300), without_files = milliseconds(500);
 
-/// A client, and how far its one request is.
+/// A connection with one request, and the stage that the request has reached.
 struct Client {
     enum class Stage { reading, waiting, writing, leaving } stage = Stage::reading;
     int fd;
@@ -38,11 +37,12 @@ struct Client {
     std::size_t sent = 0;  ///< of heading and body
 };
 
-/// What the server's thread owns.
+/// The connections, and the loop of the server's thread.
 class Work {
 public:
-    Work(int listener, int alarm, const std::atomic<bool>& ending, std::atomic<int>& waiting, const Handler& handler)
-        : listener_(listener), alarm_(alarm), ending_(ending), waiting_(waiting), handler_(handler) {}
+    Work(int listener, int alarm, const std::atomic<bool>& ending, std::atomic<int>& waiting, const Handler& handler,
+         const Limits& limits)
+        : listener_(listener), alarm_(alarm), ending_(ending), waiting_(waiting), handler_(handler), limits_(limits) {}
     ~Work() {
         for (Client& c : clients_) ::close(c.fd);
     }
@@ -96,7 +96,7 @@ private:
                 deaf_until_ = now + without_files;  // it would be told of the same client again and again
             return;
         }
-        if (clients_.size() < most_clients) return void(clients_.push_back({.fd = fd, .until = now + for_request}));
+        if (clients_.size() < most_clients) return void(clients_.push_back({.fd = fd, .until = now + limits_.request}));
         const std::string busy = heading_of({503, "text/plain", nullptr});
         if (::send(fd, busy.data(), busy.size(), MSG_NOSIGNAL) < 0) {}  // it is turned away, with or without a word
         ::close(fd);
@@ -129,14 +129,14 @@ private:
         if (auto given = handler_(c.request)) return answer(c, *given);
         if (!first) return;
         c.stage = Client::Stage::waiting;
-        c.until = Clock::now() + for_news;
+        c.until = Clock::now() + limits_.news;
     }
 
     void answer(Client& c, const Answer& given) {
         c.heading = heading_of(given);
         c.body = given.body;
         c.stage = Client::Stage::writing;
-        c.until = Clock::now() + without_progress;
+        c.until = Clock::now() + limits_.progress;
         write(c);
     }
 
@@ -151,7 +151,7 @@ private:
             if (went < 0 && errno == EAGAIN) return;
             if (went <= 0) return drop(c);
             c.sent += std::size_t(went);
-            c.until = Clock::now() + without_progress;
+            c.until = Clock::now() + limits_.progress;
         }
         c.body = nullptr;
         ::shutdown(c.fd, SHUT_WR);  // and not close: that would take back the answer where the client has said more
@@ -189,6 +189,7 @@ private:
     const std::atomic<bool>& ending_;
     std::atomic<int>& waiting_;
     const Handler& handler_;
+    const Limits& limits_;
     Clock::time_point deaf_until_ = {};
     std::vector<Client> clients_;
 };
@@ -223,7 +224,7 @@ int loopback_listener(int& port) {
 
 }  // namespace
 
-Server::Server(int port, Handler handler) : port_(port), handler_(std::move(handler)) {
+Server::Server(int port, Handler handler, Limits limits) : port_(port), handler_(std::move(handler)), limits_(limits) {
     listener_ = loopback_listener(port_);
     alarm_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (alarm_ < 0) {
@@ -236,7 +237,7 @@ Server::Server(int port, Handler handler) : port_(port), handler_(std::move(hand
     pthread_sigmask(SIG_BLOCK, &all, &before);
     thread_ = std::thread([this] {
         while (!ending_) try {
-                Work(listener_, alarm_, ending_, waiting_, handler_).run();
+                Work(listener_, alarm_, ending_, waiting_, handler_, limits_).run();
             } catch (...) {}  // no memory for an answer: its clients are dropped, the run is not harmed
     });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);

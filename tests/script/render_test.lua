@@ -152,6 +152,18 @@ expect((read "one/frames/frame_00001.png" or ""):sub(1, 24) == "\x89PNG\r\n\x1a\
   "a picture of 160 x 120")
 equal(left_over(), "", "what is left over")
 
+-- What lay in a plane at the start: the column alone, or the bar alone although it falls; seen across the plane.
+local function drawn(options)
+  local problem
+  status, printed, problem = render("one -j 1 --title x " .. options .. small)
+  equal(status .. printed, "06 pictures in one\n", options .. problem)
+  return read "one/frames/frame_00005.png"
+end
+for plane, view in pairs { ["x=0"] = "--groups column --view right", ["z = 1+2"] = "--groups falling --view top",
+    ["x=0,y=0' --view 'iso"] = "--groups column --view iso" } do
+  equal(drawn(("--plane '%s'"):format(plane)) == drawn(view), true, ("--plane %s is as %s"):format(plane, view))
+end
+
 -- What is shown: the same in all frames, of a cantilever under a load that grows.
 local loaded = [=[
 local hinge = require "hinge"
@@ -264,6 +276,12 @@ for arguments, text in pairs {
   ["--out a.avi"] = "--out a.avi: must end in .mp4, .webm or .gif",
   ["--out a.mp4 --gif"] = "--out a.mp4: the name of a film made by --gif ends in .gif",
   ["--groups colum"] = "--groups: unknown group 'colum' (did you mean 'column'?); there are column, falling",
+  ["--plane y=2"] = "--plane: y = 2 m, where no member lies; must be a plane of members: y = 0 m",
+  ["--plane y"] = "--plane y: must be x, y or z with a number of metres, such as y=0",
+  ["--plane w=0"] = "--plane w=0: must be x, y or z with", ["--plane y=2m"] = "--plane y=2m: must be x, y or z with",
+  ["--plane y=0,y=1"] = "--plane y=0,y=1: must be x, y or z with a number of metres, such as y=0; y is given twice",
+  ["--plane y=0,"] = "--plane y=0,: must be x, y or z with",
+  ["--plane y=inf"] = "--plane y=inf: must be x, y or z with",
   ["--groups ,"] = "--groups ,: must be names of groups",
 } do
   status, printed, complaint = render("one " .. arguments)

@@ -135,7 +135,57 @@ TEST_CASE("the live server refuses other hosts, other methods and what is no req
                                     "GET http://evil.example/" + host, std::string("\x16\x03\x01\0\xff\r\n\r\n", 9),
                                     "GET /\x01" + host, "get /" + host, std::string("GET / FTP/1.1\r\n\r\n")})
         CHECK(raw(junk) == "HTTP/1.1 400 Bad Request");
-    CHECK(raw("GET /" + std::string(20000, 'a') + host) == "HTTP/1.1 431 Request Header Fields Too Large");
+    const std::string too_large = "HTTP/1.1 431 Request Header Fields Too Large", line = "A: b\r\n";
+    CHECK(raw("GET /" + std::string(20000, 'a') + host) == too_large);
+    std::string lines = "GET / HTTP/1.1\r\n";  // a head of many short lines has the same limit
+    while (lines.size() <= longest_head) lines += line;
+    CHECK(raw(lines) == too_large);
+}
+
+TEST_CASE("a client has one limit of time for its request, and others for waiting and reading", "[live]") {
+    Server server(0, plain, {.request = 200ms, .news = 200ms, .progress = 200ms});
+    const auto begin = std::chrono::steady_clock::now();
+    // Single bytes do not renew the limit: the server closes while the client goes on sending.
+    Connection drips(server.port());
+    const timeval short_wait = {0, 20000};
+    ::setsockopt(drips.fd, SOL_SOCKET, SO_RCVTIMEO, &short_wait, sizeof short_wait);
+    bool closed = false;
+    char some;
+    while (!closed && std::chrono::steady_clock::now() - begin < 4s) {
+        if (::send(drips.fd, "G", 1, MSG_NOSIGNAL) < 0) closed = true;
+        else if (::recv(drips.fd, &some, 1, 0) >= 0 || errno == ECONNRESET) closed = true;
+    }
+    CHECK(closed);
+    CHECK(std::chrono::steady_clock::now() - begin >= 200ms);
+    CHECK(status_of(get(server.port(), "/never")) == "HTTP/1.1 204 No Content");
+    // A client that reads with pauses gets all 40 MB: they take longer than the limit, and no pause is as long.
+    Connection slow(server.port());
+    slow.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    const auto before = std::chrono::steady_clock::now();
+    std::vector<char> room(2'000'000);
+    std::size_t taken = 0;
+    for (ssize_t n; (n = ::recv(slow.fd, room.data(), room.size(), MSG_WAITALL)) > 0; taken += std::size_t(n))
+        std::this_thread::sleep_for(20ms);
+    CHECK(taken > 40'000'000);
+    CHECK(std::chrono::steady_clock::now() - before > 200ms);
+    // A client that does not read is dropped: the rest of the answer does not come.
+    Connection mute(server.port(), 4096);
+    mute.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    std::this_thread::sleep_for(600ms);
+    CHECK(mute.hear().size() < 40'000'000);
+}
+
+TEST_CASE("a live server ends in less than a second while clients do not read", "[live]") {
+    auto server = std::make_unique<Server>(0, plain);
+    std::vector<std::unique_ptr<Connection>> mute;
+    for (int i = 0; i < 4; ++i) {
+        mute.push_back(std::make_unique<Connection>(server->port(), 4096));
+        mute.back()->say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    }
+    CHECK(body_of(get(server->port(), "/")) == "the page");  // the four were served before
+    const auto before = std::chrono::steady_clock::now();
+    server.reset();
+    CHECK(std::chrono::steady_clock::now() - before < 1s);
 }
 
 TEST_CASE("clients that never read, never ask or go away hold nobody up", "[live]") {

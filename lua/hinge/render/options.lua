@@ -56,6 +56,22 @@ local function direction(text)
   return list
 end
 
+-- "y=0" as { y = 0 }; several planes are separated by commas.
+local function planes(text)
+  if not text then return nil end
+  local found = {}
+  for item in (text .. ","):gmatch "([^,]*)," do
+    local axis, at = item:match "^%s*([xyz])%s*=(.*)$"
+    at = at and values.number(at)
+    if not at or found[axis] then
+      check.fail("--plane %s: must be x, y or z with a number of metres, such as y=0%s", text,
+        at and "; " .. axis .. " is given twice" or "")
+    end
+    found[axis] = at
+  end
+  return found
+end
+
 local function group_list(text)
   if not text then return nil end
   local list = {}
@@ -109,7 +125,7 @@ function options.read(given)
   what.view = { view = one_of("--view", given.view, view.names), from = direction(given.from),
     scale = given.scale == "auto" and "auto" or number("--scale", given.scale, ", or auto", 1e9),
     ghost = given.ghost and true or nil, loads = given.loads and true or nil, labels = given.labels and true or nil,
-    show = one_of("--show", given.show, view.shows), groups = group_list(given.groups),
+    show = one_of("--show", given.show, view.shows), groups = group_list(given.groups), plane = planes(given.plane),
     title = given.title or not given.show and "yield function f_y" or nil }
   what.format, what.note = possible_format(given)
   if not what.format then
