@@ -628,10 +628,14 @@ void Sweep::run(const State& state, const Pose& pose, std::vector<Vec6>& nodal, 
 }
 
 std::string Sweep::failure() const {
-    if (folded_ >= 0)
+    if (folded_ >= 0) {
+        // a hinge that turns so far would have broken; what is elastic bends less in shorter elements
+        const bool unbroken =
+            inertia_ && !structure_.elements()[folded_].yield.elastic() && structure_.model().fracture().empty();
         return "an end of " + structure_.element_name(folded_) +
-               " has folded back against the element itself, by 177 degrees or more; more elements a member, or "
-               "fracture, may help";
+               " has folded back against the element itself, by 177 degrees or more; " +
+               (unbroken ? "a rule of fracture (model:fracture) may help" : "more elements a member may help");
+    }
     if (unreturned_ >= 0)
         return "the plastic flow of " + structure_.element_name(unreturned_) +
                " was not found: its forces are too far beyond the yield surface for one step";

@@ -130,6 +130,24 @@ end
 local holds = folding(8, { duration = 0.3, integrator = "energy-momentum" })
 checks.equal(holds.verdict, "completed", "a column that folds: " .. holds.reason)
 
+-- An end that a moment folds back against its element: one cure is named. It is fracture where a hinge turned and no
+-- rule lets it break, else more elements.
+local function fold_back(moment, elements, yield_stress, breaks)
+  local model = hinge.model { elements_per_member = elements }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a)
+  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress } }
+  model:load { node = b, moment = { 0, moment, 0 } }
+  if breaks then model:fracture { axial_strain = 9 } end
+  return model:dynamic { dt = 2e-4, duration = 0.02, step_control = 0, energy_tolerance = 0.9, record = false }
+    :finish().reason
+end
+for cure, why in pairs { ["a rule of fracture (model:fracture)"] = fold_back(3e5, 4, 235e6),
+    ["more elements a member"] = fold_back(3e6, 2), [" more elements a member"] = fold_back(3e5, 4, 235e6, true) } do
+  checks.expect(why:match "177 degrees or more; (.*)$" == cure:match "%S.*" .. " may help", "%s: %s", cure, why)
+end
+
 -- An element that winds up turn after turn: no reason for a run to end.
 for _, step_control in ipairs { 0, 0.01 } do
   local model = hinge.model {}
