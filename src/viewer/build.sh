@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes lua/hinge/viewer.js, the one file that a report holds, from src and three.js. Needed only after a change of src:
-# the file is part of the tree.
+# the file is part of the tree. built.sha256 lists the hashes of all that went into it; tests/script/viewer_test.lua
+# compares them, without npm.
 #
 # Run     src/viewer/build.sh          needs Node.js 18 or later, with npm
 #         src/viewer/build.sh --check  makes it elsewhere, and says whether the tree's is the same
@@ -23,4 +24,8 @@ fi
 } >"$out"
 if [ "${1:-}" = --check ]; then
   cmp -- "$out" "$made" && echo "$made is what these sources make"
+else
+  cd ../..
+  LC_ALL=C  # the order of the list
+  sha256sum -- "${made#../../}" src/viewer/build.sh src/viewer/package*.json src/viewer/src/* >src/viewer/built.sha256
 fi
