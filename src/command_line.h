@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "script/sandbox.h"
+#include "script/lua/sandbox.h"
 
 namespace hinge {
 

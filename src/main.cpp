@@ -12,10 +12,10 @@
 #include "live/live.h"
 #include "new_project.h"
 #include "prompt.h"
-#include "script/folders.h"
-#include "script/interrupts.h"
-#include "script/module.h"
-#include "script/objects.h"
+#include "script/files/folders.h"
+#include "script/lua/interrupts.h"
+#include "script/lua/module.h"
+#include "script/lua/objects.h"
 #include "version.h"
 
 namespace {
@@ -104,13 +104,13 @@ std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, in
     lua_settop(L, 0);
     std::cerr << "live until the program ends: " << live->address() << std::endl;
     hinge::script::write_event(context, "live", {{"address", live->address()}});
-    context.onlooker = live.get();
+    context.observer = live.get();
     return live;
 }
 
 /// The program ends with that status: who looks is told how, and of what it leaves.
 void end_live(hinge::live::Live& live, Context& context, int status) {
-    context.onlooker = nullptr;
+    context.observer = nullptr;
     hinge::script::Json last = {{"status", status}, {"folder", context.out_dir}};
     const std::string summary = context.out_dir + "/summary.json";
     if (status <= 1 && context.record && context.record->number == live.shown() && fs::exists(summary)) {

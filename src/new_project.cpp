@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "script/places.h"
+#include "script/files/installed_files.h"
 
 namespace hinge {
 namespace {

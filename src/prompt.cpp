@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "core/doing.h"
-#include "script/objects.h"
+#include "script/lua/objects.h"
 #include "terminal.h"
 
 namespace hinge {

@@ -1,5 +1,5 @@
 -- The globals of a script that is not trusted: Lua without files, processes, native modules and debug functions, and a
--- separate copy of the library. src/script/sandbox.h has its limits.
+-- separate copy of the library. src/script/lua/sandbox.h has its limits.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local scenario = require "hinge.scenario" -- shared: its module table never leaves the library

@@ -38,7 +38,7 @@ Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : str
     between_.reserve(most);
     for (int i = n - 1; i >= 0; --i) {  // inner nodes come after the joints
         if (!could_go(i)) continue;
-        Between m{i, 0, {-1, -1}, {-1, -1}, false, {}, {}};
+        CondensedNode m{i, 0, {-1, -1}, {-1, -1}, false, {}, {}};
         bool alone = true;
         for (int e : at(i)) {
             m.element[m.count] = e;
@@ -81,7 +81,7 @@ void Condensed<Number>::paint() {
         for (int e : structure_.elements_at(node)) {
             int next = other_node(structure_.elements()[e], node);
             if (which_[next] >= 0) {
-                const Between& m = between_[which_[next]];
+                const CondensedNode& m = between_[which_[next]];
                 if (m.count < 2) continue;
                 next = m.side[m.side[0] == node ? 1 : 0];
             }
@@ -109,7 +109,7 @@ int Condensed<Number>::far(int place, int entry) const {
     const int node = order_[place],
               next = other_node(structure_.elements()[structure_.elements_at(node)[entry - 1]], node);
     if (place_[next] >= 0) return place_[next];
-    const Between& m = between_[which_[next]];
+    const CondensedNode& m = between_[which_[next]];
     return m.count < 2 ? place : place_[m.side[m.side[0] == node ? 1 : 0]];
 }
 
@@ -118,7 +118,7 @@ template <class Number>
 void Condensed<Number>::lay_out() {
     order_.resize(joints_);
     first_.resize(joints_ + 1);
-    for (Between& m : between_) m.kept = false, place_[m.node] = -1;
+    for (CondensedNode& m : between_) m.kept = false, place_[m.node] = -1;
     for (int node : coupled_)
         if (which_[node] >= 0) {
             between_[which_[node]].kept = true;
@@ -200,7 +200,7 @@ int Condensed<Number>::pair_about(int node) const {
 }
 
 template <class Number>
-void Condensed<Number>::renew_between(Between& m, const ElementMatrices& parts) const {
+void Condensed<Number>::renew_between(CondensedNode& m, const ElementMatrices& parts) const {
     const Mat6 inverse = inverse_by_halves(parts.own(m.node));
     put(m.inverse, inverse);
     for (int s = 0; s < m.count; ++s)
@@ -222,7 +222,7 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
         }
         Mat6 block = parts.across(element, end_at(e, node));
         if (place_[next] < 0) {
-            const Between& m = between_[which_[next]];
+            const CondensedNode& m = between_[which_[next]];
             const int here = m.side[0] == node ? 0 : 1;
             own -= block * get(m.pull[here]);
             if (m.count == 2) block = -block * get(m.pull[1 - here]);
@@ -253,7 +253,7 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     for (int i : nodes) {
         if (place_[i] >= 0) rows.push_back(place_[i]);
         if (which_[i] < 0) continue;
-        const Between& m = between_[which_[i]];
+        const CondensedNode& m = between_[which_[i]];
         if (!m.kept) taken_out.push_back(which_[i]);
         for (int s = 0; s < m.count; ++s) rows.push_back(place_[m.side[s]]);
     }
@@ -293,7 +293,7 @@ void Condensed<Number>::solve_back(const double* right, double* x) const {
     });
     pool_.share(int(going_.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
-            const Between& m = between_[going_[i]];
+            const CondensedNode& m = between_[going_[i]];
             Wide v = times(m.inverse, right + 6 * m.node);
             for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &x_[stride * place_[m.side[s]]]);
             store_six(x + 6 * m.node, v);
@@ -431,7 +431,7 @@ void Condensed<Number>::direction(double* d) const {
     std::fill(d, d + 6 * which_.size(), 0.0);
     for (int p : staying_) std::memcpy(d + 6 * order_[p], &d_[stride * p], 6 * sizeof(double));
     for (int i : going_) {
-        const Between& m = between_[i];
+        const CondensedNode& m = between_[i];
         Wide v{};
         for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &d_[stride * place_[m.side[s]]]);
         store_six(d + 6 * m.node, v);

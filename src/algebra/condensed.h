@@ -49,7 +49,7 @@ public:
 
 private:
     enum class Colour : char { between, red, black };
-    struct Between {
+    struct CondensedNode {
         int node, count;  ///< of its neighbours, 0 to 2
         int side[2];      ///< which they are
         int element[2];   ///< that leads there
@@ -60,7 +60,7 @@ private:
 
     void paint();
     void lay_out();
-    void renew_between(Between& m, const ElementMatrices& parts) const;
+    void renew_between(CondensedNode& m, const ElementMatrices& parts) const;
     void renew_row(int place, const ElementMatrices& parts);
     void renew_inverse(int place);
     void reduce(const double* right);
@@ -74,7 +74,7 @@ private:
 
     const Structure& structure_;
     ThreadPool& pool_;
-    LargeVector<Between> between_;
+    LargeVector<CondensedNode> between_;
     std::vector<int> which_;      ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;  ///< of each place, while it is not coupled
     std::vector<Coupling> couplings_;

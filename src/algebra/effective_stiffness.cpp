@@ -13,18 +13,18 @@
 namespace hinge {
 
 EffectiveStiffness::EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor,
-                                       double stiffness_factor, bool geometric, Keeping keeping)
+                                       double stiffness_factor, bool geometric, MatrixStorage keeping)
     : structure_(structure),
       pool_(pool),
       mass_factor_(mass_factor),
       stiffness_factor_(stiffness_factor),
       geometric_(geometric),
       keeping_(keeping),
-      matrices_(structure, keeping == Keeping::narrow, keeping != Keeping::unsymmetric),
-      factors_(keeping == Keeping::unsymmetric) {
+      matrices_(structure, keeping == MatrixStorage::single_precision, keeping != MatrixStorage::unsymmetric),
+      factors_(keeping == MatrixStorage::unsymmetric) {
     const int n = int(structure.position().size());
-    if (keeping == Keeping::narrow) narrow_ = std::make_unique<Condensed<float>>(structure, pool);
-    if (keeping == Keeping::iterative) condensed_ = std::make_unique<Condensed<double>>(structure, pool);
+    if (keeping == MatrixStorage::single_precision) single_ = std::make_unique<Condensed<float>>(structure, pool);
+    if (keeping == MatrixStorage::iterative) condensed_ = std::make_unique<Condensed<double>>(structure, pool);
     is_dirty_.assign(n, 0);
     for (int i = 0; i < n; ++i) mark(i);
 }
@@ -35,17 +35,17 @@ void EffectiveStiffness::mark(int node) {
 
 namespace {
 
-const GivenTangent* find(const std::vector<GivenTangent>& given, int element) {
+const ElementTangent* find(const std::vector<ElementTangent>& given, int element) {
     if (given.empty()) return nullptr;
     const auto at = std::lower_bound(given.begin(), given.end(), element,
-                                     [](const GivenTangent& g, int e) { return g.element < e; });
+                                     [](const ElementTangent& g, int e) { return g.element < e; });
     return at != given.end() && at->element == element ? &*at : nullptr;
 }
 
 }  // namespace
 
 /// m M + gamma dt C.
-Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const PlacedElement& place) const {
+Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const ElementFrame& place) const {
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     const double of_M = mass_factor_ + by_damping_ * c.of_mass;
     const Mat3 axes = axes_of(place);
@@ -59,32 +59,32 @@ Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const Plac
     return M;
 }
 
-Mat12 EffectiveStiffness::single_part(int index, const State& state, const Pose& pose, const Mat6& k) const {
+Mat12 EffectiveStiffness::single_part(int index, const State& state, const Configuration& pose, const Mat6& k) const {
     const Element& e = structure_.elements()[index];
-    const PlacedElement place = place_element(structure_, index, pose);
+    const ElementFrame place = element_frame(structure_, index, pose);
     const auto stiffness = [&](bool geometric) {
         return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
                                   : beam::linear_tangent(axes_of(place).transpose(), e.length, k);
     };
     const Mat12 K = stiffness(geometric_);
     Mat12 A;
-    if (keeping_ == Keeping::unsymmetric) A = stiffness_factor_ * K;
+    if (keeping_ == MatrixStorage::unsymmetric) A = stiffness_factor_ * K;
     else A = (0.5 * stiffness_factor_) * (K + K.transpose());
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     if (mass_factor_ + by_damping_ * c.of_mass == 0) return A;
     const Mat12 M = inertia_part(index, state, place);
     A += M;
-    if (geometric_ && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow) &&
+    if (geometric_ && (keeping_ == MatrixStorage::iterative || keeping_ == MatrixStorage::single_precision) &&
         A.llt().info() != Eigen::Success)
         A = stiffness_factor_ * stiffness(false) + M;
     return A;
 }
 
-EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const State& state, const Pose& pose,
-                                                           const std::vector<GivenTangent>& given) const {
-    const PlacedElement place[2] = {place_element(structure_, first, pose), place_element(structure_, first + 1, pose)};
+EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const State& state, const Configuration& pose,
+                                                           const std::vector<ElementTangent>& given) const {
+    const ElementFrame place[2] = {element_frame(structure_, first, pose), element_frame(structure_, first + 1, pose)};
     beam::PairMatrix k;
-    if (const GivenTangent* g = find(given, first))
+    if (const ElementTangent* g = find(given, first))
         k << g->own, g->partner, g->partner.transpose(), find(given, first + 1)->own;
     else k = elastic_pair_tangent(structure_, state, pose, first, place);
     Mat12 M[2] = {Mat12::Zero(), Mat12::Zero()};
@@ -102,7 +102,7 @@ EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const Stat
         PairPart part;
         for (int i : {0, 1}) {
             const Mat12 K = element_tangent(place[i], state.force[first + i], k.block<6, 6>(6 * i, 6 * i), geometric);
-            if (keeping_ == Keeping::unsymmetric || !geometric) part.A[i] = stiffness_factor_ * K + M[i];
+            if (keeping_ == MatrixStorage::unsymmetric || !geometric) part.A[i] = stiffness_factor_ * K + M[i];
             else part.A[i] = (0.5 * stiffness_factor_) * (K + K.transpose()) + M[i];
         }
         const auto outer = between.topLeftCorner<6, 6>(), at_middle = between.bottomLeftCorner<6, 6>(),
@@ -116,7 +116,7 @@ EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const Stat
         return part;
     };
     PairPart part = put_together(geometric_);
-    if (geometric_ && heavy && (keeping_ == Keeping::iterative || keeping_ == Keeping::narrow)) {
+    if (geometric_ && heavy && (keeping_ == MatrixStorage::iterative || keeping_ == MatrixStorage::single_precision)) {
         Eigen::Matrix<double, 18, 18> whole = Eigen::Matrix<double, 18, 18>::Zero();
         whole.topLeftCorner<12, 12>() = part.A[0];
         whole.bottomRightCorner<12, 12>() += part.A[1];
@@ -126,19 +126,19 @@ EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const Stat
     return part;
 }
 
-ElementPart EffectiveStiffness::part(int index, const State& state, const Pose& pose,
-                                     const std::vector<GivenTangent>& given) const {
+ElementPart EffectiveStiffness::part(int index, const State& state, const Configuration& pose,
+                                     const std::vector<ElementTangent>& given) const {
     if (in_pair(structure_, state, index)) {
         const PairPart both = pair_part(index & ~1, state, pose, given);
         return {both.A[index & 1], index & 1 ? Mat6(both.bridge.transpose()) : both.bridge};
     }
-    const GivenTangent* g = find(given, index);
+    const ElementTangent* g = find(given, index);
     return {single_part(index, state, pose, g ? g->own : stiffness_now(structure_, state, index).matrix()),
             Mat6::Zero()};
 }
 
-void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Pose& pose,
-                               const std::vector<GivenTangent>& given) {
+void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Configuration& pose,
+                               const std::vector<ElementTangent>& given) {
     if (structure_.p_delta() && !matrices_.has_bridges()) matrices_.set_bridge(0, Mat6::Zero());
     pool_.share(int(elements.size()), 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
@@ -180,7 +180,7 @@ void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
             if (held[i < 6 ? c.a : c.b] >> (i % 6) & 1) c.K.row(i).setZero(), c.K.col(i).setZero();
     }
     std::vector<int> changed;
-    if (narrow_) narrow_->couple(couplings_, changed);
+    if (single_) single_->couple(couplings_, changed);
     if (condensed_) condensed_->couple(couplings_, changed);
     for (int node : changed) mark(node);
 }
@@ -201,7 +201,7 @@ void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& held) {
 }
 
 void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
-    if (narrow_) narrow_->leave_out(resting);
+    if (single_) single_->leave_out(resting);
     if (condensed_) condensed_->leave_out(resting);
 }
 
@@ -211,7 +211,7 @@ bool EffectiveStiffness::take_up_all() {
     for (const Coupling& c : couplings_)
         if (c.a < 0 || c.a >= nodes || c.b < 0 || c.b >= nodes || c.a == c.b) return false;
     std::vector<int> changed;
-    if (narrow_) narrow_->couple(couplings_, changed);
+    if (single_) single_->couple(couplings_, changed);
     if (condensed_) condensed_->couple(couplings_, changed);
     for (int node = 0; node < nodes; ++node) mark(node);
     return true;
@@ -221,7 +221,7 @@ void EffectiveStiffness::assemble() {
     if (dirty_.empty()) return;
     factor_valid_ = false;
     std::sort(dirty_.begin(), dirty_.end());
-    if (narrow_) narrow_->renew(dirty_, matrices_);
+    if (single_) single_->renew(dirty_, matrices_);
     if (condensed_) condensed_->renew(dirty_, matrices_);
     for (int i : dirty_) is_dirty_[i] = 0;
     dirty_.clear();
@@ -234,7 +234,7 @@ SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vecto
         if (!factorise()) return {0, false};
         return {0, factors_.solve(right[0].data(), x[0].data(), int(right.size()))};
     }
-    const SolveReport report = narrow_ ? narrow_->solve(right[0].data(), x[0].data(), settings)
+    const SolveReport report = single_ ? single_->solve(right[0].data(), x[0].data(), settings)
                                        : condensed_->solve(right[0].data(), x[0].data(), settings);
     counts_.iterations += report.iterations;
     return report;
@@ -243,7 +243,7 @@ SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vecto
 EffectiveStiffness::Weakest EffectiveStiffness::weakest_part() const {
     const int nodes = int(structure_.position().size());
     std::vector<double> d(6 * std::size_t(nodes));
-    if (narrow_) narrow_->direction(d.data());
+    if (single_) single_->direction(d.data());
     else if (condensed_) condensed_->direction(d.data());
     const auto at = [&](int node) { return Eigen::Map<const Vec6>(&d[6 * std::size_t(node)]); };
     Weakest found;
@@ -319,7 +319,7 @@ void EffectiveStiffness::add_to(DirectFactors& factors, bool symmetric_part, con
 }
 
 const DirectFactors& EffectiveStiffness::symmetric_factors() {
-    if (keeping_ != Keeping::unsymmetric) return factors_;
+    if (keeping_ != MatrixStorage::unsymmetric) return factors_;
     if (symmetric_) return *symmetric_;
     symmetric_ = std::make_unique<DirectFactors>(false);
     add_to(*symmetric_, true, Vec6::Zero());
@@ -340,7 +340,7 @@ bool EffectiveStiffness::solve_by(const DirectFactors& factors, const std::vecto
 }
 
 bool EffectiveStiffness::more_negative_modes(int known) const {
-    if (keeping_ == Keeping::unsymmetric) return factors_.negative_determinant() != (known % 2 == 1);
+    if (keeping_ == MatrixStorage::unsymmetric) return factors_.negative_determinant() != (known % 2 == 1);
     return factors_.negative_pivots() > known;
 }
 

@@ -8,22 +8,22 @@
 #include "algebra/condensed.h"
 #include "algebra/direct_factors.h"
 #include "algebra/node_blocks.h"
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 
 /// How A is kept, and so how it can be solved.
-enum class Keeping : std::uint8_t {
-    direct,       ///< for factors: initial stress stays in, whatever it does to an element's part
-    unsymmetric,  ///< the tangent's unsymmetric part too (an applied moment is not conservative); for LU
-    iterative,    ///< for conjugate gradients: initial stress stays out of a part that it would make indefinite
-    narrow,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A (steps no
-             ///< longer than the fastest waves need): the solution is a change of the accelerations, and what it lacks
-             ///< the next step sees
+enum class MatrixStorage : std::uint8_t {
+    direct,            ///< for factors: initial stress stays in, whatever it does to an element's part
+    unsymmetric,       ///< the tangent's unsymmetric part too (an applied moment is not conservative); for LU
+    iterative,         ///< for conjugate gradients: initial stress stays out of a part that it would make indefinite
+    single_precision,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A
+                       ///< (steps no longer than the fastest waves need): the solution is a change of the
+                       ///< accelerations, and what it lacks the next step sees
 };
 
 /// dp/dd of an element that flows, or whose partner does.
-struct GivenTangent {
+struct ElementTangent {
     int element;
     Mat6 own;
     Mat6 partner;  ///< d(its p)/d(its partner's d); zero where its bending does not follow the axial force
@@ -32,12 +32,12 @@ struct GivenTangent {
 class EffectiveStiffness {
 public:
     EffectiveStiffness(const Structure& structure, ThreadPool& pool, double mass_factor, double stiffness_factor,
-                       bool geometric, Keeping keeping);
+                       bool geometric, MatrixStorage keeping);
 
     /// Builds the part of these elements (rising) for the state at `pose`; `given`, rising, in the place of the elastic
     /// tangent. Of a pair whose bending follows its axial force both elements are to be in the list, or none.
-    void build(const std::vector<int>& elements, const State& state, const Pose& pose,
-               const std::vector<GivenTangent>& given);
+    void build(const std::vector<int>& elements, const State& state, const Configuration& pose,
+               const std::vector<ElementTangent>& given);
     void remove(int element);
     /// Of each element, empty for none; `by_damping`: what C counts for in the matrix, gamma dt. Elements must be built
     /// anew.
@@ -85,7 +85,8 @@ public:
     double time_product(int repeats) const;
 
     /// An element's part, nothing of it held. `given`: as in build.
-    ElementPart part(int element, const State& state, const Pose& pose, const std::vector<GivenTangent>& given) const;
+    ElementPart part(int element, const State& state, const Configuration& pose,
+                     const std::vector<ElementTangent>& given) const;
 
     struct Counts {
         long built = 0, iterations = 0, solves = 0, factorisations = 0;
@@ -106,9 +107,10 @@ private:
         Mat12 A[2];
         Mat6 bridge;
     };
-    Mat12 single_part(int element, const State& state, const Pose& pose, const Mat6& k) const;
-    PairPart pair_part(int first, const State& state, const Pose& pose, const std::vector<GivenTangent>& given) const;
-    Mat12 inertia_part(int element, const State& state, const PlacedElement& place) const;
+    Mat12 single_part(int element, const State& state, const Configuration& pose, const Mat6& k) const;
+    PairPart pair_part(int first, const State& state, const Configuration& pose,
+                       const std::vector<ElementTangent>& given) const;
+    Mat12 inertia_part(int element, const State& state, const ElementFrame& place) const;
     const DirectFactors& symmetric_factors();
     void add_to(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) const;
     bool factorise_shifted(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal);
@@ -122,11 +124,11 @@ private:
     double mass_factor_, stiffness_factor_, by_damping_ = 0;
     std::vector<ElementDamping> damping_;
     bool geometric_;
-    Keeping keeping_;
+    MatrixStorage keeping_;
     ElementMatrices matrices_;
     std::vector<Coupling> couplings_;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
-    std::unique_ptr<Condensed<float>> narrow_;
+    std::unique_ptr<Condensed<float>> single_;
     std::vector<int> dirty_;  // nodes
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;

@@ -9,16 +9,16 @@ constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
 
 }  // namespace
 
-ElementMatrices::ElementMatrices(const Structure& structure, bool narrow, bool symmetric)
+ElementMatrices::ElementMatrices(const Structure& structure, bool single_precision, bool symmetric)
     : structure_(structure),
-      narrow_(narrow),
+      single_precision_(single_precision),
       symmetric_(symmetric),
       stride_(symmetric ? packed : full),
       held_(structure.fixed()) {
     const std::size_t numbers = stride_ * structure.elements().size();
     empty_.assign(structure.elements().size(), 0);
-    if (narrow) narrow_part_.assign(numbers, 0);
-    else wide_part_.assign(numbers, 0);
+    if (single_precision) single_part_.assign(numbers, 0);
+    else double_part_.assign(numbers, 0);
 }
 
 void ElementMatrices::set(int element, const Mat12& A) {
@@ -34,8 +34,8 @@ void ElementMatrices::set(int element, const Mat12& A) {
         for (int c = 0; c < 6; ++c)
             for (int r = 0; r < 6; ++r) *to++ = Number(A(r, 6 + c));
     };
-    if (narrow_) fill(&narrow_part_[stride_ * std::size_t(element)]);
-    else fill(&wide_part_[stride_ * std::size_t(element)]);
+    if (single_precision_) fill(&single_part_[stride_ * std::size_t(element)]);
+    else fill(&double_part_[stride_ * std::size_t(element)]);
 }
 
 void ElementMatrices::clear(int element) {
@@ -50,15 +50,15 @@ void ElementMatrices::set_bridge(int first, const Mat6& between) {
         if (bridges.empty()) bridges.assign(bridge_numbers(), 0);
         for (int i = 0; i < 36; ++i) bridges[std::size_t(first) / 2 * 36 + i] = Number(between.data()[i]);
     };
-    narrow_ ? fill(narrow_bridge_) : fill(wide_bridge_);
+    single_precision_ ? fill(single_bridge_) : fill(double_bridge_);
 }
 
 Mat6 ElementMatrices::bridge(int first, int end) const {
     if (!has_bridges()) return Mat6::Zero();
     const std::size_t at = std::size_t(first) / 2 * 36;
-    const Mat6 between = narrow_
-                             ? Mat6(Eigen::Map<const Eigen::Matrix<float, 6, 6>>(&narrow_bridge_[at]).cast<double>())
-                             : Mat6(Eigen::Map<const Mat6>(&wide_bridge_[at]));
+    const Mat6 between = single_precision_
+                             ? Mat6(Eigen::Map<const Eigen::Matrix<float, 6, 6>>(&single_bridge_[at]).cast<double>())
+                             : Mat6(Eigen::Map<const Mat6>(&double_bridge_[at]));
     const int a = structure_.elements()[first].node[0], b = structure_.elements()[first + 1].node[1];
     return end == 0 ? masked(a, b, between) : masked(b, a, between.transpose());
 }
@@ -110,8 +110,8 @@ Mat6 ElementMatrices::own(int node) const {
     for (int e : structure_.elements_at(node)) {
         if (empty_[e]) continue;
         const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
-        sum += narrow_ ? own_of(&narrow_part_[stride_ * std::size_t(e)], end)
-                       : own_of(&wide_part_[stride_ * std::size_t(e)], end);
+        sum += single_precision_ ? own_of(&single_part_[stride_ * std::size_t(e)], end)
+                                 : own_of(&double_part_[stride_ * std::size_t(e)], end);
     }
     if (!offset_mass_.empty()) sum += offset_mass_[node];
     for (const Blocks::Node& block : node_blocks_)
@@ -126,7 +126,9 @@ double ElementMatrices::product(int element, const double* x) const {
     if (empty_[element]) return 0;
     const Element& e = structure_.elements()[element];
     const std::size_t at = stride_ * std::size_t(element);
-    const auto own = [&](int end) { return narrow_ ? own_of(&narrow_part_[at], end) : own_of(&wide_part_[at], end); };
+    const auto own = [&](int end) {
+        return single_precision_ ? own_of(&single_part_[at], end) : own_of(&double_part_[at], end);
+    };
     const Eigen::Map<const Vec6> a(x + 6 * e.node[0]), b(x + 6 * e.node[1]);
     double sum = a.dot(own(0) * a) + b.dot(own(1) * b) + a.dot(across(element, 0) * b) + b.dot(across(element, 1) * a);
     if (has_bridges() && e.partner >= 0) {
@@ -147,8 +149,8 @@ double ElementMatrices::product_of_offset_mass(int node, const double* x) const 
 Mat6 ElementMatrices::across(int element, int end) const {
     const Element& e = structure_.elements()[element];
     return masked(e.node[end], e.node[1 - end],
-                  narrow_ ? across_of(&narrow_part_[stride_ * std::size_t(element)], end)
-                          : across_of(&wide_part_[stride_ * std::size_t(element)], end));
+                  single_precision_ ? across_of(&single_part_[stride_ * std::size_t(element)], end)
+                                    : across_of(&double_part_[stride_ * std::size_t(element)], end));
 }
 
 }  // namespace hinge

@@ -12,8 +12,8 @@ namespace hinge {
 
 class ElementMatrices {
 public:
-    /// `narrow`: kept in single precision. `symmetric`: half of each part stands for both.
-    ElementMatrices(const Structure& structure, bool narrow, bool symmetric);
+    /// `single_precision`: kept in single precision. `symmetric`: half of each part stands for both.
+    ElementMatrices(const Structure& structure, bool single_precision, bool symmetric);
 
     void set(int element, const Mat12& A);
     void clear(int element);  ///< it broke
@@ -22,7 +22,7 @@ public:
     void set_bridge(int first, const Mat6& between);
     /// Its block in the row of the node at `end` (0, 1) of the pair; zero where there is none.
     Mat6 bridge(int first, int end) const;
-    bool has_bridges() const { return !wide_bridge_.empty() || !narrow_bridge_.empty(); }
+    bool has_bridges() const { return !double_bridge_.empty() || !single_bridge_.empty(); }
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     void set_offset_mass(int node, const Mat6& mass);
     /// What effects add to nodes by themselves; several of one node add up. Replaces what was there.
@@ -45,14 +45,14 @@ public:
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        const std::size_t numbers[] = {s.wide_part_.size(), s.narrow_part_.size(), s.empty_.size(), s.held_.size()};
-        a(s.wide_part_, s.narrow_part_, s.wide_bridge_, s.narrow_bridge_, s.empty_, s.offset_mass_, s.held_,
+        const std::size_t numbers[] = {s.double_part_.size(), s.single_part_.size(), s.empty_.size(), s.held_.size()};
+        a(s.double_part_, s.single_part_, s.double_bridge_, s.single_bridge_, s.empty_, s.offset_mass_, s.held_,
           s.node_blocks_);
         if constexpr (A::reading)
-            a.must(s.wide_part_.size() == numbers[0] && s.narrow_part_.size() == numbers[1] &&
+            a.must(s.double_part_.size() == numbers[0] && s.single_part_.size() == numbers[1] &&
                    s.empty_.size() == numbers[2] && s.held_.size() == numbers[3] &&
-                   (s.wide_bridge_.empty() || s.wide_bridge_.size() == s.bridge_numbers()) &&
-                   (s.narrow_bridge_.empty() || s.narrow_bridge_.size() == s.bridge_numbers()) &&
+                   (s.double_bridge_.empty() || s.double_bridge_.size() == s.bridge_numbers()) &&
+                   (s.single_bridge_.empty() || s.single_bridge_.size() == s.bridge_numbers()) &&
                    (s.offset_mass_.empty() || s.offset_mass_.size() == s.held_.size()));
         if constexpr (A::reading)
             for (const auto& block : s.node_blocks_)
@@ -68,12 +68,12 @@ private:
     std::size_t bridge_numbers() const { return empty_.size() / 2 * 36; }
 
     const Structure& structure_;
-    bool narrow_, symmetric_;
+    bool single_precision_, symmetric_;
     int stride_;  // numbers a part: two halves of own blocks and the block across, or all 144
-    LargeVector<double> wide_part_;
-    LargeVector<float> narrow_part_;
-    LargeVector<double> wide_bridge_;  // 36 numbers of each pair; empty while no pair has any
-    LargeVector<float> narrow_bridge_;
+    LargeVector<double> double_part_;
+    LargeVector<float> single_part_;
+    LargeVector<double> double_bridge_;  // 36 numbers of each pair; empty while no pair has any
+    LargeVector<float> single_bridge_;
     std::vector<char> empty_;
     std::vector<Mat6> offset_mass_;  // of each node, empty if none
     std::vector<Blocks::Node> node_blocks_;

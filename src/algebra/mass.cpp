@@ -38,11 +38,11 @@ struct Part {
     Mat3 rotary = Mat3::Zero();
 };
 
-Part part_of(const Structure& structure, int index, const State& state, const Pose& pose) {
+Part part_of(const Structure& structure, int index, const State& state, const Configuration& pose) {
     Part part;
     if (state.broken[index]) return part;
     const Element& e = structure.elements()[index];
-    const Mat3 axes = axes_of(place_element(structure, index, pose));
+    const Mat3 axes = axes_of(element_frame(structure, index, pose));
     part.mass = e.mass() / 6;
     part.rotary = e.length / 6 * (axes * beam::rotary_inertia(e.rigidity).asDiagonal() * axes.transpose());
     return part;
@@ -53,7 +53,7 @@ Part part_of(const Structure& structure, int index, const State& state, const Po
 SolveReport solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change,
                                 const State& state, double tolerance) {
     const std::size_t n = r.size();
-    const Pose pose = pose_of(state);
+    const Configuration pose = configuration_of(state);
     std::vector<Part> part(structure.elements().size());
     std::vector<double> own_mass(n, 0);
     std::vector<Mat3> own_rotary(n, Mat3::Zero());
@@ -130,15 +130,15 @@ Mass::Mass(const Structure& structure, const State& state) : structure_(structur
     if (!structure.lumped()) return;
     std::vector<int> all(structure.elements().size());
     std::iota(all.begin(), all.end(), 0);
-    renew(all, state, pose_of(state));
+    renew(all, state, configuration_of(state));
 }
 
-void Mass::renew(const std::vector<int>& elements, const State& state, const Pose& pose) {
+void Mass::renew(const std::vector<int>& elements, const State& state, const Configuration& pose) {
     if (structure_.lumped()) return renew_lumped(elements, state, pose);
     const bool first = !blocks_;
     if (first) keep_blocks(state);
     const auto take_up = [&](int index) {
-        const Mat3 axes = axes_of(place_element(structure_, index, pose));
+        const Mat3 axes = axes_of(element_frame(structure_, index, pose));
         blocks_->parts.set(index, state.broken[index] ? Mat12::Zero() : structure_.inertia(index).matrix(axes));
         for (int node : structure_.elements()[index].node) mark(node);
     };
@@ -152,7 +152,7 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Pos
                 mark(int(i));
 }
 
-void Mass::renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose) {
+void Mass::renew_lumped(const std::vector<int>& elements, const State& state, const Configuration& pose) {
     lumped_inverse_.resize(structure_.position().size(), Vec6::Zero());
     std::vector<char> stale(lumped_inverse_.size(), 0);
     for (int index : elements)
@@ -170,7 +170,7 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
     rotate_offset_masses(state, pose);
 }
 
-void Mass::rotate_offset_masses(const State& state, const Pose& pose) {
+void Mass::rotate_offset_masses(const State& state, const Configuration& pose) {
     for (Heavy& h : heavy_) {
         h.offsets = offset_mass_in_space(state.offset_mass[h.node], pose.rotation[h.node]);
         h.inverse = inverse_of_free(h.elements + h.offsets, state.held[h.node]);
@@ -219,7 +219,7 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
         hold(change, state);
         return {};
     }
-    if (!blocks_ && structure_.cubic()) renew({}, state, pose_of(state));
+    if (!blocks_ && structure_.cubic()) renew({}, state, configuration_of(state));
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
     take_up_held(state);
     std::sort(blocks_->dirty.begin(), blocks_->dirty.end());

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "algebra/condensed.h"
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 
@@ -22,9 +22,9 @@ public:
     /// Computes anew the mass of these elements at `pose`, and that of the rigid offset masses. A broken element has no
     /// mass but that of its offset mass. Before the first call of it a solution takes the elements where `state` has
     /// them.
-    void renew(const std::vector<int>& elements, const State& state, const Pose& pose);
+    void renew(const std::vector<int>& elements, const State& state, const Configuration& pose);
     /// Offset masses alone: where `pose` has rotated them.
-    void rotate_offset_masses(const State& state, const Pose& pose);
+    void rotate_offset_masses(const State& state, const Configuration& pose);
     /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
     /// `tolerance`: of the residual, relative; lumped masses need none. Without an answer the report says so (an
     /// indefinite M, a right side that is not finite, 500 iterations), and `change` is not to be used.
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    void renew_lumped(const std::vector<int>& elements, const State& state, const Pose& pose);
+    void renew_lumped(const std::vector<int>& elements, const State& state, const Configuration& pose);
     void keep_blocks(const State& state);
     void make_blocks();
     void take_up_held(const State& state);

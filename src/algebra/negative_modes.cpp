@@ -83,7 +83,7 @@ int real_negative_next_to(const Solve& solve, const std::vector<std::uint8_t>& h
 int EffectiveStiffness::negative_modes() {
     if (!symmetric_factors().good()) return 0;
     const int count = symmetric_factors().negative_pivots();
-    if (keeping_ != Keeping::unsymmetric || count == 0) return count;
+    if (keeping_ != MatrixStorage::unsymmetric || count == 0) return count;
     const int real = real_negative_modes(count);
     // an odd number of them makes the determinant negative: that is certain
     return factors_.negative_determinant() && real % 2 == 0 ? real + 1 : real;

@@ -59,7 +59,7 @@ double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
     const double N = forces_of(k, y).N_whole, off = N - k.axial * y[0];
     double U = -off * off / k.axial;  // 2 N e - N^2 l/EA - e^2 EA/l
     for (int plane : {0, 1}) {
-        const PairNumbers<double> of = pair_numbers(-k.c[plane] * N);
+        const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
         const double sum = y[1 + 2 * plane], difference = y[2 + 2 * plane];
         U += 0.25 * k.b[plane] * ((of.S - 1) * sum * sum + (of.A - 1) * difference * difference);
     }
@@ -85,7 +85,7 @@ PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6&
     with_N[0] = 2;
     double N_N = -2 / k.axial;
     for (int plane : {0, 1}) {
-        const PairNumbers<double> of = pair_numbers(-k.c[plane] * N);
+        const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
         const double b = k.b[plane], c = k.c[plane], sum = y[1 + 2 * plane], difference = y[2 + 2 * plane];
         H(1 + 2 * plane, 1 + 2 * plane) = 0.5 * b * (of.S - 1);
         H(2 + 2 * plane, 2 + 2 * plane) = 0.5 * b * (of.A - 1);

@@ -41,7 +41,7 @@ namespace hinge::beam {
 
 /// S and A of a pair, with first and second derivatives with respect to p.
 template <class Real>
-struct PairNumbers {
+struct StabilityFunctions {
     Real S, S1, S2, A, A1, A2;
 };
 
@@ -52,7 +52,7 @@ inline constexpr double pair_sag = 0.25 * (1 - gauss_point) * (1 - gauss_point);
 
 /// `p`: -N l^2 / EI of one element.
 template <class Real>
-[[gnu::always_inline]] inline PairNumbers<Real> pair_numbers(const Real& p) {
+[[gnu::always_inline]] inline StabilityFunctions<Real> stability_functions(const Real& p) {
     const auto c = [&](double v) { return spread(v, p); };
     const Real least = c(pair_least), most = c(pair_most);
     Real t = p < least ? least : p;
@@ -65,7 +65,7 @@ template <class Real>
     const Real g = t * d * of_m, g1 = (d + t * d1 - g * m1) * of_m,
                g2 = (c(2) * d1 + c(2) * t - c(2) * g1 * m1 - c(42) * g) * of_m;
     const Real past = p - t, third = c(-1.0 / 3), none = c(0);
-    PairNumbers<Real> out;
+    StabilityFunctions<Real> out;
     out.S1 = c(pair_sag) - g1;
     out.A1 = third * f1;
     out.S = c(1) - g + c(pair_sag) * t + out.S1 * past;
@@ -86,11 +86,13 @@ PairKind<double> pair_kind(const Rigidity& c, double L);
 
 /// S and A of both planes at axial force N. Of eight, lanes 2 i and 2 i + 1 are the elements of one pair and have the
 /// same N: the even lanes compute one plane, the odd lanes the other.
-[[gnu::always_inline]] inline void both_planes(const PairKind<double>& k, double N, PairNumbers<double> (&of)[2]) {
-    for (int plane : {0, 1}) of[plane] = pair_numbers(-k.c[plane] * N);
+[[gnu::always_inline]] inline void both_planes(const PairKind<double>& k, double N,
+                                               StabilityFunctions<double> (&of)[2]) {
+    for (int plane : {0, 1}) of[plane] = stability_functions(-k.c[plane] * N);
 }
-[[gnu::always_inline]] inline void both_planes(const PairKind<Lanes>& k, const Lanes& N, PairNumbers<Lanes> (&of)[2]) {
-    const PairNumbers<Lanes> m = pair_numbers<Lanes>(-even_and_odd(k.c[0], k.c[1]) * N);
+[[gnu::always_inline]] inline void both_planes(const PairKind<Lanes>& k, const Lanes& N,
+                                               StabilityFunctions<Lanes> (&of)[2]) {
+    const StabilityFunctions<Lanes> m = stability_functions<Lanes>(-even_and_odd(k.c[0], k.c[1]) * N);
     of[0] = {evens(m.S), evens(m.S1), evens(m.S2), evens(m.A), evens(m.A1), evens(m.A2)};
     of[1] = {odds(m.S), odds(m.S1), odds(m.S2), odds(m.A), odds(m.A1), odds(m.A2)};
 }
@@ -118,7 +120,7 @@ template <class Real>
                                              PairForces<Real>& out) {
     const auto c = [&](double v) { return spread(v, N); };
     const Real one = c(1);
-    PairNumbers<Real> of[2];
+    StabilityFunctions<Real> of[2];
     both_planes(k, N, of);
     Real bow = c(0), slope = c(0);
     for (int plane : {0, 1}) {
@@ -152,7 +154,7 @@ template <class Real>
                               PairForces<Real>& out) {
     const auto c = [&](double v) { return spread(v, N); };
     const auto size = [&](const Real& v) { return Real(v < c(0) ? c(0) - v : v); };
-    const PairNumbers<Real> ends[2] = {pair_numbers(c(pair_least)), pair_numbers(c(pair_most))};
+    const StabilityFunctions<Real> ends[2] = {stability_functions(c(pair_least)), stability_functions(c(pair_most))};
     Real low = y.straight, high = y.straight;
     for (int plane : {0, 1}) {
         low += y.bowing * (ends[0].S1 * y.square[plane] + ends[0].A1 * y.difference_square[plane]);

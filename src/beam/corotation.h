@@ -124,7 +124,7 @@ inline Real inverse_tangent_coefficient(const Real& q) {
 
 /// Where an element is: its chord, and its frame's relation to its two nodes.
 template <class Real>
-struct Placement {
+struct ElementFrame {
     Triad<Real> frame;        ///< e1 e2 e3 in space
     Real length;              ///< of the chord, m
     Triple<Real> theta[2];    ///< rotation vectors of the nodes in the frame, rad
@@ -135,11 +135,11 @@ struct Placement {
 /// chord: vector from node 1 to node 2 as it is now (m); node: the nodes' rotations; axes: the element's axes at the
 /// start.
 template <class Real>
-[[gnu::always_inline]] inline Placement<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1,
-                                                    const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
+[[gnu::always_inline]] inline ElementFrame<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1,
+                                                       const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
     const Triad<Real> t1 = rotated_triad(node1, axes), t2 = rotated_triad(node2, axes);
     const Real one = spread(1.0, chord.x), half = spread(0.5, chord.x);
-    Placement<Real> p;
+    ElementFrame<Real> p;
     p.length = square_root(dot(chord, chord));
     p.frame.z = (one / p.length) * chord;
     const Triple<Real> y_mean = half * (t1.y + t2.y);
@@ -157,7 +157,7 @@ template <class Real>
 
 /// d = [tx1 tx2 ty1 ty2 e phi] (see timoshenko.h), in the place of the strains of eqs 7b, 10b and 12b.
 template <class Real>
-inline void deformation(const Placement<Real>& p, const Real& L, Real d[6]) {
+inline void deformation(const ElementFrame<Real>& p, const Real& L, Real d[6]) {
     d[0] = p.theta[0].x;
     d[1] = p.theta[1].x;
     d[2] = p.theta[0].y;
@@ -177,7 +177,7 @@ struct NodalForces {
 /// the node relative to the frame, and the frame's own spin takes -(mu_1 + mu_2): about e1, e2 through the chord's
 /// ends, about e3 through the nodes' y axes.
 template <class Real>
-[[gnu::always_inline]] inline NodalForces<Real> nodal_forces(const Placement<Real>& p, const Real f[6]) {
+[[gnu::always_inline]] inline NodalForces<Real> nodal_forces(const ElementFrame<Real>& p, const Real f[6]) {
     const Real half = spread(0.5, p.length), zero = spread(0.0, p.length);
     const Triple<Real> m[2] = {{f[0], f[2], zero - f[5]}, {f[1], f[3], f[5]}};
     Triple<Real> mu[2];

@@ -27,7 +27,7 @@ double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0
 struct Hinges {
     Vec6 p = Vec6::Zero();        ///< forces on the surface
     Vec6 plastic = Vec6::Zero();  ///< in d of timoshenko.h
-    double lambda[2] = {0, 0};    ///< as Flow::lambda
+    double lambda[2] = {0, 0};    ///< as ReturnMapResult::lambda
     bool converged = true;
 };
 
@@ -77,7 +77,7 @@ Hinges return_alone(const Vec6& trial, const Stiffness& k, const YieldSurface& w
     out.p -= k.times(out.plastic);
     out.lambda[j] = lambda;
     if (f_y(out.p, 1 - j, w, fixed) <= 1 + 1e-13) return out;
-    const Flow both = return_to_surface(trial, k, w, ends, 2, fixed);
+    const ReturnMapResult both = return_to_surface(trial, k, w, ends, 2, fixed);
     out.p = both.p, out.plastic = both.plastic, out.converged = both.converged;
     out.lambda[0] = both.lambda[0], out.lambda[1] = both.lambda[1];
     return out;
@@ -90,7 +90,7 @@ public:
                const YieldSurface* const (&w)[2], const FixedEnd* fixed, double tolerance)
         : k_(k), of_(of), d_(d), w_(w), fixed_(fixed), tolerance_(tolerance) {}
 
-    bool find(Flow (&flow)[2]) {
+    bool find(ReturnMapResult (&flow)[2]) {
         At now = at(no_flow_, no_flow_);
         const double trial = pressed(k_, now.N);
         bool converged = false, convex = trial <= convex_up_to;
@@ -106,7 +106,7 @@ public:
             snapped = lost_by_snap(now, end);
         }
         for (int i : {0, 1}) {
-            Flow& f = flow[i];
+            ReturnMapResult& f = flow[i];
             f.p = end.p[i], f.plastic = end.of[i].plastic, f.elastic = d_[i] - f.plastic;
             f.converged = converged;
             for (int j : {0, 1}) f.lambda[j] = end.of[i].lambda[j];
@@ -150,7 +150,7 @@ private:
     }
     double fixed_work(int i, const Hinges& h) const {
         if (!(h.lambda[0] > 0) && !(h.lambda[1] > 0)) return 0;
-        Flow flow;
+        ReturnMapResult flow;
         flow.p = h.p, flow.lambda[0] = h.lambda[0], flow.lambda[1] = h.lambda[1];
         return work_of(fixed_[i], flow, *w_[i], ends, 2, fixed_[i]);
     }
@@ -159,7 +159,7 @@ private:
     void own_stiffness(double N, Stiffness (&out)[2]) const {
         for (int i : {0, 1}) out[i] = of_[i];
         for (int plane : {0, 1}) {
-            const PairNumbers<double> at = pair_numbers(-k_.c[plane] * N);
+            const StabilityFunctions<double> at = stability_functions(-k_.c[plane] * N);
             const double more = k_.b[plane] * (std::max(0.1, 0.5 * (at.S + at.A)) - 1);
             for (int i : {0, 1}) add_bending(out[i], plane, more);
         }
@@ -212,7 +212,7 @@ private:
         double bow[2][2], together = 0, least = std::numeric_limits<double>::infinity(), flexible = 1, most[2];
         const PairShapeNumbers y = shape_of(d_[0] - a.of[0].plastic, d_[1] - a.of[1].plastic);
         for (int plane : {0, 1}) {
-            const PairNumbers<double> at = pair_numbers(-k_.c[plane] * a.N);
+            const StabilityFunctions<double> at = stability_functions(-k_.c[plane] * a.N);
             const double sum = at.S1 * y.sum[plane], difference = at.A1 * y.difference[plane];
             bow[plane][0] = 0.25 * k_.length * std::abs(sum + difference);  // d(bow)/d(kappa)
             bow[plane][1] = 0.25 * k_.length * std::abs(sum - difference);
@@ -317,13 +317,14 @@ private:
 }  // namespace
 
 bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-                       const YieldSurface* const (&w)[2], Flow (&flow)[2], double tolerance,
+                       const YieldSurface* const (&w)[2], ReturnMapResult (&flow)[2], double tolerance,
                        const FixedEnd* fixed_end) {
     return PairReturn(k, of, d, w, fixed_end, tolerance).find(flow);
 }
 
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const Flow* const (&flow)[2], const FixedEnd* fixed_end) {
+                        const YieldSurface* const (&w)[2], const ReturnMapResult* const (&flow)[2],
+                        const FixedEnd* fixed_end) {
     PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
     for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
     if (!flow[0] && !flow[1]) return H;

@@ -38,14 +38,14 @@ inline const FixedEnd no_fixed_ends[2];
 ///   tolerance  on the last change of the plastic deformation, over the elastic one, in the energy norm
 /// False where the iteration has not come to that tolerance: the step is then to be taken back.
 bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-                       const YieldSurface* const (&w)[2], Flow (&flow)[2], double tolerance = 1e-4,
+                       const YieldSurface* const (&w)[2], ReturnMapResult (&flow)[2], double tolerance = 1e-4,
                        const FixedEnd* fixed_end = no_fixed_ends);
 
 /// d(forces)/dd of a pair, 12 x 12, consistent with that return (eq 10a, of the pair).
 ///   elastic  what the flow has left
 ///   flow     null of an element that does not flow
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const Flow* const (&flow)[2],
+                        const YieldSurface* const (&w)[2], const ReturnMapResult* const (&flow)[2],
                         const FixedEnd* fixed_end = no_fixed_ends);
 
 }  // namespace hinge::beam

@@ -33,7 +33,7 @@ Mat3 inverse_tangent_derivative(const Vec3& t, const Vec3& m) {
            inverse_tangent_slope(q) * t.cross(t.cross(m)) * t.transpose();
 }
 
-Mat12 tangent(const Placement<double>& place, const Vec6& p, const Mat6& k, bool geometric) {
+Mat12 tangent(const ElementFrame<double>& place, const Vec6& p, const Mat6& k, bool geometric) {
     const double l = place.length, py = place.y_mean_y, slope = place.y_mean_z / py;
 
     // Spin of the frame, and of the nodes relative to it, in the frame's axes; columns [u1 t1 u2 t2].

@@ -19,7 +19,7 @@ Mat3 inverse_tangent_derivative(const Vec3& t, const Vec3& m);
 ///   p          forces on its deformation, N m and N
 ///   k          dp/dd, 6 x 6: elastic, or the algorithmic tangent of the return to the yield surface
 ///   geometric  false leaves out the initial-stress part
-Mat12 tangent(const Placement<double>& placement, const Vec6& p, const Mat6& k, bool geometric);
+Mat12 tangent(const ElementFrame<double>& placement, const Vec6& p, const Mat6& k, bool geometric);
 
 /// The same for geometry fixed at the start (small displacement): T^T k T with T to first order. `axes`: rows are the
 /// local axes.

@@ -23,7 +23,7 @@ struct Spins {
 /// With T = L_1 w_1 / 2 + L_2 w_2 / 2 and the frame's spin W Lagrange's equations make of it dL/dt + L x w on the nodes
 /// and the sum of w x L on the frame, which passes it on as it does in nodal_forces. So the kinetic energy changes by
 /// the work of these forces alone. With w x J w on each node it would not, where ends turn fast against their frame.
-inline NodalForces<Lanes> turning_inertia(const Placement<Lanes>& p, unsigned wound, const Lanes (&J)[3],
+inline NodalForces<Lanes> turning_inertia(const ElementFrame<Lanes>& p, unsigned wound, const Lanes (&J)[3],
                                           const Lanes* more, const Spins& of) {
     const Lanes none = {}, half = spread(0.5, p.length), two = spread(2.0, p.length);
     Triple<Lanes> y[2] = {p.y[0], p.y[1]};

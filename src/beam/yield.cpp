@@ -235,9 +235,9 @@ Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w) {
     return (Vec6() << n1 * mx, n2 * mx, n1 * my, n2 * my, 2 * w.n * p[4], 2 * w.z * p[5]).finished();
 }
 
-Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n,
-                       const FixedEnd& fixed_end) {
-    Flow flow;
+ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
+                                  int n, const FixedEnd& fixed_end) {
+    ReturnMapResult flow;
     flow.p = trial;
     Vec6 s[2];
     for (int i = 0; i < n; ++i) s[i] = fixed_end.at(sections[i]);
@@ -267,7 +267,7 @@ Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface
     return flow;
 }
 
-double work_of(const FixedEnd& part, const Flow& flow, const YieldSurface& w, const double* sections, int n,
+double work_of(const FixedEnd& part, const ReturnMapResult& flow, const YieldSurface& w, const double* sections, int n,
                const FixedEnd& fixed_end) {
     double work = 0;
     for (int i = 0; i < n; ++i) {

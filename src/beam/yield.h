@@ -55,7 +55,7 @@ Mat6 yield_matrix(double r, const YieldSurface& w);
 /// The gradient of f_y with respect to p.
 Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
 
-struct Flow {
+struct ReturnMapResult {
     Vec6 p;                       ///< forces on the surface
     Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
     double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
@@ -76,12 +76,12 @@ struct Flow {
 ///   trial     forces if the step were elastic
 ///   k         the element's elastic stiffness
 ///   sections  positions r that can yield (two ends; the middle alone for the conventional element), n of them
-/// The flow is that of p and its fixed-end part; Flow::p is without.
-Flow return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections, int n,
-                       const FixedEnd& fixed_end = no_fixed_end);
+/// The flow is that of p and its fixed-end part; ReturnMapResult::p is without.
+ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
+                                  int n, const FixedEnd& fixed_end = no_fixed_end);
 
 /// The work of `part`, which is all or some of the fixed-end part, on what flows at the n sections, J.
-double work_of(const FixedEnd& part, const Flow& flow, const YieldSurface& w, const double* sections, int n,
+double work_of(const FixedEnd& part, const ReturnMapResult& flow, const YieldSurface& w, const double* sections, int n,
                const FixedEnd& fixed_end);
 
 /// dp/dd consistent with return_to_surface: D_p of eq 10 when lambda is infinitesimal. `active`: sections that flow.

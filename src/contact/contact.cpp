@@ -30,7 +30,7 @@ Vec3 velocity(const End& end, const Motion& motion) {
     return v.head<3>() + v.tail<3>().cross(motion.rotation[end.node] * end.arm);
 }
 
-Two place(const Bar& a, const Bar& b, const Motion& motion) {
+BarPair place(const Bar& a, const Bar& b, const Motion& motion) {
     return {{point(a.end(0), motion), point(a.end(1), motion)}, {point(b.end(0), motion), point(b.end(1), motion)}};
 }
 
@@ -189,7 +189,7 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
         else if (rule_of) candidate.rule = rule_of(a.element, b.element);
         if (candidate.rule < 0) continue;
         const ContactSettings& rule = rules_[candidate.rule];
-        const Two two = place(a, b, motion);
+        const BarPair two = place(a, b, motion);
         const Closest closest = closest_points(two);
         const double far = farness(candidate, two, closest);
         if (far > 2 * margin_) continue;
@@ -221,7 +221,7 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
 // Negative when it applies already.
-double Contact::farness(const Candidate& pair, const Two& two, const Closest& closest) const {
+double Contact::farness(const Candidate& pair, const BarPair& two, const Closest& closest) const {
     const ContactSettings& rule = rules_[pair.rule];
     if (!rule.as_printed) return closest.distance - pair.contact_distance;
     if (std::isinf(rule.contact_length)) return -1;
@@ -234,7 +234,7 @@ double Contact::farness(const Candidate& pair, const Two& two, const Closest& cl
 
 // What the two bars' position tells to remember: that they are apart, and in which direction from a the bar b is. While
 // they are in contact the direction may only rotate, not flip: a bar that has passed through is on the wrong side.
-void Contact::observe(Candidate& pair, const Two& two, const Closest& closest) const {
+void Contact::observe(Candidate& pair, const BarPair& two, const Closest& closest) const {
     const double far = farness(pair, two, closest);
     if (pair.state == PairState::joined && far > 0) pair.state = PairState::free;
     // nearer than this a direction is rounding; 1e-9 to 1e-4 of the contact distance, 0 to 1e-7 of the lengths: the
@@ -252,7 +252,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
     Candidate& pair = candidates_[i];
     const ContactSettings& rule = rules_[pair.rule];
     const Bar &a = bars[pair.bar[0]], &b = bars[pair.bar[1]];
-    const Two two = place(a, b, motion);
+    const BarPair two = place(a, b, motion);
     const Closest closest = closest_points(two);
     observe(pair, two, closest);
     const double far = farness(pair, two, closest);
@@ -340,7 +340,7 @@ void Contact::end_tie(const Tie& tie) {
     set_free(tie.element, tie.normal_now);
 }
 
-void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two) {
+void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const BarPair& two) {
     pair.state = PairState::bound;
     SurfaceContact contact;
     const Bar* bars[2] = {&a, &b};

@@ -18,7 +18,7 @@
 
 namespace hinge::contact {
 
-struct Two;
+struct BarPair;
 struct Meeting;
 
 /// An element (or what is left of a broken one) as contact sees it. At most one bar per element.
@@ -125,7 +125,7 @@ struct Released {
 /// Finds pairs, binds them or lets them press, carries the forces, releases. Copying it copies all its state.
 ///
 /// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step
-/// has ended, release and settle; drop for what broke. A step that may be undone begins with remember. A tie starts
+/// has ended, release and settle; drop for what broke. A step that may be undone begins with save_step. A tie starts
 /// without force, but ends with one: an integrator that carries accelerations from step to step must find them anew
 /// after a release or a drop, or it goes on pulling for half a step.
 class Contact {
@@ -195,11 +195,11 @@ public:
     const std::vector<ContactEvent>& events() const { return events_; }
     void clear_events() { events_.clear(); }
 
-    /// Where a step begins that may be undone. take_back: all as it was there; forget: the step stands, nothing more is
-    /// noted.
-    void remember();
-    void take_back();
-    void forget() { noting_ = false; }
+    /// Where a step begins that may be undone. roll_back: all as it was there; release_step: the step stands, nothing
+    /// more is noted.
+    void save_step();
+    void roll_back();
+    void release_step() { noting_ = false; }
 
     static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
     /// All that the bits of later steps depend on (core/archive.h).
@@ -244,11 +244,11 @@ private:
     double advance(const Motion& motion, double dt);
     void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
                     const PairRule& rule_of);
-    double farness(const Candidate& pair, const Two& two, const Closest& closest) const;
-    void observe(Candidate& pair, const Two& two, const Closest& closest) const;
+    double farness(const Candidate& pair, const BarPair& two, const Closest& closest) const;
+    void observe(Candidate& pair, const BarPair& two, const Closest& closest) const;
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
     void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
-    void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Two& two);
+    void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const BarPair& two);
     void end_tie(const Tie& tie);
     void end_surface_contacts();
     void set_free(const int element[2], const Vec3& normal);

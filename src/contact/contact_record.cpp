@@ -5,14 +5,14 @@
 
 namespace hinge::contact {
 
-void Contact::remember() {
+void Contact::save_step() {
     noting_ = true;
     before_.all_but_pairs = all_but_pairs();
     before_.changed.clear();
     before_.listed_anew = false;
 }
 
-void Contact::take_back() {
+void Contact::roll_back() {
     all_but_pairs() = before_.all_but_pairs;
     if (before_.listed_anew) candidates_ = before_.candidates, look_at_ = before_.look_at;
     for (auto c = before_.changed.rbegin(); c != before_.changed.rend(); ++c)

@@ -6,23 +6,23 @@
 
 namespace hinge::contact {
 
-double coplanarity(const Two& two) {
+double coplanarity(const BarPair& two) {
     const Vec3 &a1 = two.a[0], &a2 = two.a[1], &b1 = two.b[0], &b2 = two.b[1];
     return (b1 - a2).cross(b2 - a2).dot(a1 - a2);  // eq 17
 }
 
-double spread(const Two& two) {
+double spread(const BarPair& two) {
     return (two.b[0] - two.a[0]).norm() + (two.b[1] - two.a[0]).norm() + (two.b[0] - two.a[1]).norm() +
            (two.b[1] - two.a[1]).norm();
 }
 
 namespace {
 
-double lengths(const Two& two) { return (two.a[1] - two.a[0]).norm() + (two.b[1] - two.b[0]).norm(); }
+double lengths(const BarPair& two) { return (two.a[1] - two.a[0]).norm() + (two.b[1] - two.b[0]).norm(); }
 
 // Rounding of f for bars of these lengths: parallel bars must count as coplanar even when alpha is zero. Of 80 runs of
 // contacts in tests/hard, 8 to 256 times a scene's step, one ends in other bits at 0, none at 1e-10.
-double coplanarity_noise(const Two& two) {
+double coplanarity_noise(const BarPair& two) {
     const double l = lengths(two);
     return 1e-13 * l * l * l;
 }
@@ -30,18 +30,18 @@ double coplanarity_noise(const Two& two) {
 }  // namespace
 
 // Eq 18.
-bool within_contact_length(const Two& two, double contact_length) {
+bool within_contact_length(const BarPair& two, double contact_length) {
     return std::isinf(contact_length) || spread(two) <= contact_length * lengths(two);
 }
 
 // Eq 19. Its f has the sign of the side of a's second end on which b lies, by the order of their ends.
-bool coplanar(const Two& two, double alpha, bool signed_f) {
+bool coplanar(const BarPair& two, double alpha, bool signed_f) {
     const double f = coplanarity(two);
     return (signed_f ? f : std::abs(f)) <= alpha + coplanarity_noise(two);
 }
 
-Two Moving::at(double tau) const {
-    Two two;
+BarPair Moving::at(double tau) const {
+    BarPair two;
     for (int i = 0; i < 2; ++i) {
         two.a[i] = start.a[i] + tau * move.a[i];
         two.b[i] = start.b[i] + tau * move.b[i];
@@ -57,7 +57,7 @@ double Moving::closing_bound() const {
 
 // f = e . (da x db), each of the three linear in tau; e joins the two middles, so that cancellation is least.
 Cubic coplanarity_over(const Moving& moving) {
-    const Two &x = moving.start, &u = moving.move;
+    const BarPair &x = moving.start, &u = moving.move;
     const Vec3 a0 = x.a[1] - x.a[0], a1 = u.a[1] - u.a[0];
     const Vec3 b0 = x.b[1] - x.b[0], b1 = u.b[1] - u.b[0];
     const Vec3 e0 = 0.5 * ((x.b[0] - x.a[0]) + (x.b[1] - x.a[1]));
@@ -127,7 +127,7 @@ int spans_between(const Cubic& p, double lo, double hi, Span out[3]) {
     return n;
 }
 
-Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& normal,
+Approach approach(const Moving& moving, const BarPair& now, const Closest& closest, const Vec3& normal,
                   double contact_distance) {
     const double s = closest.s, t = closest.t;
     const Vec3 relative =
@@ -170,7 +170,7 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& no
     for (int i = 0; i < n; ++i) {
         double tau = spans[i].from;
         while (true) {
-            const Two now = moving.at(tau);
+            const BarPair now = moving.at(tau);
             const Closest closest = tau == 0 ? begin : closest_points(now);
             double wait = (closest.distance - contact_distance) / bound;
             if (!std::isinf(numbers.contact_length)) {
@@ -189,7 +189,7 @@ Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& no
 }
 
 Meeting printed_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers) {
-    const Two& now = moving.start;
+    const BarPair& now = moving.start;
     if (!within_contact_length(now, numbers.contact_length) || !coplanar(now, numbers.alpha, numbers.signed_f))
         return {};
     const Approach found = approach(moving, now, begin, normal, 0);

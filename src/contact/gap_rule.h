@@ -10,32 +10,32 @@
 namespace hinge::contact {
 
 /// Two bars at an instant.
-struct Two {
+struct BarPair {
     Vec3 a[2], b[2];
 };
 
-inline Closest closest_points(const Two& two) { return closest_points(two.a[0], two.a[1], two.b[0], two.b[1]); }
+inline Closest closest_points(const BarPair& two) { return closest_points(two.a[0], two.a[1], two.b[0], two.b[1]); }
 
 /// Eq 17: f = (B1 - A2) x (B2 - A2) . (A1 - A2), six times the volume of the tetrahedron of the four end points.
 /// For any point p on the axis of a and q on the axis of b it equals (q - p) . (A2 - A1) x (B2 - B1).
-double coplanarity(const Two& two);
+double coplanarity(const BarPair& two);
 
 /// Eq 18, left side: |A1B1| + |A1B2| + |A2B1| + |A2B2|.
-double spread(const Two& two);
+double spread(const BarPair& two);
 
 /// Eq 18: spread <= C_l (L_c + L_i).
-bool within_contact_length(const Two& two, double contact_length);
+bool within_contact_length(const BarPair& two, double contact_length);
 
 /// Eq 19, |f| <= alpha. (Printed without the bars; a signed f would let half of all approaches through from any
 /// distance.)
-bool coplanar(const Two& two, double alpha, bool signed_f = false);
+bool coplanar(const BarPair& two, double alpha, bool signed_f = false);
 
 /// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines,
 /// so that at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
 struct Moving {
-    Two start, move;
+    BarPair start, move;
 
-    Two at(double tau) const;
+    BarPair at(double tau) const;
     /// The largest distance by which any point of a and any point of b can come closer in the whole step, m.
     double closing_bound() const;
 };
@@ -80,7 +80,7 @@ struct Approach {
 /// The velocity at which the bars approach, as a distance per step: minus the relative motion of the two closest points
 /// along the line from a to b. Where the axes all but cut each other, or have passed through each other, that line says
 /// nothing: then `normal`, the direction from a to b before, takes its place.
-Approach approach(const Moving& moving, const Two& now, const Closest& closest, const Vec3& normal,
+Approach approach(const Moving& moving, const BarPair& now, const Closest& closest, const Vec3& normal,
                   double contact_distance);
 
 /// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within the contact

@@ -80,31 +80,31 @@ void map(A& a, Map& m) {
 }
 
 template <class T>
-struct Is {
+struct ContainerTraits {
     static constexpr bool list = false, map = false, optional = false, pair = false;
 };
 template <class T, class A>
-struct Is<std::vector<T, A>> : Is<void> {
+struct ContainerTraits<std::vector<T, A>> : ContainerTraits<void> {
     static constexpr bool list = true;
 };
 template <>
-struct Is<std::string> : Is<void> {
+struct ContainerTraits<std::string> : ContainerTraits<void> {
     static constexpr bool list = true;
 };
 template <class K, class T>
-struct Is<std::map<K, T>> : Is<void> {
+struct ContainerTraits<std::map<K, T>> : ContainerTraits<void> {
     static constexpr bool map = true;
 };
 template <class K, class T>
-struct Is<std::unordered_map<K, T>> : Is<void> {
+struct ContainerTraits<std::unordered_map<K, T>> : ContainerTraits<void> {
     static constexpr bool map = true;
 };
 template <class T>
-struct Is<std::optional<T>> : Is<void> {
+struct ContainerTraits<std::optional<T>> : ContainerTraits<void> {
     static constexpr bool optional = true;
 };
 template <class T, class U>
-struct Is<std::pair<T, U>> : Is<void> {
+struct ContainerTraits<std::pair<T, U>> : ContainerTraits<void> {
     static constexpr bool pair = true;
 };
 
@@ -119,13 +119,13 @@ void value(A& a, T& v) {
         if constexpr (A::reading) a.must(byte <= 1), v = byte != 0;
     } else if constexpr (std::is_array_v<T>) {
         for (auto& each : v) value(a, each);
-    } else if constexpr (Is<Plain>::list) {
+    } else if constexpr (ContainerTraits<Plain>::list) {
         list(a, v);
-    } else if constexpr (Is<Plain>::map) {
+    } else if constexpr (ContainerTraits<Plain>::map) {
         map(a, v);
-    } else if constexpr (Is<Plain>::pair) {
+    } else if constexpr (ContainerTraits<Plain>::pair) {
         value(a, v.first), value(a, v.second);
-    } else if constexpr (Is<Plain>::optional) {
+    } else if constexpr (ContainerTraits<Plain>::optional) {
         bool there = v.has_value();
         value(a, there);
         if constexpr (A::reading) v.reset();

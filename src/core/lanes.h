@@ -162,9 +162,9 @@ inline void store_row(double* p, const Lanes& v) {
 /// next element on the same node could read it.
 inline void add_six(double* p, const Lanes& v) {
     using Four __attribute__((vector_size(32), aligned(8), may_alias)) = double;
-    using Two __attribute__((vector_size(16), aligned(8), may_alias)) = double;
+    using BarPair __attribute__((vector_size(16), aligned(8), may_alias)) = double;
     *reinterpret_cast<Four*>(p) += Four{v[0], v[1], v[2], v[3]};
-    *reinterpret_cast<Two*>(p + 4) += Two{v[4], v[5]};
+    *reinterpret_cast<BarPair*>(p + 4) += BarPair{v[4], v[5]};
 }
 
 /// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes: whole

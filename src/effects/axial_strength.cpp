@@ -26,7 +26,7 @@ AxialStrength::AxialStrength(const Structure& structure) {
 
 void AxialStrength::look(const Workspace& w, const Step& step) {
     if (w.kind.dynamic && w.state.step % every != 0) {
-        for (const Yielding& y : w.yielding) look_at(w, step, y.element);
+        for (const PlasticIncrement& y : w.yielding) look_at(w, step, y.element);
         return;
     }
     for (int i = 0; i < int(w.structure.elements().size()); ++i) look_at(w, step, i);
@@ -37,7 +37,7 @@ void AxialStrength::look_at(const Workspace& w, const Step& step, int index) {
     const int shape = shape_of_[e.member];
     if (shape < 0 || e.yield.n == 0 || w.state.broken[index]) return;
     for (double r : {-1.0, 1.0}) {
-        const Vec6 p = w.state.force[index] + w.sweep.fixed_end(index).at(r);
+        const Vec6 p = w.state.force[index] + w.assembly.fixed_end(index).at(r);
         const double n = std::sqrt(e.yield.n) * std::abs(p[4]);
         if (!(n > least_n && n < 1)) continue;
         const double m[2] = {std::sqrt(e.yield.x) * std::abs(beam::moment_at(p[0], p[1], r)),

@@ -45,10 +45,10 @@ public:
     }
 
     /// Weights at rest, where the nodes have rotated them.
-    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         add_weights(at, gravity(), external);
     }
-    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         add_weights(at, w_.structure.model().held_gravity(), external);
     }
     bool loads_follow() const override {
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    void keep(const Step&) override { rate_.swap(next_rate_); }
+    void before_commit(const Step&) override { rate_.swap(next_rate_); }
 
     void breaks(const Break& b, std::vector<Vec6>& impulse) override {
         const BreakReport report = break_off(w_.structure, w_.state, b.element, b.end, impulse);
@@ -123,7 +123,7 @@ public:
     }
 
 private:
-    void add_weights(const Places& at, const Vec3& g, std::vector<Vec6>& external) const {
+    void add_weights(const ConfigurationView& at, const Vec3& g, std::vector<Vec6>& external) const {
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
             if (h.mass == 0) continue;

@@ -60,7 +60,7 @@ double ClampedMember::of_force(int end, int plane, double xi) const {
 }
 double ClampedMember::of_moment(int end, int plane, double xi) const { return rotation(end, xi, phi_[plane]); }
 
-MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const {
+MemberEnds::Chord MemberEnds::chord(const Structure& s, const ConfigurationView& at) const {
     const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
     Vec3 span = double(count) * a.chord;
     if (!s.large()) return {a.axes.toRotationMatrix(), span};
@@ -71,7 +71,7 @@ MemberEnds::Chord MemberEnds::chord(const Structure& s, const Places& at) const 
             span};
 }
 
-Mat3 MemberEnds::axes(const Structure& s, const Places& at) const {
+Mat3 MemberEnds::axes(const Structure& s, const ConfigurationView& at) const {
     const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
     if (!s.large()) return a.axes.toRotationMatrix();
     const Vec3 start = a.axes * Vec3::UnitY(),
@@ -104,7 +104,7 @@ namespace {
 
 /// (1 - A) / p, for A of beam/beam_column.h.
 double fall_of_A(double p) {
-    return p < beam::pair_least ? (1 - beam::pair_numbers(p).A) / p : (231 - 6 * p) / (3465 + p * (p - 189));
+    return p < beam::pair_least ? (1 - beam::stability_functions(p).A) / p : (231 - 6 * p) / (3465 + p * (p - 189));
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ double PressedPair::of_force(int end, int plane, double x) const {
     return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
 }
 
-Vec3 direction_of(const Structure& s, int element, const Places& at) {
+Vec3 direction_of(const Structure& s, int element, const ConfigurationView& at) {
     const Element& e = s.elements()[element];
     return (s.large() ? chord_of(e, at.displacement) : e.chord).normalized();
 }

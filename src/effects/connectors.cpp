@@ -117,7 +117,7 @@ public:
             if (!list()[i].broken && !is_linear(declared()[i])) return true;
         return false;
     }
-    void add_blocks(const Places& at, Blocks& blocks) const override {
+    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
             const Connector& c = declared()[i];
@@ -133,7 +133,7 @@ public:
 
     // ---- a step ---------------------------------------------------------------------------------------------------
     /// The work of dashpots and laws, by the trapezium rule.
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = 0;
         for (std::size_t i = 0; i < now_.size(); ++i) {
             const ConnectorNow& before = list()[i];
@@ -145,7 +145,7 @@ public:
         sums["connector_dissipated"] += work;
     }
 
-    void keep(const Step& step) override {
+    void before_commit(const Step& step) override {
         bool any = false;
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
@@ -187,7 +187,7 @@ public:
                 if (law) return true;
         return false;
     }
-    bool calm() const override {
+    bool allows_long_step() const override {
         for (std::size_t i = 0; i < now_.size(); ++i)
             if (!list()[i].broken && (!is_linear(declared()[i]) || (declared()[i].capacity.array() < infinite).any()))
                 return false;
@@ -263,7 +263,7 @@ private:
     }
 
     /// Of rotations that differ by multiples of 2 pi the one next to where it was counts.
-    Placed place(std::size_t i, const Places& at, const ConnectorNow& before) const {
+    Placed place(std::size_t i, const ConfigurationView& at, const ConnectorNow& before) const {
         const Connector& c = declared()[i];
         const auto& X = w_.structure.position();
         const Vec3 arm = c.a < 0 ? Vec3(Vec3::Zero()) : Vec3(X[c.b] - X[c.a]);
@@ -421,9 +421,9 @@ private:
         if (direction >= 0)
             std::snprintf(how, sizeof how, " broke: %.4g %s in %s", std::abs(c.force[direction]),
                           direction < 3 ? "N" : "N m", name[direction]);
-        host_.note_waking(connectors_effect, false, name_of(i) + how);
+        host_.note_activation(connectors_effect, false, name_of(i) + how);
     }
-    void changed(const Places& at) {
+    void changed(const ConfigurationView& at) {
         host_.accelerations_anew();
         host_.blocks_changed(at);
     }

@@ -27,7 +27,7 @@ public:
             for (const ContactRule& rule : declared()) rules.push_back(rule.settings);
             w.state.data.set(contact_effect, Contact(std::move(rules)));
         }
-        now().forget();  // it may come from a run in the middle of a step
+        now().release_step();  // it may come from a run in the middle of a step
     }
 
     bool meets() const override { return true; }
@@ -68,7 +68,7 @@ public:
         place(w_.trial.displacement);
         now().add_internal_forces(position_, w_.trial.rotation, resisting);
     }
-    void add_blocks(const Places& at, Blocks& blocks) const override {
+    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
         place(at.displacement);
         now().add_stiffness(position_, at.rotation, [&](int a, int b, const Mat12& K) { blocks.stiffness(a, b, K); });
     }
@@ -129,16 +129,16 @@ public:
         host_.blocks_changed(w_.state);
     }
 
-    void remember() override {
-        now().remember();
+    void save_step() override {
+        now().save_step();
         bars_changed_before_ = bars_changed_, age_before_ = age_;
     }
-    void take_back() override {
+    void roll_back() override {
         bars_changed_ = bars_changed_before_, age_ = age_before_;
-        now().take_back();
+        now().roll_back();
         host_.blocks_changed(w_.state);
     }
-    void forget() override { now().forget(); }
+    void release_step() override { now().release_step(); }
     bool calls_script() const override {
         return std::any_of(declared().begin(), declared().end(),
                            [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
@@ -151,7 +151,7 @@ public:
         };
         keep(now().surface_contacts()), keep(now().ties());
     }
-    bool calm() const override { return now().idle(); }
+    bool allows_long_step() const override { return now().idle(); }
     bool sleeps() const override { return true; }
     bool busy() const override { return now().nearest().element[0] >= 0 || !now().idle(); }
     std::string why_awake() const override {

@@ -95,12 +95,12 @@ public:
     }
 
     bool has_blocks() const override { return !masses_.empty(); }
-    void add_blocks(const Places& at, Blocks& blocks) const override {
+    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
         for (const auto& [node, mass] : masses_)
             blocks.damping(node, Mat6(alpha_at(node) * offset_mass_in_space(mass, at.rotation[node])));
     }
     void all_broke() override { find_footings(); }
-    void take_back() override { find_footings(); }
+    void roll_back() override { find_footings(); }
     void broke(const Break& b) override {
         for (const AtNode& m : masses_)
             for (const int node : w_.structure.elements()[b.element].node)
@@ -115,7 +115,7 @@ public:
     }
 
     /// By the trapezium rule, like the work of loads.
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         std::vector<Vec3> ways(footings_.size());  // of the supports of each body
         for (std::size_t i = 0; i < ways.size(); ++i)
             ways[i] = footings_[i].mean(
@@ -134,7 +134,7 @@ public:
 
     /// Impulses that contact gave since `solved` have changed the velocities: with the forces of before, half a step of
     /// damping would do work on the bodies.
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         before_ = now_;
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
@@ -190,7 +190,7 @@ private:
         return false;
     }
 
-    void renew(const Places& at) {
+    void renew(const ConfigurationView& at) {
         for (std::size_t i = 0; i < masses_.size(); ++i) built_[i] = at.rotation[masses_[i].node];
         host_.blocks_changed(at);
     }
@@ -217,7 +217,7 @@ private:
         const Element& e = w_.structure.elements()[index];
         if (w_.state.broken[index] || rests(e.node[0])) return Vec12::Zero();
         const ElementDamping& c = damping_[index];
-        const PlacedElement place = place_element(w_.structure, index, w_.trial);
+        const ElementFrame place = element_frame(w_.structure, index, w_.trial);
         Vec12 v, force = Vec12::Zero();
         v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
         if (c.of_mass != 0) {

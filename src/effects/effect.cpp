@@ -13,11 +13,11 @@ double ImpulseResponse::factor_for(double work) const {
     return std::abs(exact - 1) < 0.5 ? exact : 1;
 }
 
-double Effect::work_on_flow(const Yielding& of, const beam::FixedEnd& part) const {
+double Effect::work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& part) const {
     double section[2];
-    const int n = w_.sweep.sections(section);
+    const int n = w_.assembly.sections(section);
     return beam::work_of(part, of.flow, w_.structure.elements()[of.element].yield, section, n,
-                         w_.sweep.fixed_end(of.element));
+                         w_.assembly.fixed_end(of.element));
 }
 
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {

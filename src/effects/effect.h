@@ -17,7 +17,7 @@
 #include "core/thread_pool.h"
 #include "state/bodies.h"
 #include "state/breaking.h"
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 
@@ -52,24 +52,24 @@ struct Workspace {
     const Structure& structure;
     State& state;  ///< where the last step that was kept ended
     ThreadPool& pool;
-    Sweep& sweep;
+    ElementAssembly& assembly;
     RunKind kind;
     Scheme scheme;
-    Pose trial;                                 ///< where the step is tried to end
+    Configuration trial;                        ///< where the step is tried to end
     double factor = 0;                          ///< statics: the load factor that is tried
     std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
                                                 ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
     std::vector<Vec6> external;                 ///< F of eq 15
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
-    std::vector<Yielding> yielding;             ///< elements that flow on the way to the trial pose, rising
+    std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
     std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
     std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
     std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
                                                 ///< last step and of this one
     std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
     long impulses = 0;          ///< that contact and ground have given to trial velocities so far
-    bool points_moved = false;  ///< integration points have moved: the sweep takes them up when the step is kept
+    bool points_moved = false;  ///< integration points have moved: the assembly takes them up when the step is kept
     /// A step is solved once, with all that it moves in what is solved for: a mass there that lags behind the one that
     /// is met loses velocity, by as much in a short step as in a long one.
     bool solved_at_once = false;
@@ -126,7 +126,7 @@ public:
     /// The element's stiffness is not what the effective stiffness has of it.
     virtual void stiffness_changed(int element) = 0;
     /// What effects join nodes by has changed: Effect::add_blocks is asked of all, at that place.
-    virtual void blocks_changed(const Places& at) = 0;
+    virtual void blocks_changed(const ConfigurationView& at) = 0;
     /// Mass that hangs rigidly on a node, 6 x 6 in space, in the effective stiffness.
     virtual void set_offset_mass(int node, const Mat6& mass) = 0;
     /// These nodes (not negative) take no part in the solution; empty: all do.
@@ -140,7 +140,7 @@ public:
     /// F of a node changes for good: a weight is gone. All effects hear of it.
     virtual void change_steady_load(int node, const Vec3& force) = 0;
     virtual void reached(const std::vector<Reached>& elements) = 0;
-    virtual void note_waking(const std::string& effect, bool awake, const std::string& why) = 0;
+    virtual void note_activation(const std::string& effect, bool awake, const std::string& why) = 0;
     /// Effect::keep_from_rest of all.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
     virtual void count_break() = 0;
@@ -160,10 +160,14 @@ public:
     /// The steady loads of all effects are summed up in the workspace.
     virtual void steady_loads_known() {}
     /// F as statics has it at load factor 1, beside the steady loads, where the nodes are.
-    virtual void add_static_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
+    virtual void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const {
+        (void)at, (void)external;
+    }
     /// What statics holds in full from the start on, where it goes on from another run; not in add_static_loads, but
     /// for weights, of which it is a part.
-    virtual void add_held_loads(const Places& at, std::vector<Vec6>& external) const { (void)at, (void)external; }
+    virtual void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const {
+        (void)at, (void)external;
+    }
     /// Whether add_static_loads depends on where the nodes are.
     virtual bool loads_follow() const { return false; }
     /// Whether the steady loads have a potential energy in an account of their own, so that they do no work.
@@ -171,7 +175,7 @@ public:
     /// Adds what it resists with at the workspace's trial pose. `time`: that of the pose, s.
     virtual void add_forces(double time, std::vector<Vec6>& resisting) { (void)time, (void)resisting; }
     /// Adds the derivative of those forces.
-    virtual void add_blocks(const Places& at, Blocks& blocks) const { (void)at, (void)blocks; }
+    virtual void add_blocks(const ConfigurationView& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add just now.
     virtual bool has_blocks() const { return false; }
     /// Whether it goes with the energy-momentum method: its forces, the mean of a step's two ends, do the work that its
@@ -195,11 +199,11 @@ public:
     /// now, and adds it. `factor`: the load factor of statics. What an element's own forces do on its flow is less than
     /// the whole by work_on_flow, which is not work of the load: the load's account has that.
     virtual bool has_fixed_ends() const { return false; }
-    virtual void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const {
+    virtual void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const {
         (void)at, (void)factor, (void)all;
     }
     /// The same in the place of what `all` has.
-    virtual void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const {
+    virtual void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const {
         std::fill(all.begin(), all.end(), beam::FixedEnd());
         add_fixed_ends(at, factor, all);
     }
@@ -223,14 +227,14 @@ public:
     /// Where the step has ended: what ends with it.
     virtual void end(const Step& step) { (void)step; }
     /// What the step would add to the accounts if it were kept.
-    virtual void add_up(const Step& step, Accounts& sums) const { (void)step, (void)sums; }
+    virtual void accumulate_energy(const Step& step, Accounts& sums) const { (void)step, (void)sums; }
     /// The name of what decide does, null where it does nothing.
     virtual const char* decides() const { return nullptr; }
     /// What breaks, and what the script is told. The last stage that may fail.
     virtual void decide(Step& step) { (void)step; }
     /// The step is kept: before the trial becomes the state, and after.
-    virtual void keep(const Step& step) { (void)step; }
-    virtual void kept(const Step& step) { (void)step; }
+    virtual void before_commit(const Step& step) { (void)step; }
+    virtual void after_commit(const Step& step) { (void)step; }
     /// An element breaks (after kept), with what its breaking asks of the nodes in `impulse`; and all have.
     virtual void breaks(const Break& b, std::vector<Vec6>& impulse) { (void)b, (void)impulse; }
     virtual void broke(const Break& b) { (void)b; }
@@ -238,9 +242,9 @@ public:
 
     // ---- undo -----------------------------------------------------------------------------------------------------
     /// A step begins that may be taken back; it is taken back; it stands.
-    virtual void remember() {}
-    virtual void take_back() {}
-    virtual void forget() {}
+    virtual void save_step() {}
+    virtual void roll_back() {}
+    virtual void release_step() {}
     virtual bool calls_script() const { return false; }  ///< so that a step may fail and must be taken back
 
     /// Asked once, where a run is made: the most that its forces may ever add to stiffness and damping, as far as that
@@ -275,7 +279,7 @@ public:
         return (void)supports, (void)velocity, 0;
     }
     /// Whether steps may be longer than the shortest: nothing happens that needs those.
-    virtual bool calm() const { return true; }
+    virtual bool allows_long_step() const { return true; }
     /// Whether what it prescribes changes at one of these times after now, s.
     virtual bool changes_within(double now, std::span<const double> after) const {
         return (void)now, (void)after, false;
@@ -298,7 +302,7 @@ protected:
     void add_to_trial(double x, const ImpulseResponse& response);
 
     /// The work of a fixed-end part on what an element flows in the step, J.
-    double work_on_flow(const Yielding& of, const beam::FixedEnd& part) const;
+    double work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& part) const;
 
     /// save and restore of a class that tells its fields once.
     template <class Self>

@@ -1,6 +1,6 @@
 // The elements themselves: inertia, elasticity and large displacement, which every scene has. Their forces are summed
-// eight at a time by the sweep (state/sweep.h), their stiffness stands in the effective stiffness; here are their
-// energies (eqs 20a and 20c) and their lines of the plan.
+// eight at a time by the assembly (state/element_assembly.h), their stiffness stands in the effective stiffness; here
+// are their energies (eqs 20a and 20c) and their lines of the plan.
 #include "effects/kinds.h"
 #include "state/hinges.h"
 
@@ -19,7 +19,7 @@ public:
         Vec6 before = Vec6::Zero();
         for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
             if (state.broken[i]) continue;
-            const PlacedElement placement = place_element(w_.structure, int(i), state);
+            const ElementFrame placement = element_frame(w_.structure, int(i), state);
             const beam::Stiffness k = stiffness_now(w_.structure, state, int(i));
             const Vec6 d = element_deformation(w_.structure, int(i), state, placement) - state.plastic[i];
             elastic += 0.5 * d.dot(k.times(d));

@@ -63,7 +63,7 @@ bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& p
     if (p_delta) {
         const beam::PairKind<double> pair = pair_kind_of(e);
         for (int plane : {0, 1}) {
-            const beam::PairNumbers<double> of = beam::pair_numbers(pair.c[plane] * resultant(e.yield.n));
+            const beam::StabilityFunctions<double> of = beam::stability_functions(pair.c[plane] * resultant(e.yield.n));
             bound.curvature[plane] /= std::max(least_bending, std::min(of.S, of.A));
             bound.axial += 0.5 * std::abs(of.S1) * std::pow(bound.curvature[plane] * e.length, 2);
         }
@@ -106,14 +106,14 @@ void saying_which(const FractureRule& rule, Whom whom, Ask ask) {
 /// The flow of an element, where it flows: `yielding` rises, and so must the elements asked for.
 class Flows {
 public:
-    explicit Flows(const std::vector<Yielding>& yielding) : next_(yielding.begin()), end_(yielding.end()) {}
-    const beam::Flow* of(int element) {
+    explicit Flows(const std::vector<PlasticIncrement>& yielding) : next_(yielding.begin()), end_(yielding.end()) {}
+    const beam::ReturnMapResult* of(int element) {
         while (next_ != end_ && next_->element < element) ++next_;
         return next_ != end_ && next_->element == element ? &next_->flow : nullptr;
     }
 
 private:
-    std::vector<Yielding>::const_iterator next_, end_;
+    std::vector<PlasticIncrement>::const_iterator next_, end_;
 };
 
 /// An element that has flowed and has a rule of the script's own: its strains as factors of its forces.
@@ -132,8 +132,8 @@ public:
     const char* decides() const override { return "fracture"; }
     void decide(Step& step) override;
     bool makes_forces_vanish() const override { return true; }
-    void kept(const Step&) override {
-        for (const Yielding& y : w_.yielding) take_up(y.element);
+    void after_commit(const Step&) override {
+        for (const PlasticIncrement& y : w_.yielding) take_up(y.element);
     }
     /// The partner of a pair takes up plastic deformation (state/breaking.h): its limits may come within reach.
     void broke(const Break& b) override {
@@ -141,8 +141,8 @@ public:
         if (w_.structure.p_delta()) take_up(w_.structure.elements()[b.element].partner);
     }
 
-    void remember() override { kept_before_.clear(), strained_before_.clear(); }
-    void take_back() override {
+    void save_step() override { kept_before_.clear(), strained_before_.clear(); }
+    void roll_back() override {
         for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
         for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     }
@@ -159,20 +159,21 @@ public:
 private:
     class Asked;
     void take_up(int element);
-    void check_element(int element, const beam::Flow* flow, bool news);
+    void check_element(int element, const beam::ReturnMapResult* flow, bool news);
     Watched watch_strains(int element) const;
     void list_news();
-    Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::Flow* flow) const;
+    Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 deformation_before(int element) const;
-    int weaker_end(int element, const beam::Flow* flow) const;
+    int weaker_end(int element, const beam::ReturnMapResult* flow) const;
     /// Resultants in the places of p, with those of loads between the nodes; f_y of them.
-    bool flows_at(const beam::Flow* flow, int end, int weaker) const;
-    Break at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const;
-    Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.sweep.fixed_end(element).at(r); }
+    bool flows_at(const beam::ReturnMapResult* flow, int end, int weaker) const;
+    Break at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
+    Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.assembly.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
         return beam::yield_function(resultants_at(element, r), r, w_.structure.elements()[element].yield);
     }
-    void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow);
+    void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,
+                      const beam::ReturnMapResult* flow);
     void ask_sections();
     void ask_batch(int rule);
 
@@ -181,7 +182,7 @@ private:
     std::vector<char> in_candidates_;
     std::vector<SectionView> asked_;               ///< in this step, of one rule
     std::vector<Watched> watched_;                 ///< rising
-    std::vector<int> news_;                        ///< of those, strained in this step as never before
+    std::vector<int> newly_strained_;              ///< of those, strained in this step as never before
     std::vector<std::vector<int>> rule_elements_;  ///< of each rule; filled when a batch asks
     std::size_t kept_a_section_ = 0;               ///< numbers that rules keep of a section
     std::vector<long> called_;                     ///< of each rule: how often its function was
@@ -247,7 +248,7 @@ void Fracture::take_up(int index) {
 /// Of elements that have flowed before, those that are strained as never: what a script's rule is to be asked of
 /// without flow.
 void Fracture::list_news() {
-    news_.clear();
+    newly_strained_.clear();
     for (Watched& w : watched_) {
         const int i = w.element;
         if (w_.state.broken[i]) continue;
@@ -258,7 +259,7 @@ void Fracture::list_news() {
                                   std::abs(w.axial * p[4] + w.per_length * plastic[4])};
         double* most = &w_.state.strained[3 * std::size_t(i)];
         if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) continue;
-        news_.push_back(i);
+        newly_strained_.push_back(i);
         strained_before_.push_back({most, {most[0], most[1], most[2]}});
         for (int c = 0; c < 3; ++c) most[c] = std::max(most[c], strain[c]);
     }
@@ -283,11 +284,12 @@ void Fracture::decide(Step& step) {
     step.breaks.clear(), asked_.clear();
     list_news();
     auto candidate = candidates_.begin();  // all three rise
-    auto news = news_.begin();
+    auto news = newly_strained_.begin();
     auto flowing = w_.yielding.begin();
     constexpr int none = std::numeric_limits<int>::max();
     while (true) {
-        const int c = candidate != candidates_.end() ? *candidate : none, n = news != news_.end() ? *news : none,
+        const int c = candidate != candidates_.end() ? *candidate : none,
+                  n = news != newly_strained_.end() ? *news : none,
                   f = flowing != w_.yielding.end() ? flowing->element : none, e = std::min({c, n, f});
         if (e == none) break;
         if (!w_.state.broken[e] && w_.structure.elements()[e].fracture >= 0)
@@ -302,7 +304,7 @@ void Fracture::decide(Step& step) {
 }
 
 /// The section that flows, else the one nearer to it.
-int Fracture::weaker_end(int index, const beam::Flow* flow) const {
+int Fracture::weaker_end(int index, const beam::ReturnMapResult* flow) const {
     const Vec6 p = resultants_at(index, 0);
     const double f1 = yield_at(index, -1), f2 = yield_at(index, 1);
     const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
@@ -312,7 +314,7 @@ int Fracture::weaker_end(int index, const beam::Flow* flow) const {
 }
 
 /// At the end of the step, from the forces; where bending follows N, from where the nodes are.
-Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::Flow* flow) const {
+Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::ReturnMapResult* flow) const {
     if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
     if (w_.structure.p_delta())
         return element_deformation(w_.structure, index, w_.trial) + taken_up(w_.state, index) - plastic;
@@ -326,12 +328,12 @@ Vec6 Fracture::deformation_before(int index) const {
 }
 
 /// Whether the section at an end flows in the step.
-bool Fracture::flows_at(const beam::Flow* flow, int end, int weaker) const {
+bool Fracture::flows_at(const beam::ReturnMapResult* flow, int end, int weaker) const {
     return flow && (w_.structure.conventional() ? end == weaker : flow->lambda[end - 1] > 0);
 }
 
 /// The end at which a limit of the element's rule is reached, 0: at neither; and which.
-Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) const {
+Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::ReturnMapResult* flow) const {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
     const Break holds = {index, 0};
@@ -358,7 +360,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
 
 /// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
 /// of. `news`: the element is strained as never before.
-void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
+void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
     Vec6 plastic = flowed(w_.state, index);
@@ -383,7 +385,8 @@ void Fracture::check_element(int index, const beam::Flow* flow, bool news) {
     }
 }
 
-void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic, const beam::Flow* flow) {
+void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6& plastic,
+                            const beam::ReturnMapResult* flow) {
     const Element& e = w_.structure.elements()[index];
     const Vec6 before = deformation_before(index);
     const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
@@ -464,7 +467,7 @@ const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part)
             list.push_back({});
             continue;
         }
-        const beam::Flow* flow = flows.of(index);
+        const beam::ReturnMapResult* flow = flows.of(index);
         Vec6 d = Vec6::Zero();
         if (part != rate || of_.w_.structure.p_delta()) {
             d = flowed(state, index);
@@ -490,7 +493,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
     Flows flows(of_.w_.yielding);
     const double r = end == 2 ? 1 : -1;
     for (int index : elements_) {
-        const beam::Flow* flow = flows.of(index);
+        const beam::ReturnMapResult* flow = flows.of(index);
         const Element& e = of_.w_.structure.elements()[index];
         const Vec6 p = of_.resultants_at(index, r);
         const bool broken = of_.w_.state.broken[index];
@@ -554,7 +557,7 @@ void Fracture::ask_batch(int rule) {
     Flows flows(w_.yielding);
     for (int place : places) {
         const int e = elements[place];
-        const beam::Flow* flow = flows.of(e);
+        const beam::ReturnMapResult* flow = flows.of(e);
         const bool known =
             std::any_of(step_->breaks.begin(), step_->breaks.end(), [&](const Break& b) { return b.element == e; });
         if (!w_.state.broken[e] && !known) step_->breaks.push_back({e, weaker_end(e, flow)});

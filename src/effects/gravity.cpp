@@ -22,10 +22,10 @@ public:
     void add_steady_loads(std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
     }
-    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         add_corrections(g_, at, external);
     }
-    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         const Vec3& g = w_.structure.model().held_gravity();
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g; });
         add_corrections(g, at, external);
@@ -53,20 +53,20 @@ public:
     void restart_ends() override { before_ = now_; }
 
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
-    void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), false, all);
         placed_ = true;
     }
-    void set_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), true, all);
         placed_ = true;
     }
 
     /// By the trapezium rule, with the moments that the step was solved with; in statics, as F, with those at its end.
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         const std::vector<int>& joints = members_.joints();
         if (joints.empty()) return;
-        for (const Yielding& y : w_.yielding) {
+        for (const PlasticIncrement& y : w_.yielding) {
             if (!members_.has(w_.structure.elements()[y.element].member)) continue;
             const auto on_flow = [&](const Vec3& g) {
                 return work_on_flow(y, members_.fixed_end(w_.structure, g, w_.trial, force_of_yield(), y.element));
@@ -82,7 +82,7 @@ public:
             work += (w_.kind.dynamic ? Vec3(0.5 * (now_[i] + before_[i])) : end[i]).dot(w_.rotation_step[joints[i]]);
         sums["gravity"] -= work;
     }
-    void keep(const Step&) override { before_ = now_; }
+    void before_commit(const Step&) override { before_ = now_; }
 
     void add_section_forces(int element, double side, SectionForces& forces) const override {
         if (!members_.has(w_.structure.elements()[element].member)) return;
@@ -118,7 +118,7 @@ private:
         members_.find_moments(w_.structure, g_, w_.state, w_.state.force, false, now_);
         before_ = now_;
     }
-    void add_corrections(const Vec3& g, const Places& at, std::vector<Vec6>& external) const {
+    void add_corrections(const Vec3& g, const ConfigurationView& at, std::vector<Vec6>& external) const {
         std::vector<Vec3> moments;
         members_.find_moments(w_.structure, g, at, w_.force, false, moments);
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];

@@ -110,7 +110,7 @@ public:
         }
     }
     /// Left out: the slope of a friction that slides, which has no symmetry, and how the arms rotate.
-    void add_blocks(const Places&, Blocks& blocks) const override {
+    void add_blocks(const ConfigurationView&, Blocks& blocks) const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Point& p = points()[i];
             const Touch& t = touches_[i];
@@ -176,13 +176,13 @@ public:
         if (waits && find_due(step.dt)) restitute();
         take_from_friction();
     }
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         double lost = lost_;
         if (!w_.kind.dynamic)
             for (const Touch& t : touches_) lost += t.heat;
         sums["ground_dissipated"] += lost;
     }
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         for (std::size_t i = 0; i < points().size(); ++i) {
             Point& p = points()[i];
             const Touch t = look(p, w_.trial);
@@ -215,13 +215,13 @@ public:
                 points().push_back(free_end(i, e, b.element, w_.state));
     }
 
-    void take_back() override { lost_ = gives_back_ = 0, waits_.clear(); }
+    void roll_back() override { lost_ = gives_back_ = 0, waits_.clear(); }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Point& p : points())
             if (bodies.of_node[p.node] >= 0 && (p.waits > 0 || look(p, w_.state).overlap > 0))
                 rests[bodies.of_node[p.node]] = 0;
     }
-    bool calm() const override {
+    bool allows_long_step() const override {
         return has_ == 0 && std::none_of(points().begin(), points().end(), [](const Point& p) { return p.waits > 0; });
     }
     bool sleeps() const override { return true; }

@@ -118,7 +118,7 @@ public:
     }
     /// Left out: the slope of a friction that slides, which has no symmetry, how the arms rotate, and how the area
     /// changes as a bar topples.
-    void add_blocks(const Places&, Blocks& blocks) const override {
+    void add_blocks(const ConfigurationView&, Blocks& blocks) const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Strip& s = strips()[i];
             const Touch& t = touches_[i];
@@ -215,13 +215,13 @@ public:
         return true;
     }
 
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         double lost = 0;
         for (const Touch& t : touches_) lost += t.work + t.friction[0].heat + t.friction[1].heat;
         sums["ground_dissipated"] += lost;
     }
     /// Where the next step begins.
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             Strip& s = strips()[i];
             const Touch& t = touches_[i];
@@ -268,7 +268,7 @@ public:
             if (body >= 0 && look(s, w_.state).touches) rests[body] = 0;
         }
     }
-    bool calm() const override { return has_ == 0; }
+    bool allows_long_step() const override { return has_ == 0; }
     bool sleeps() const override { return true; }
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override {

@@ -34,7 +34,7 @@ public:
 
     /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
     /// and takes them as they are at time 0, or in full where that is nothing.
-    void add_static_loads(const Places&, std::vector<Vec6>& external) const override {
+    void add_static_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
         for (const NodalLoad& l : declared()) {
             if (l.held) continue;
             const double factor = l.history ? l.history(0) : 1.0;
@@ -42,7 +42,7 @@ public:
             external[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
         }
     }
-    void add_held_loads(const Places&, std::vector<Vec6>& external) const override {
+    void add_held_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
         for (const NodalLoad& l : declared())
             if (l.held) external[l.node].head<3>() += l.force, external[l.node].tail<3>() += l.moment;
     }
@@ -82,7 +82,7 @@ public:
     }
 
     /// By the trapezium rule.
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = of_jumps_;
         for (const Loaded& l : loaded_) {
             const Vec6 mean = 0.5 * (l.now + l.before);
@@ -92,7 +92,7 @@ public:
         sums["work"] += work;
     }
 
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         for (Loaded& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.end;
         of_jumps_ = 0;
@@ -128,7 +128,7 @@ public:
         for (const NodalLoad& l : declared())
             if ((l.history || l.follows_state()) && bodies.of_node[l.node] >= 0) rests[bodies.of_node[l.node]] = 0;
     }
-    bool calm() const override { return asked_.empty(); }
+    bool allows_long_step() const override { return asked_.empty(); }
     bool changes_within(double now, std::span<const double> after) const override {
         for (const NodalLoad& load : declared()) {
             if (!load.history || w_.state.gone[load.node]) continue;

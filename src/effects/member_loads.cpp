@@ -67,11 +67,11 @@ public:
     }
 
     /// Of those with a history as in Loads::add_static_loads.
-    void add_static_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
             if (!l.held) act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
     }
-    void add_held_loads(const Places& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
             if (l.held) act(l, at, 1, [&](int node, const Vec6& f) { external[node] += f; });
     }
@@ -108,7 +108,7 @@ public:
     }
 
     bool has_fixed_ends() const override { return true; }
-    void add_fixed_ends(const Places& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         for (const Loaded& l : loads_) {
             Vec3 m[2];
             const double now = factor_now(l, factor);
@@ -119,8 +119,8 @@ public:
     }
 
     /// By the trapezium rule; of the fixed-end part on what flows, with that which it flowed by.
-    void add_up(const Step&, Accounts& sums) const override {
-        for (const Yielding& y : w_.yielding) {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
+        for (const PlasticIncrement& y : w_.yielding) {
             const auto on = on_member_.find(w_.structure.elements()[y.element].member);
             if (on == on_member_.end()) continue;
             beam::FixedEnd part;
@@ -143,7 +143,7 @@ public:
         }
         sums["work"] += work;
     }
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         if (!w_.kind.dynamic) return;
         before_ = acting(w_.trial);
         for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.end;
@@ -160,7 +160,7 @@ public:
             const Share& share = l.shares[element - l.ends.first];
             Vec3 force = share.force[end], moment = share.moment[end];
             if (!l.local) {
-                const Mat3 to_local = axes_of(place_element(w_.structure, element, w_.state)).transpose();
+                const Mat3 to_local = axes_of(element_frame(w_.structure, element, w_.state)).transpose();
                 force = to_local * force, moment = to_local * moment;
             }
             add_share(side, factor * force, factor * moment, forces);
@@ -185,7 +185,7 @@ public:
                 const Element& e = w_.structure.elements()[element];
                 if (w_.state.broken[element]) continue;
                 ShownLoad shown{-1, element, -1, {}, {}};
-                const Mat3 to_space = factor * (l.local ? Mat3(axes_of(place_element(w_.structure, element, w_.state)))
+                const Mat3 to_space = factor * (l.local ? Mat3(axes_of(element_frame(w_.structure, element, w_.state)))
                                                         : Mat3(Mat3::Identity()));
                 if (!load.spread()) {
                     if (k != std::min(n - 1, int(load.at * n))) continue;
@@ -314,21 +314,21 @@ private:
         return w_.kind.dynamic ? l.factor : l.held ? 1 : of_statics * static_factor(l);
     }
     /// The corrections at the member's ends, in its axes; none where it is not whole.
-    void find_moments(const Loaded& l, double factor, const Places& at, Vec3 m[2]) const {
+    void find_moments(const Loaded& l, double factor, const ConfigurationView& at, Vec3 m[2]) const {
         m[0].setZero(), m[1].setZero();
         if (!l.ends.whole(w_.state)) return;
         const Mat3 axes = l.ends.axes(w_.structure, at);
         for (int end : {0, 1}) m[end] = factor * end_moment(l, end, axes);
     }
     /// What a load adds to the resultants of an element, with the corrections m at its member's ends.
-    void add_fixed_end(const Loaded& l, int element, double factor, const Places& at, const Vec3 m[2],
+    void add_fixed_end(const Loaded& l, int element, double factor, const ConfigurationView& at, const Vec3 m[2],
                        beam::FixedEnd& to) const {
         const Share& share = l.shares[element - l.ends.first];
         const Vec3 along = l.local ? Vec3(0, 0, 1) : direction_of(w_.structure, element, at);
         const bool twists = !share.moment[0].isZero(0) || !share.moment[1].isZero(0);
         const Mat3 to_element = l.local || !twists
                                     ? Mat3(Mat3::Identity())
-                                    : Mat3(axes_of(place_element(w_.structure, element, at)).transpose());
+                                    : Mat3(axes_of(element_frame(w_.structure, element, at)).transpose());
         for (int end : {0, 1}) {
             const double side = end == 0 ? 1 : -1;  // the section balances what its node got
             const Vec3 there = l.ends.moment_at(element, end, m),
@@ -352,7 +352,8 @@ private:
     };
     int pair_of(const Loaded& l, int element) const { return l.ends.first + (element - l.ends.first) / 2 * 2; }
     /// `first`: of the pair's elements; `force`: p of all elements, of which N is taken.
-    Pressed pressed(const Loaded& l, int first, double factor, const Places& at, const std::vector<Vec6>& force) const {
+    Pressed pressed(const Loaded& l, int first, double factor, const ConfigurationView& at,
+                    const std::vector<Vec6>& force) const {
         Pressed is{false, {first, 2}};
         if (!w_.structure.p_delta() || first + 1 >= l.ends.first + l.ends.count) return is;
         const PressedPair by_N(w_.structure, first, force);
@@ -390,7 +391,7 @@ private:
 
     /// Calls add(node, force and moment in space) with all that a load asks of the nodes at such a place.
     template <class Add>
-    void act(const Loaded& l, const Places& at, double factor, Add add) const {
+    void act(const Loaded& l, const ConfigurationView& at, double factor, Add add) const {
         const auto& elements = w_.structure.elements();
         bool broken = false;
         for (std::size_t i = 0; i < l.shares.size(); ++i) {
@@ -401,7 +402,7 @@ private:
             }
             const Share& share = l.shares[i];
             const Mat3 to_space =
-                l.local ? Mat3(axes_of(place_element(w_.structure, element, at))) : Mat3(Mat3::Identity());
+                l.local ? Mat3(axes_of(element_frame(w_.structure, element, at))) : Mat3(Mat3::Identity());
             for (int end : {0, 1}) {
                 Vec6 f;
                 f << factor * (to_space * share.force[end]), factor * (to_space * share.moment[end]);
@@ -423,7 +424,7 @@ private:
     }
 
     /// On each of nodes_, now.
-    std::vector<Vec6> acting(const Places& at) const {
+    std::vector<Vec6> acting(const ConfigurationView& at) const {
         std::vector<Vec6> sum(nodes_.size(), Vec6::Zero());
         for (const Loaded& l : loads_) act(l, at, l.factor, [&](int node, const Vec6& f) { sum[place_[node]] += f; });
         return sum;

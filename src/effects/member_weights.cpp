@@ -121,7 +121,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
 }
 
 /// And its length.
-Lanes MemberWeights::find_span(const Block& b, bool large, const Places& at, Lanes (&span)[3]) const {
+Lanes MemberWeights::find_span(const Block& b, bool large, const ConfigurationView& at, Lanes (&span)[3]) const {
     for (int c : {0, 1, 2}) span[c] = b.span[c];
     if (large) {
         Lanes u[2][lane_count];
@@ -159,15 +159,15 @@ bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, La
             const Lanes p = -b.flexible[plane] * N;
             if (!any_above(p < 0 ? -p : p, counts_from)) continue;
             any = true;
-            of[plane] += b.a_pair * (1 / beam::pair_numbers(counted(p)).A - 1);
+            of[plane] += b.a_pair * (1 / beam::stability_functions(counted(p)).A - 1);
         }
     }
     of[0] = -of[0];
     return any;
 }
 
-void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Places& at, const std::vector<Vec6>& force,
-                                 bool placed, std::vector<Vec3>& out) const {
+void MemberWeights::find_moments(const Structure& s, const Vec3& g, const ConfigurationView& at,
+                                 const std::vector<Vec6>& force, bool placed, std::vector<Vec3>& out) const {
     out.assign(joints_.size(), Vec3::Zero());
     const auto put = [&](const Block& b, const Lanes(&m)[3]) {
         for (int i = 0; i < b.count; ++i) {
@@ -199,7 +199,7 @@ void MemberWeights::Axes::to_members(const Vec3& v, Lanes (&components)[3]) cons
     for (int c : {0, 1, 2}) components[c] = dot(axis[c], v);
 }
 
-void MemberWeights::find_axes(const Structure& s, const Block& b, const Places& at, Axes& axes) const {
+void MemberWeights::find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const {
     const auto one_by_one = [&](const Lanes& size) {
         for (int i = 0; i < lane_count; ++i) {
             if (size[i] > 0.1) continue;
@@ -221,7 +221,7 @@ void MemberWeights::find_axes(const Structure& s, const Block& b, const Places& 
     if (any_not_below(-size, -0.1)) one_by_one(size);  // ends that point apart
 }
 
-beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Places& at,
+beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const ConfigurationView& at,
                                         const std::vector<Vec6>& force, int element) const {
     const int member = s.elements()[element].member;
     const MemberEnds& ends = ends_[member];
@@ -233,7 +233,7 @@ beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const
     return part;
 }
 
-void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Places& at,
+void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const ConfigurationView& at,
                                    const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const {
     static_assert(sizeof(beam::FixedEnd) == sizeof(Lanes));
     if (anew)
@@ -274,7 +274,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
                                        SectionForces& forces) const {
     const int member = s.elements()[element].member, end = side < 0 ? 0 : 1;
     const MemberEnds& ends = ends_[member];
-    const Mat3 to_local = axes_of(place_element(s, element, state)).transpose();
+    const Mat3 to_local = axes_of(element_frame(s, element, state)).transpose();
     add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
     const MemberEnds::Chord chord = ends.chord(s, state);
     const Kind& kind = kinds_[kind_[member]];

@@ -84,7 +84,7 @@ public:
     /// By the trapezium rule, as if velocity and place followed from the accelerations as a free node's do; and what
     /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
     /// velocity, dv_N as Newmark has it and b the mean Bossak-weighted acceleration: j (M V) + j/2 (M dv_N) - k (M b).
-    void add_up(const Step& step, Accounts& sums) const override {
+    void accumulate_energy(const Step& step, Accounts& sums) const override {
         const double dt = step.dt, beta = w_.scheme.beta, gamma = w_.scheme.gamma;
         const bool damped = w_.scheme.alpha != 0;
         const State& s = w_.state;
@@ -106,7 +106,7 @@ public:
         sums["work"] += work;
     }
 
-    void keep(const Step&) override {
+    void before_commit(const Step&) override {
         for (Moved& m : moved_) {
             if (w_.state.gone[m.node]) continue;
             m.force = m.next_force;
@@ -140,7 +140,7 @@ public:
         return std::any_of(motions.begin(), motions.end(),
                            [](const SupportMotion& m) { return m.displacement && !m.displacement.points(); });
     }
-    bool calm() const override { return false; }
+    bool allows_long_step() const override { return false; }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Moved& m : moved_)
             if (bodies.of_node[m.node] >= 0) rests[bodies.of_node[m.node]] = 0;

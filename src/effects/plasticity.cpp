@@ -1,5 +1,5 @@
 // Plastic hinges at the end of a step: what flowed becomes part of the state (eqs 4, 6 and 10; state/hinges.h). The
-// return to the yield surface is in the sweep, the tangents of what flows in run/yield_tangents.h.
+// return to the yield surface is in the assembly, the tangents of what flows in run/yield_tangents.h.
 #include <algorithm>
 
 #include "effects/axial_strength.h"
@@ -20,12 +20,12 @@ public:
     }
 
     bool takes_mean_forces() const override { return true; }
-    void add_up(const Step&, Accounts& sums) const override {
+    void accumulate_energy(const Step&, Accounts& sums) const override {
         double& plastic = sums["plastic"];
-        for (const Yielding& y : w_.yielding) plastic += y.flow.dissipation;
+        for (const PlasticIncrement& y : w_.yielding) plastic += y.flow.dissipation;
     }
 
-    void kept(const Step& step) override {
+    void after_commit(const Step& step) override {
         if (!w_.yielding.empty())
             record_flow(w_.structure, w_.yielding, w_.kind.dynamic ? step.end() : w_.state.factor, !w_.kind.dynamic,
                         records());
@@ -37,7 +37,7 @@ public:
     }
     void check_run(std::vector<RunWarning>& list) const override { strength_.check_run(w_, list); }
 
-    bool calm() const override { return w_.yielding.empty(); }
+    bool allows_long_step() const override { return w_.yielding.empty(); }
     bool sleeps() const override { return w_.structure.can_yield(); }
     bool busy() const override { return !w_.yielding.empty(); }
     std::string why_awake() const override {

@@ -33,7 +33,7 @@ public:
                   [](const Break& a, const Break& b) { return a.element < b.element; });
     }
     /// A run that goes on from a checkpoint looks once more at what was due before, and finds it broken.
-    void kept(const Step& step) override {
+    void after_commit(const Step& step) override {
         for (std::size_t i = 0; i < done_.size(); ++i) done_[i] = done_[i] || is_due(i, step);
     }
 

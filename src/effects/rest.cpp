@@ -58,11 +58,11 @@ public:
         const int count = int(std::count(rests.begin(), rests.end(), 1));
         long still = 0;
         for (const Element& e : elements) still += resting[e.node[0]] >= 0;
-        host_.note_waking(count == 1 ? "body" : std::to_string(count) + " bodies", false,
-                          count_text(still, "element") + " at rest until something reaches them");
+        host_.note_activation(count == 1 ? "body" : std::to_string(count) + " bodies", false,
+                              count_text(still, "element") + " at rest until something reaches them");
         std::erase_if(w_.supported, [&](int n) { return resting[n] >= 0; });
         for (std::size_t e = 0; e < elements.size(); ++e)
-            if (!s.broken[e] && resting[elements[e].node[0]] >= 0) w_.sweep.drop(int(e));
+            if (!s.broken[e] && resting[elements[e].node[0]] >= 0) w_.assembly.drop(int(e));
         host_.leave_out(resting);
     }
 
@@ -76,15 +76,15 @@ public:
             const int b = resting[elements[r.element].node[0]];
             if (b < 0 || std::find(woken.begin(), woken.end(), b) != woken.end()) continue;
             woken.push_back(b);
-            host_.note_waking("body", true,
-                              std::string("it was at rest; ") + r.how + " at " + w_.structure.element_name(r.element));
+            host_.note_activation(
+                "body", true, std::string("it was at rest; ") + r.how + " at " + w_.structure.element_name(r.element));
         }
         if (woken.empty()) return;
         const auto wakes = [&](int node) {
             return resting[node] >= 0 && std::find(woken.begin(), woken.end(), resting[node]) != woken.end();
         };
         for (std::size_t e = 0; e < elements.size(); ++e)
-            if (!w_.state.broken[e] && wakes(elements[e].node[0])) w_.sweep.raise(int(e));
+            if (!w_.state.broken[e] && wakes(elements[e].node[0])) w_.assembly.raise(int(e));
         for (int n = 0; n < int(resting.size()); ++n)
             if (wakes(n)) {
                 w_.external[n] = weight_[n];

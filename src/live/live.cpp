@@ -4,12 +4,12 @@
 #include <cctype>
 #include <random>
 
-#include "script/chain.h"
-#include "script/frame_pack.h"
-#include "script/happenings.h"
-#include "script/recording.h"
-#include "script/snapshot.h"
-#include "script/summary.h"
+#include "script/checks/chain.h"
+#include "script/record/frame_pack.h"
+#include "script/record/element_events.h"
+#include "script/record/recording.h"
+#include "script/record/snapshot.h"
+#include "script/record/summary.h"
 
 namespace hinge::live {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "live/server.h"
 #include "output/picture.h"
-#include "script/events.h"
-#include "script/onlooker.h"
+#include "script/record/events.h"
+#include "script/lua/run_observer.h"
 
 namespace hinge::live {
 
@@ -29,7 +29,7 @@ private:
     std::size_t seen_ = 0, every_ = 1;
 };
 
-class Live : public script::Onlooker {
+class Live : public script::RunObserver {
 public:
     explicit Live(int port);
     ~Live() override;

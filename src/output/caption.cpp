@@ -25,7 +25,7 @@ std::string time_text(double seconds) {
 }
 
 /// What the picture leaves out or enlarges, so that nobody takes a part for the whole.
-std::string remarks(const Told& told) {
+std::string remarks(const CaptionInput& told) {
     const View& view = told.view;
     std::vector<std::string> notes;
     const auto note = [&](const char* format, double value) {
@@ -42,7 +42,7 @@ std::string remarks(const Told& told) {
     return line;
 }
 
-void draw_heading(Pen& pen, const Told& told, double em) {
+void draw_heading(Pen& pen, const CaptionInput& told, double em) {
     const View& view = told.view;
     const std::string when = moment_text(told.snapshot);
     const double top = view.height - 1.25 * em;
@@ -66,7 +66,7 @@ struct Entry {
 };
 
 /// `dots`: how many tell the sizes of hinges.
-std::vector<Entry> legend(const Told& told, int dots) {
+std::vector<Entry> legend(const CaptionInput& told, int dots) {
     std::vector<Entry> entries;
     const View& view = told.view;
     if (told.diagram && !told.diagram->empty()) {
@@ -110,7 +110,7 @@ std::vector<Entry> legend(const Told& told, int dots) {
     return entries;
 }
 
-void draw_legend(Pen& pen, const Told& told, double em) {
+void draw_legend(Pen& pen, const CaptionInput& told, double em) {
     const View& view = told.view;
     // Beside the axes, which stand on the left. Where it is too narrow for that it has fewer dots, and all shrinks.
     std::vector<Entry> entries;
@@ -187,13 +187,13 @@ std::string moment_text(const Snapshot& snapshot) {
 
 double text_size(const View& view) { return std::clamp(std::min(view.height / 44.0, view.width / 52.0), 7.0, 60.0); }
 
-Margins caption_margins(const Told& told) {
+Margins caption_margins(const CaptionInput& told) {
     const double em = text_size(told.view);
     const double heading = remarks(told).empty() ? 2.4 : 3.8;
     return {static_cast<int>(heading * em), static_cast<int>(4.2 * em)};
 }
 
-void draw_caption(Pen& pen, const Told& told, const Camera& camera) {
+void draw_caption(Pen& pen, const CaptionInput& told, const Camera& camera) {
     const double em = text_size(told.view);
     draw_heading(pen, told, em);
     draw_legend(pen, told, em);

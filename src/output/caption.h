@@ -11,7 +11,7 @@
 namespace hinge::output {
 
 /// What the caption tells about.
-struct Told {
+struct CaptionInput {
     const View& view;
     const Snapshot& snapshot;
     double scale;            ///< of displacements
@@ -29,11 +29,11 @@ struct Margins {
     int top, bottom;
 };
 
-Margins caption_margins(const Told& told);
+Margins caption_margins(const CaptionInput& told);
 
 /// The moment of a snapshot as pictures show it: "t = 12.5 ms", "load factor 0.62".
 std::string moment_text(const Snapshot& snapshot);
 
-void draw_caption(Pen& pen, const Told& told, const Camera& camera);
+void draw_caption(Pen& pen, const CaptionInput& told, const Camera& camera);
 
 }  // namespace hinge::output

@@ -137,7 +137,7 @@ public:
     }
 
     Pixels draw() {
-        const Told told = this->told();
+        const CaptionInput told = this->told();
         const auto caption = sketch([&](Pen& pen) { draw_caption(pen, told, camera_); });
         const auto words = sketch([&](Pen& pen) { draw_words(pen, words_, camera_, margins_.bottom, em_); });
         std::vector<vtkSmartPointer<vtkRenderer>> layers{caption};
@@ -175,7 +175,7 @@ private:
         set_camera(made, camera_);
         return made;
     }
-    Told told() const {
+    CaptionInput told() const {
         // Pictures with a box are one of several, and those have the same legend.
         const auto any = [&](auto test) {
             return std::any_of(bars_.begin(), bars_.end(), [&](const DrawnBar& b) { return test(*b.bar); });

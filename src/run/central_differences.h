@@ -10,7 +10,7 @@ class CentralDifferences : public Integrator {
 public:
     CentralDifferences(Workspace& w, KeptMass& mass, Stages& stages)
         : Integrator(w, mass, stages), accelerate_(stages.add("accelerate", "inertia")) {
-        w.sweep.set_return_tolerance(one_solution);
+        w.assembly.set_return_tolerance(one_solution);
     }
 
     void predict(const Step& step) override;

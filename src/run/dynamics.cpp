@@ -78,7 +78,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (decides_) at_.decide = stages_.add(decides_, decides_);
     at_.commit = stages_.add("commit", "inertia");
 
-    sweep_.take_up(state_);
+    assembly_.take_up(state_);
     std::vector<Vec6> out_of_balance;
     find_acceleration(out_of_balance);
     if (!step_.failure.empty()) fail(step_.failure);
@@ -181,12 +181,12 @@ void Dynamics::restart() {
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
     find_fixed_ends(1);
-    sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
+    assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
     for (const auto& e : effects_) e->add_forces(time, w_.resisting);
     if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
-    for (int e : sweep_.rotated()) stiffness_changed(e);
-    if (step_.iteration == 0 && sweep_.folded() >= 0) step_.failure = sweep_.failure();
+    for (int e : assembly_.rotated()) stiffness_changed(e);
+    if (step_.iteration == 0 && assembly_.folded() >= 0) step_.failure = assembly_.failure();
 }
 
 /// True: another iteration follows.
@@ -208,27 +208,27 @@ void Dynamics::settle() {
         recover(step_.end());
         integrator_->recovered_last();
     }
-    if (sweep_.unreturned() >= 0) step_.failure = sweep_.failure();
+    if (assembly_.unreturned() >= 0) step_.failure = assembly_.failure();
 }
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
-    for (const auto& e : effects_) e->add_up(step_, state_.accumulated);
+    for (const auto& e : effects_) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
-    for (const auto& e : effects_) e->keep(step_);
-    integrator_->keep();
+    for (const auto& e : effects_) e->before_commit(step_);
+    integrator_->before_commit();
     state_.displacement.swap(w_.trial.displacement);
     state_.rotation.swap(w_.trial.rotation);
     state_.small_rotation.swap(w_.trial.small_rotation);
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
     state_.force.swap(w_.force);
-    for (int e : sweep_.keep_turns(state_, w_.trial)) stiffness_changed(e);
-    integrator_->kept();
-    for (const auto& e : effects_) e->kept(step_);
+    for (int e : assembly_.keep_turns(state_, w_.trial)) stiffness_changed(e);
+    integrator_->after_commit();
+    for (const auto& e : effects_) e->after_commit(step_);
     if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
-    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
+    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
     if (control_.on() && !control_.by_default() && anew_) control_.start_from(energy().error);
     watch_effects();
     ++state_.step;
@@ -250,10 +250,10 @@ void Dynamics::break_elements() {
         for (const auto& e : effects_) e->breaks(b, impulse);
         integrator_->removed(b.element);
         for (const auto& e : effects_) e->broke(b);
-        sweep_.drop(b.element);
+        assembly_.drop(b.element);
     }
-    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
-    Mass& mass = mass_.renewed(pose_of(state_));
+    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
+    Mass& mass = mass_.renewed(configuration_of(state_));
     const double before = work_of_supports(state_.velocity, state_.velocity);
     if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
@@ -273,7 +273,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     for (const auto& e : effects_) e->restart_begins();
     for (Vec6& a : state_.acceleration) a.setZero();
     prescribe();
-    w_.trial = pose_of(state_);
+    w_.trial = configuration_of(state_);
     step_.iteration = 0;
     recover(state_.time);
     for (const auto& e : effects_) e->loads_at(state_.time);
@@ -300,14 +300,14 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
 void Dynamics::add_inertia_to_reactions() {
     const auto moves = [](const Vec6& a) { return !a.isZero(0); };
     if (explicit_steps() || std::none_of(state_.acceleration.begin(), state_.acceleration.end(), moves)) return;
-    Sweep sweep(*structure_, pool_, true);
-    sweep.take_up(state_);
-    Pose pose = pose_of(state_);
+    ElementAssembly assembly(*structure_, pool_, true);
+    assembly.take_up(state_);
+    Configuration pose = configuration_of(state_);
     std::vector<Vec6> with(pose.displacement.size(), Vec6::Zero()), without = with, force = state_.force;
-    std::vector<Yielding> yielding;
-    sweep.run(state_, pose, with, force, yielding);
+    std::vector<PlasticIncrement> yielding;
+    assembly.run(state_, pose, with, force, yielding);
     for (Vec6& a : pose.acceleration) a.setZero();
-    sweep.run(state_, pose, without, force, yielding);
+    assembly.run(state_, pose, without, force, yielding);
     for (int n : w_.supported)
         for (int c = 0; c < 6; ++c)
             if (state_.held[n] >> c & 1) reaction_[n][c] += with[n][c] - without[n][c];
@@ -338,7 +338,7 @@ double Dynamics::work_of_supports(const std::vector<Vec6>& supports, const std::
     return work;
 }
 
-void Dynamics::blocks_changed(const Places& at) {
+void Dynamics::blocks_changed(const ConfigurationView& at) {
     if (EffectiveStiffness* effective = integrator_->effective())
         effective->set_blocks(blocks_at(at, w_.scheme.gamma / (w_.scheme.beta * size_.dt())));
 }
@@ -362,12 +362,12 @@ void Dynamics::watch_effects() {
         if (!e->sleeps()) continue;
         Sleeper& s = *sleeper++;
         if (e->busy()) {
-            if (!s.awake) note_waking(e->name(), true, e->why_awake());
+            if (!s.awake) note_activation(e->name(), true, e->why_awake());
             s.awake = true;
             s.quiet = 0;
         } else if (s.awake && ++s.quiet >= quiet_steps) {
             s.awake = false;
-            note_waking(e->name(), false, "nothing to do for " + std::to_string(quiet_steps) + " steps");
+            note_activation(e->name(), false, "nothing to do for " + std::to_string(quiet_steps) + " steps");
         }
     }
 }
@@ -380,7 +380,7 @@ bool Dynamics::advance() {
         verdict_ = Verdict::completed;
         return false;
     }
-    if (may_take_back_) remember();
+    if (may_take_back_) save_step();
     try {
         do {
             rejected_ = false;
@@ -393,15 +393,15 @@ bool Dynamics::advance() {
             rejected_ = settings_.controlled() && !(control_.by_default() && is_of_load(step_.failure));
             if (!rejected_) fail(step_.failure);
         } while (rejected_ && again_shorter());
-        for (const auto& e : effects_) e->forget();
+        for (const auto& e : effects_) e->release_step();
     } catch (const HookError& e) {
-        take_back();
+        roll_back();
         char at[100];
         std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1,
                       state_.time + size_.dt());
         throw HookError(e.what() + std::string(at));
     } catch (...) {
-        if (may_take_back_) take_back();
+        if (may_take_back_) roll_back();
         throw;
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
@@ -416,7 +416,8 @@ bool Dynamics::advance() {
 void Dynamics::choose_length() {
     if (!size_.varies()) return;
     const auto calm = [&] {
-        return !anew_ && std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->calm(); });
+        return !anew_ &&
+               std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->allows_long_step(); });
     };
     const auto changes = [&] {
         double after[StepSize::long_step];
@@ -431,9 +432,9 @@ void Dynamics::take_steps_of(long length) {
     if (length == size_.length()) return;
     const long own = size_.own_length();
     if (std::max(length, size_.length()) > own)
-        note_waking("long steps", length > own,
-                    length > own ? "nothing yields, breaks or touches" : "back to the shortest");
-    else if (length == own) note_waking("short steps", false, "back to dt");
+        note_activation("long steps", length > own,
+                        length > own ? "nothing yields, breaks or touches" : "back to the shortest");
+    else if (length == own) note_activation("short steps", false, "back to dt");
     set_length(length);
 }
 
@@ -446,32 +447,32 @@ void Dynamics::set_length(long length) {
 // ---- steps that are taken back --------------------------------------------------------------------------------------
 
 /// Whatever a step changes before it commits, beside what is tried.
-void Dynamics::remember() {
-    for (const auto& e : effects_) e->remember();
+void Dynamics::save_step() {
+    for (const auto& e : effects_) e->save_step();
     before_ = {state_.accumulated, size_, anew_, integrator_->fastest};
 }
 
 /// A rule of the script failed, or step control takes the step back: all as it was before.
-void Dynamics::take_back() {
+void Dynamics::roll_back() {
     set_length(before_.size->length());
     state_.accumulated = before_.accumulated;
     size_ = *before_.size;
     anew_ = before_.anew;
     integrator_->fastest = before_.fastest;
     step_.breaks.clear();
-    for (const auto& e : effects_) e->take_back();
+    for (const auto& e : effects_) e->roll_back();
 }
 
 /// The step is taken back and halved; false when it is the finest already: the run ends.
 bool Dynamics::again_shorter() {
     const std::string why = std::move(step_.failure);
     const long tried = size_.length();
-    take_back();
+    roll_back();
     if (tried > 1) {
         const long next = size_.halved(tried);
-        if (tried == size_.own_length()) note_waking("short steps", true, why);
+        if (tried == size_.own_length()) note_activation("short steps", true, why);
         set_length(next);
-        remember();
+        save_step();
         return true;
     }
     char finest[80];
@@ -502,9 +503,9 @@ Energy Dynamics::energy_of_trial() {
         state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
             state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity);
     };
-    for (const auto& e : effects_) e->add_up(step_, state_.accumulated);
+    for (const auto& e : effects_) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
-    for (const Yielding& y : w_.yielding) {
+    for (const PlasticIncrement& y : w_.yielding) {
         plastic.push_back(state_.plastic[y.element]);
         state_.plastic[y.element] += y.flow.plastic;
     }
@@ -540,7 +541,7 @@ bool Dynamics::is_abrupt() {
     const double limit = control_.abrupt() * largest_energy_.most();
     const double expected = motions_.size() < 2 ? motion_ : 2 * motions_[0] - motions_[1];
     double flow = 0;
-    for (const Yielding& y : w_.yielding) flow += std::abs(y.flow.dissipation);
+    for (const PlasticIncrement& y : w_.yielding) flow += std::abs(y.flow.dissipation);
     return !(std::abs(motion_ - expected) <= limit && flow <= much_flow * limit);
 }
 
@@ -586,7 +587,7 @@ void Dynamics::look_at_pairs() {
             jump[0] -= side * (whole.Qx + (p[2] + p[3]) / e.length);
             jump[1] -= side * (whole.Qy - (p[0] + p[1]) / e.length);
         }
-        const Mat3 axes = axes_of(place_element(*structure_, at[0], state_));
+        const Mat3 axes = axes_of(element_frame(*structure_, at[0], state_));
         return w_.external[node].head<3>() + jump[0] * axes.col(0) + jump[1] * axes.col(1);
     };
     warn(pairs_.missed_moments(
@@ -635,10 +636,11 @@ void Dynamics::guard() {
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
     std::optional<std::string> lost;
     if (due)
-        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running, Guard::may_grow(tolerance()), what);
+        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running, EnergyMonitor::may_grow(tolerance()),
+                           what);
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite
-    if (!lost && (sweep_.folded() >= 0 || is_of_load(reason_))) return;
+    if (!lost && (assembly_.folded() >= 0 || is_of_load(reason_))) return;
     const std::string why = !failed ? *lost : lost ? reason_ + "; before it, " + *lost : reason_;
     fail(why);
     if (!settings_.trial) fail(why + advice());

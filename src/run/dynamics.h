@@ -5,7 +5,7 @@
 // is the integrator's (integrator.h), how long a step is StepSize's, whether the run may go on the guard's.
 #pragma once
 
-#include "run/energy_watch.h"
+#include "run/energy_monitor.h"
 #include "run/integrator.h"
 #include "run/settings.h"
 #include "run/spinning.h"
@@ -48,7 +48,7 @@ public:
 private:
     // Host
     void stiffness_changed(int element) override { integrator_->stiffness_changed(element); }
-    void blocks_changed(const Places& at) override;
+    void blocks_changed(const ConfigurationView& at) override;
     void set_offset_mass(int node, const Mat6& mass) override;
     void leave_out(const std::vector<int>& resting) override;
     void accelerations_anew() override { anew_ = true; }
@@ -78,8 +78,8 @@ private:
     void choose_length();
     void take_steps_of(long length);
     void set_length(long length);
-    void remember();
-    void take_back();
+    void save_step();
+    void roll_back();
     bool again_shorter();
     std::string crushed() const;
     struct Remedy {
@@ -116,7 +116,7 @@ private:
     KeptMass mass_;
     std::unique_ptr<Integrator> integrator_;
     LargestEnergy largest_energy_;
-    Guard guard_;
+    EnergyMonitor guard_;
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false;  ///< what effects of this scene do in a step
     const char* decides_ = nullptr;

@@ -62,7 +62,7 @@ void Dynamics::fields(Self& s, A& a) {
 void Dynamics::save(std::string& to) const {
     Writer write(to);
     fields(*this, write);
-    write(sweep_);
+    write(assembly_);
 }
 
 void Dynamics::restore(std::string_view saved) {
@@ -80,12 +80,12 @@ void Dynamics::read(std::string_view saved) {
     Reader reader(saved);
     fields(*this, reader);
     reader.must(makes_sense());
-    w_.trial = pose_of(state_);
+    w_.trial = configuration_of(state_);
     std::vector<const State*> states{&state_};
     if (const State* good = guard_.good_state()) states.push_back(good);
     for (const auto& e : effects_) reader.must(e->restored(states));
-    sweep_.take_up(state_);
-    reader(sweep_);
+    assembly_.take_up(state_);
+    reader(assembly_);
     reader.must(reader.rest().empty());
 }
 
@@ -107,7 +107,7 @@ bool Dynamics::makes_sense() const {
     for (const auto& e : effects_) sleepers += e->sleeps();
     return states && lengths && held && size_.makes_sense() && sleepers_.size() == sleepers &&
            verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
-           all(w_.yielding, [&](const Yielding& y) { return within(elements)(y.element); }) &&
+           all(w_.yielding, [&](const PlasticIncrement& y) { return within(elements)(y.element); }) &&
            all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;
 }
 

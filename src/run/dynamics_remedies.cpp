@@ -71,7 +71,8 @@ std::vector<Dynamics::Remedy> Dynamics::remedies() const {
     if (may_conserve)
         add("integrator = 'energy-momentum'", [](DynamicSettings& s) {
             s.conserving = true, s.automatic = s.chosen = false;
-            s.beta = 0.25, s.rho_infinity = 1, s.iterations = 0, s.predictor = Predictor::by_step, s.narrow = true;
+            s.beta = 0.25, s.rho_infinity = 1, s.iterations = 0, s.predictor = Predictor::by_step,
+            s.single_precision = true;
             s.tolerance = 1e-8, s.rebuild_angle = 0.002, s.control(0.01);
         });
     if (newmark && settings_.alpha() == 0)

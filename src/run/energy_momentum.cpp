@@ -81,9 +81,9 @@ void EnergyMomentum::find_node_inertia() {
 
 void EnergyMomentum::begin(const EffectList& effects) {
     effects_ = &effects;
-    effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1, 0.25 * settings_.dt * settings_.dt,
-                                                      settings_.geometric,
-                                                      settings_.solver.direct ? Keeping::direct : Keeping::iterative);
+    effective_ = std::make_unique<EffectiveStiffness>(
+        w_.structure, w_.pool, 1, 0.25 * settings_.dt * settings_.dt, settings_.geometric,
+        settings_.solver.direct ? MatrixStorage::direct : MatrixStorage::iterative);
     effective_->set_held(w_.state.held);
     std::vector<ElementDamping> damping;
     for (const auto& effect : effects)
@@ -106,10 +106,10 @@ void EnergyMomentum::start_from_forces() {
 
 // ---- elements ------------------------------------------------------------------------------------------------------
 
-EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const Places& at) const {
+EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const ConfigurationView& at) const {
     const Element& e = w_.structure.elements()[index];
     AtEnd end;
-    end.place = place_element(w_.structure, index, at);
+    end.place = element_frame(w_.structure, index, at);
     end.chord = chord_of(e, at.displacement);
     for (int i : {0, 1}) end.axes[i] = (at.rotation[e.node[i]] * e.axes).toRotationMatrix();
     end.d = element_deformation(w_.structure, index, at, end.place);
@@ -178,7 +178,7 @@ double EnergyMomentum::work_beyond_means(int first, const AtEnd (&b)[2]) const {
     for (int k : {0, 1}) {
         const int i = first + k;
         const auto at = std::lower_bound(w_.yielding.begin(), w_.yielding.end(), i,
-                                         [](const Yielding& y, int element) { return y.element < element; });
+                                         [](const PlasticIncrement& y, int element) { return y.element < element; });
         const bool flows = at != w_.yielding.end() && at->element == i;
         const Vec6 flow = flows ? at->flow.plastic : Vec6(Vec6::Zero()), p = 0.5 * (first_[i].p + w_.force[i]);
         before[k] = first_[i].d - w_.state.plastic[i];
@@ -354,7 +354,7 @@ void EnergyMomentum::mark_changed(int iteration) {
         for (int i = first; i < end; ++i)
             has_turned_[i] =
                 !w_.state.broken[i] && !in_rebuild_[i] &&
-                (all || (axes_of(place_element(w_.structure, i, middle_)) - built_[i]).squaredNorm() > 2 * limit);
+                (all || (axes_of(element_frame(w_.structure, i, middle_)) - built_[i]).squaredNorm() > 2 * limit);
     });
     for (std::size_t i = 0; i < built_.size(); ++i)
         if (has_turned_[i]) stiffness_changed(int(i));
@@ -362,12 +362,12 @@ void EnergyMomentum::mark_changed(int iteration) {
 
 void EnergyMomentum::renew_effective_stiffness() {
     flowing_.clear();
-    for (const Yielding& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
+    for (const PlasticIncrement& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
-        const std::vector<GivenTangent> given =
-            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding);
+        const std::vector<ElementTangent> given =
+            given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         effective_->build(rebuild_, w_.state, middle_, given);
@@ -375,7 +375,7 @@ void EnergyMomentum::renew_effective_stiffness() {
             for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
                 if (effect->watches_matrix(rebuild_[i]))
                     effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given));
-        for (int e : rebuild_) built_[e] = axes_of(place_element(w_.structure, e, middle_)), in_rebuild_[e] = 0;
+        for (int e : rebuild_) built_[e] = axes_of(element_frame(w_.structure, e, middle_)), in_rebuild_[e] = 0;
         rebuild_.clear();
     }
     effective_->assemble();
@@ -427,22 +427,22 @@ bool EnergyMomentum::correct(Step& step) {
 
 void EnergyMomentum::recovered_last() {
     double section[2];
-    const int n = w_.sweep.sections(section);
-    for (Yielding& y : w_.yielding) {
-        const beam::FixedEnd& fixed = w_.sweep.fixed_end(y.element);
+    const int n = w_.assembly.sections(section);
+    for (PlasticIncrement& y : w_.yielding) {
+        const beam::FixedEnd& fixed = w_.assembly.fixed_end(y.element);
         y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
                              beam::work_of(fixed, y.flow, w_.structure.elements()[y.element].yield, section, n, fixed);
     }
 }
 
 /// The mean acceleration over the step: what the method has of it.
-void EnergyMomentum::keep() {
+void EnergyMomentum::before_commit() {
     const double dt = step_;
     for (std::size_t i = 0; i < change_.size(); ++i)
         w_.trial.acceleration[i] = (w_.trial.velocity[i] - w_.state.velocity[i]) / dt;
 }
 
-void EnergyMomentum::kept() {
+void EnergyMomentum::after_commit() {
     held_by_effects_ = w_.resisting;
     load_ = w_.external;
 }

@@ -38,8 +38,8 @@ public:
     bool recovers_last() const override { return true; }
     void recovered_last() override;
     int correct_stage() override { return correct_stage_; }
-    void keep() override;
-    void kept() override;
+    void before_commit() override;
+    void after_commit() override;
 
     void stiffness_changed(int element) override;
     void dt_changed(double dt) override;
@@ -58,11 +58,11 @@ private:
         Mat3 axes[2];  ///< of its two nodes: columns, in space
         Vec6 d, p;     ///< deformation; forces on it
         Products s;    ///< products, without dimension
-        PlacedElement place;
+        ElementFrame place;
     };
     template <class Self, class A>
     static void fields(Self& s, A& a);
-    AtEnd at_end(int element, const Places& at) const;
+    AtEnd at_end(int element, const ConfigurationView& at) const;
     void find_node_inertia();
     void begin_elements();
     static Products on_products(const AtEnd& end, double L, const Vec6& p);
@@ -90,7 +90,7 @@ private:
     std::vector<AtEnd> first_;                  ///< of each element, where the step begins
     std::vector<Vec12> of_element_;             ///< mean forces of each element on its nodes
     std::vector<Vec6> momentum_;                ///< of each node where the step begins
-    Pose middle_;
+    Configuration middle_;
     std::vector<Vec6> right_, change_;
     std::vector<int> rebuild_;
     std::vector<char> in_rebuild_, has_turned_;

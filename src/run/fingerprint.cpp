@@ -73,9 +73,9 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
     parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
-        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.rebuild_angle, s.narrow, s.energy_tolerance,
-          s.step_control, s.controlled_by_default, s.rho_infinity, s.conserving, s.rest, s.solver.direct,
-          s.solver.tolerance, s.solver.max_iterations);
+        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.rebuild_angle, s.single_precision,
+          s.energy_tolerance, s.step_control, s.controlled_by_default, s.rho_infinity, s.conserving, s.rest,
+          s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
     }));
     for (const auto& [effect, what] : model.declarations()) {
         std::string bytes;

@@ -56,7 +56,7 @@ std::string Integrator::weakest_part() {
     }
     const int e = weakest.element;
     std::string why;
-    if (std::any_of(w_.yielding.begin(), w_.yielding.end(), [&](const Yielding& y) { return y.element == e; }))
+    if (std::any_of(w_.yielding.begin(), w_.yielding.end(), [&](const PlasticIncrement& y) { return y.element == e; }))
         why = ", which yields,";
     else if (const double N = w_.force[e][4]; N < 0) why = ", under a compression of " + number_text(-N, 3) + " N,";
     return at + s.element_name(e) + why + " has a negative stiffness for the motion that is solved for";

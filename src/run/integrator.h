@@ -17,7 +17,7 @@ public:
         if (!is_stale_[element]) is_stale_[element] = 1, stale_.push_back(element);
     }
     /// Takes up what has changed, as it is at `pose`.
-    Mass& renewed(const Pose& pose) {
+    Mass& renewed(const Configuration& pose) {
         is_stale_.assign(w_.state.broken.size(), 0);
         if (mass_) mass_->renew(stale_, w_.state, pose);
         else mass_ = std::make_unique<Mass>(w_.structure, w_.state);
@@ -45,7 +45,7 @@ private:
     std::vector<char> is_stale_;
 };
 
-/// Return tolerance of the sweep where a step is solved once (Sweep::set_return_tolerance).
+/// Return tolerance of the assembly where a step is solved once (ElementAssembly::set_return_tolerance).
 inline constexpr double one_solution = 1e-4;
 
 class Integrator {
@@ -76,8 +76,8 @@ public:
     virtual int correct_stage() = 0;
     /// What a dissipative method took out of the step, J.
     virtual double dissipated(const Step& step) const { return (void)step, 0; }
-    virtual void keep() {}
-    virtual void kept() {}
+    virtual void before_commit() {}
+    virtual void after_commit() {}
 
     virtual void stiffness_changed(int element) { (void)element; }
     virtual void dt_changed(double dt) { (void)dt; }

@@ -87,7 +87,7 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
         iterations_ = newton ? 30 : 1;
         if (newton) tolerance_ = std::max(tolerance_, 1e-6);
     }
-    if (iterations_ == 1) w.sweep.set_return_tolerance(one_solution);
+    if (iterations_ == 1) w.assembly.set_return_tolerance(one_solution);
     if (can_yield) yield_stage_ = stages.add("yield", "plasticity");
     stiffness_stage_ = stages.add("stiffness", "inertia");
     solve_stage_ = stages.add("solve", "inertia");
@@ -109,9 +109,10 @@ void Newmark::begin(const EffectList& effects) {
     if (settings_.iterations == 0 && displacement_predictor_ && bends)
         iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
     w_.solved_at_once = displacement_predictor_ && iterations_ == 1;
-    const Keeping keeping = settings_.solver.direct                        ? Keeping::direct
-                            : settings_.narrow && !displacement_predictor_ ? Keeping::narrow
-                                                                           : Keeping::iterative;
+    const MatrixStorage keeping = settings_.solver.direct ? MatrixStorage::direct
+                                  : settings_.single_precision && !displacement_predictor_
+                                      ? MatrixStorage::single_precision
+                                      : MatrixStorage::iterative;
     effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1 - w_.scheme.alpha,
                                                       w_.scheme.beta * settings_.dt * settings_.dt,
                                                       settings_.geometric && w_.structure.large(), keeping);
@@ -124,7 +125,7 @@ void Newmark::begin(const EffectList& effects) {
             damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
         }
     effective_->set_damping(std::move(damping), w_.scheme.gamma * settings_.dt);
-    if (w_.structure.large()) w_.sweep.watch_rotation(settings_.rebuild_angle);
+    if (w_.structure.large()) w_.assembly.watch_rotation(settings_.rebuild_angle);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
 }
@@ -134,7 +135,7 @@ void Newmark::begin(const EffectList& effects) {
 void Newmark::predict(const Step& step) {
     const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
     const State& s = w_.state;
-    Pose& trial = w_.trial;
+    Configuration& trial = w_.trial;
     if (displacement_predictor_) {
         for (std::size_t i = 0; i < w_.rotation_step.size(); ++i) {
             trial.displacement[i] = s.displacement[i];
@@ -178,9 +179,10 @@ void Newmark::solve(Step& step) {
 /// Which elements flow: their effective stiffness takes [D_p] (eq 10a); those that stopped go back to [D_e]. In short
 /// steps, where inertia rules, a [D_p] that has changed by less than `same_tangent` of [D_e] stays.
 void Newmark::mark_yielding() {
-    const std::vector<Yielding>& yielding = w_.yielding;
+    const std::vector<PlasticIncrement>& yielding = w_.yielding;
     tangents_.clear();
-    for (const Yielding& y : yielding) tangents_.push_back(yield_tangent(w_.structure, w_.state, w_.sweep, y));
+    for (const PlasticIncrement& y : yielding)
+        tangents_.push_back(yield_tangent(w_.structure, w_.state, w_.assembly, y));
     std::size_t next = 0;
     for (int e : was_yielding_) {
         while (next < yielding.size() && yielding[next].element < e) ++next;
@@ -203,8 +205,8 @@ void Newmark::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
         std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
         std::sort(rebuild_.begin(), rebuild_.end());
-        const std::vector<GivenTangent> given =
-            given_tangents(w_.structure, w_.state, w_.trial, w_.sweep, rebuild_, w_.yielding);
+        const std::vector<ElementTangent> given =
+            given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
         for (std::size_t i = 0; i < tangents_.size(); ++i)
             if (const int e = w_.yielding[i].element; in_rebuild_[e]) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
@@ -215,7 +217,7 @@ void Newmark::renew_effective_stiffness() {
                     effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given));
         w_.force.swap(w_.state.force);
         for (int e : rebuild_) {
-            w_.sweep.mark_built(e, w_.state, w_.trial);
+            w_.assembly.mark_built(e, w_.state, w_.trial);
             in_rebuild_[e] = 0;
             if (mass_.now()) mass_.changed(e);
         }
@@ -258,7 +260,7 @@ void Newmark::solve_for_change(Step& step) {
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
 bool Newmark::correct(Step& step) {
     const double dt = step.dt, to_u = w_.scheme.beta * dt * dt, to_v = w_.scheme.gamma * dt, to_a = 1 - w_.scheme.alpha;
-    Pose& trial = w_.trial;
+    Configuration& trial = w_.trial;
     if (iterations_ > 1) {
         double whole = 0;
         for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
@@ -357,7 +359,7 @@ double Newmark::dissipated(const Step& step) const {
         const AtNode one = at(e.node[0]), two = at(e.node[1]);
         const Vec6 v[2] = {one.mean_velocity, two.mean_velocity}, lag[2] = {one.lag, two.lag},
                    weighted[2] = {one.mean_weighted, two.mean_weighted}, rise[2] = {one.rise, two.rise};
-        const Mat3 to_element = axes_of(place_element(w_.structure, int(i), w_.trial)).transpose();
+        const Mat3 to_element = axes_of(element_frame(w_.structure, int(i), w_.trial)).transpose();
         const beam::Inertia m = w_.structure.inertia(int(i));
         sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, weighted, rise);
     }
@@ -370,11 +372,11 @@ double Newmark::dissipated(const Step& step) const {
     return sum;
 }
 
-void Newmark::keep() {
+void Newmark::before_commit() {
     if (w_.scheme.alpha != 0) w_.weighted.swap(w_.next_weighted);
 }
 
-void Newmark::kept() {
+void Newmark::after_commit() {
     if (displacement_predictor_) hinges_ = flowing_on(w_.yielding);
 }
 
@@ -412,7 +414,7 @@ void Newmark::restore(Reader& from) {
     bool good = change_.size() == lumped_.size();
     for (const std::vector<int>* list : {&was_yielding_, &rebuild_})
         good = good && std::all_of(list->begin(), list->end(), within);
-    for (const Yielding& y : hinges_) good = good && within(y.element);
+    for (const PlasticIncrement& y : hinges_) good = good && within(y.element);
     from.must(good && fastest.node < int(lumped_.size()));
     in_rebuild_.assign(elements, 0);
     for (int e : rebuild_) in_rebuild_[e] = 1;

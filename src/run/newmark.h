@@ -30,8 +30,8 @@ public:
     void recovered_last() override;
     int correct_stage() override { return correct_stage_; }
     double dissipated(const Step& step) const override;
-    void keep() override;
-    void kept() override;
+    void before_commit() override;
+    void after_commit() override;
 
     void stiffness_changed(int element) override;
     void dt_changed(double dt) override;
@@ -65,8 +65,8 @@ private:
     std::vector<char> in_rebuild_;
     std::vector<Mat6> tangents_;  ///< of the elements that flow
     std::vector<int> was_yielding_;
-    std::vector<Yielding> hinges_;         ///< of the last step, with the displacement predictor
-    std::unordered_map<int, Mat6> built_;  ///< D_p in the effective stiffness, of the elements that have it there
+    std::vector<PlasticIncrement> hinges_;  ///< of the last step, with the displacement predictor
+    std::unordered_map<int, Mat6> built_;   ///< D_p in the effective stiffness, of the elements that have it there
     double first_change_ = 0, last_change_ = 0, damping_ = 1;
     double unseen_ = 0;             ///< m: root of the sum of squares of corrections that are the coordinates' rounding
     double jump_ = 0, motion_ = 0;  ///< of the last step: dt |da| / |v|; sum of m v^2

@@ -6,7 +6,7 @@
 
 #include "beam/beam_column.h"
 #include "core/text.h"
-#include "state/pose.h"
+#include "state/configuration.h"
 
 namespace hinge {
 namespace {
@@ -73,7 +73,7 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
         const Element& e = structure.elements()[i];
         const Vec3 load = load_on(e.node[1]);
         if (load.isZero(0)) continue;
-        const Mat3 axes = axes_of(place_element(structure, int(i), state));
+        const Mat3 axes = axes_of(element_frame(structure, int(i), state));
         const Eigen::Vector2d has = largest_moment(int(i)).cwiseMax(largest_moment(int(i) + 1));
         for (int plane : {0, 1}) {  // bending about x is by loads along y
             const double n = by.part[plane], EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;

@@ -20,9 +20,9 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
     : structure_(std::move(structure)),
       state_(std::move(start)),
       pool_(threads),
-      sweep_(*structure_, pool_, inertia),
-      w_{*structure_, state_,    pool_, sweep_, kind, {},   pose_of(state_), 0, {}, {}, {}, state_.force, {},
-         {},          reaction_, {},    {},     {},   false},
+      assembly_(*structure_, pool_, inertia),
+      w_{*structure_, state_, pool_, assembly_, kind, {}, configuration_of(state_), 0, {}, {}, {}, state_.force, {}, {},
+         reaction_,   {},     {},    {},        false},
       effects_(effects_of(w_, *this)),
       accounts_(accounts_of(effects_)),
       at_start_(state_.accumulated),
@@ -45,7 +45,7 @@ Energy Run::energy_of(const State& state) const {
     return balance(accounts_, initial_, sums);
 }
 
-Blocks Run::blocks_at(const Places& at, double of_damping) const {
+Blocks Run::blocks_at(const ConfigurationView& at, double of_damping) const {
     Blocks blocks(of_damping);
     for (const auto& e : effects_)
         if (e->has_blocks()) e->add_blocks(at, blocks);
@@ -65,8 +65,8 @@ void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
     for (const auto& e : effects_) e->keep_from_rest(bodies, rests);
 }
 
-void Run::note_waking(const std::string& effect, bool awake, const std::string& why) {
-    if (wakings_.size() < 1000) wakings_.push_back({state_.time, effect, awake, why});
+void Run::note_activation(const std::string& effect, bool awake, const std::string& why) {
+    if (activations_.size() < 1000) activations_.push_back({state_.time, effect, awake, why});
 }
 
 void Run::stop() {
@@ -144,7 +144,7 @@ double Run::yield_value(int element) const {
 }
 
 void Run::find_fixed_ends(double factor) {
-    std::vector<beam::FixedEnd>& all = sweep_.fixed_ends();
+    std::vector<beam::FixedEnd>& all = assembly_.fixed_ends();
     const bool asked = structure_->can_yield() || !structure_->model().fracture().empty();
     if (!asked || std::none_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->has_fixed_ends(); }))
         return all.clear();

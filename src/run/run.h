@@ -45,7 +45,7 @@ public:
     /// The accounts of the energy balance, in the order in which they are shown.
     const AccountList& accounts() const { return accounts_; }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
-    struct Waking {
+    struct Activation {
         double time;
         std::string effect;
         bool awake;
@@ -55,7 +55,7 @@ public:
             a(s.time, s.effect, s.awake, s.why);
         }
     };
-    const std::vector<Waking>& wakings() const { return wakings_; }
+    const std::vector<Activation>& activations() const { return activations_; }
     /// What it cannot show, or may have passed over; each once.
     const std::vector<RunWarning>& warnings() const { return warnings_; }
     /// What effects have to say of the run as a whole, up to now.
@@ -64,7 +64,7 @@ public:
     /// What broke in the step done last, with its cause.
     virtual std::span<const Break> broken_last() const { return {}; }
     long steps_done() const { return state_.step - first_step_; }
-    long element_updates() const { return sweep_.updates(); }
+    long element_updates() const { return assembly_.updates(); }
 
     Vec6 displacement(int node) const;  ///< ux uy uz (m), rotation vector rx ry rz (rad)
     Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
@@ -87,13 +87,13 @@ protected:
     void warn(std::optional<RunWarning> warning);
     Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
-    Blocks blocks_at(const Places& at, double of_damping) const;
-    /// Where the nodes are tried to be, for the sweep. `factor`: the load factor of statics.
+    Blocks blocks_at(const ConfigurationView& at, double of_damping) const;
+    /// Where the nodes are tried to be, for the assembly. `factor`: the load factor of statics.
     void find_fixed_ends(double factor);
 
     // Host: what a static run has no use for does nothing.
     void stiffness_changed(int) override {}
-    void blocks_changed(const Places&) override {}
+    void blocks_changed(const ConfigurationView&) override {}
     void set_offset_mass(int, const Mat6&) override {}
     void leave_out(const std::vector<int>&) override {}
     void accelerations_anew() override {}
@@ -101,29 +101,29 @@ protected:
     ImpulseResponse respond(const std::vector<Vec6>&) override { return {}; }
     void change_steady_load(int node, const Vec3& force) override;
     void reached(const std::vector<Reached>& elements) override;
-    void note_waking(const std::string& effect, bool awake, const std::string& why) override;
+    void note_activation(const std::string& effect, bool awake, const std::string& why) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
     void count_break() override { ++breaks_; }
     bool has_effective_stiffness() const override { return true; }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.wakings_, s.first_step_, s.breaks_,
-          s.warnings_, s.pairs_);
+        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.activations_, s.first_step_,
+          s.breaks_, s.warnings_, s.pairs_);
     }
 
     std::shared_ptr<const Structure> structure_;
     State state_;
     std::unordered_map<int, Vec6> reaction_;  ///< of nodes with a degree of freedom that is held
     ThreadPool pool_;
-    Sweep sweep_;
+    ElementAssembly assembly_;
     Workspace w_;
     EffectList effects_;
     AccountList accounts_;
     double initial_ = 0;  ///< J, kinetic and elastic energy at the start
     Accounts at_start_;   ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
-    std::vector<Waking> wakings_;
+    std::vector<Activation> activations_;
     std::vector<RunWarning> warnings_;
     PressedPairs pairs_;
     std::string reason_;

@@ -35,7 +35,8 @@ struct DynamicSettings {
     double tolerance = 1e-10;     ///< of Newton: correction of the acceleration, relative to the step's first
     bool geometric = true;        ///< initial-stress stiffness in the effective stiffness (the forces are exact anyway)
     double rebuild_angle = 0.01;  ///< rad: an element's effective stiffness is rebuilt when it has rotated by this much
-    bool narrow = true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
+    bool single_precision =
+        true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
     /// The run ends, failed, when the energy balance error is a larger part of the largest energy. 0: never, the
     /// default of Shift::whole, whose balance cannot close; else Dynamics::energy_may_miss.
     std::optional<double> energy_tolerance;

@@ -41,7 +41,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     : Run(std::move(structure), std::move(start), RunKind{}, 1, false),
       settings_(std::move(settings)),
       held_(state_.held),
-      effective_(std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::direct)) {
+      effective_(std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, MatrixStorage::direct)) {
     const Model& model = structure_->model();
     const std::size_t nodes = structure_->position().size();
     for (std::size_t i = 0; i < settings_.held.size(); ++i) held_[i] |= settings_.held[i];
@@ -61,7 +61,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     refuse_idle_loads();
     find_way();
     state_.factor = 0;
-    sweep_.take_up(state_);
+    assembly_.take_up(state_);
     effective_->set_held(held_);
     step_size_ = 1.0 / settings_.steps;
     recover();
@@ -75,7 +75,8 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
         return e->loads_follow() && (!e->has_potential() || !state_.offset_mass.empty());
     });
     if ((moments || turns) && structure_->large()) {
-        effective_ = std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, Keeping::unsymmetric);
+        effective_ =
+            std::make_unique<EffectiveStiffness>(*structure_, pool_, 0.0, 1.0, true, MatrixStorage::unsymmetric);
         effective_->set_held(held_);
         built_ = false;
     }
@@ -112,21 +113,21 @@ void Statics::recover() {
         for (Vec6& n : w_.resisting) n.setZero();
         w_.factor = trial_factor_;
         find_fixed_ends(trial_factor_);
-        sweep_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
+        assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
         for (const auto& e : effects_) e->add_forces(0, w_.resisting);
         if (loads_follow_) find_loads();
     });
 }
 
 /// What elements that flow resist with as the load factor grows, by what loads between their nodes do there.
-void Statics::find_flow_by_load(const std::vector<GivenTangent>& given) {
+void Statics::find_flow_by_load(const std::vector<ElementTangent>& given) {
     flow_by_load_.clear();
-    if (sweep_.fixed_ends().empty() || given.empty()) return;
-    const std::vector<beam::FixedEnd> now = sweep_.fixed_ends();
+    if (assembly_.fixed_ends().empty() || given.empty()) return;
+    const std::vector<beam::FixedEnd> now = assembly_.fixed_ends();
     find_fixed_ends(trial_factor_ + 1);
-    std::vector<beam::FixedEnd> change = std::move(sweep_.fixed_ends());
+    std::vector<beam::FixedEnd> change = std::move(assembly_.fixed_ends());
     for (std::size_t i = 0; i < now.size(); ++i) change[i] = change[i] - now[i];
-    sweep_.fixed_ends() = now;
+    assembly_.fixed_ends() = now;
     flow_by_load_.assign(w_.external.size(), Vec6::Zero());
     add_response(*structure_, state_, w_.trial, given, change, flow_by_load_);
 }
@@ -147,16 +148,16 @@ bool Statics::renew_and_factorise(double off_balance) {
                 if (!state_.broken[i]) list.push_back(int(i));
         } else {
             list = was_yielding_;
-            for (const Yielding& y : w_.yielding) list.push_back(y.element);
+            for (const PlasticIncrement& y : w_.yielding) list.push_back(y.element);
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
         }
         was_yielding_.clear();
         const double share = std::max(hinge_regularisation(off_balance), stiffening_);
-        std::vector<GivenTangent> given = given_tangents(*structure_, state_, w_.trial, sweep_, list, w_.yielding);
+        std::vector<ElementTangent> given = given_tangents(*structure_, state_, w_.trial, assembly_, list, w_.yielding);
         find_flow_by_load(given);
         std::size_t next = 0;
-        for (const Yielding& y : w_.yielding) {
+        for (const PlasticIncrement& y : w_.yielding) {
             const Element& e = structure_->elements()[y.element];
             const beam::Rigidity& r = e.rigidity;
             Vec6 bare;
@@ -207,7 +208,7 @@ void Statics::move(double factor, const std::vector<Vec6>& by) {
 /// Newton from the last equilibrium. `increment`: of the factor (load), of the way to the target (displacement), of the
 /// arc (in units of the first step's).
 Statics::Outcome Statics::equilibrate(double increment, bool flowing_on) {
-    w_.trial = pose_of(state_);
+    w_.trial = configuration_of(state_);
     trial_factor_ = state_.factor;
     return go_on_from_trial(increment, flowing_on);
 }
@@ -219,7 +220,7 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
     double arc = 0;
     recover();
     // the first guess: what flowed flows on; or, if that did not lead anywhere, all is elastic and hinges may unload
-    w_.yielding = flowing_on ? hinges_ : std::vector<Yielding>{};
+    w_.yielding = flowing_on ? hinges_ : std::vector<PlasticIncrement>{};
     double first = 0, last_balance = 0, off_balance = first_off_balance;
     const bool tangent_known = tangent_known_ && w_.yielding.empty();
     tangent_known_ = tangent_of_trial_ = false;
@@ -283,7 +284,7 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
             return Outcome::diverged;
         // The set of hinges may differ at the two ends of the step, and Newton then swings between them: a step that
         // makes the balance worse is taken by half, and by half again.
-        const Pose before = w_.trial;
+        const Configuration before = w_.trial;
         const std::vector<Vec3> moved_before = w_.rotation_step;
         const double factor_before = trial_factor_;
         double scale = 0, r = 0, share = 1;
@@ -309,7 +310,7 @@ Statics::Outcome Statics::go_on_from_trial(double increment, bool flowing_on) {
         if (iteration == 1) first = std::max(r, 1e-300);
         const bool stalled = iteration > 3 && size <= 1e-12 * reach_ && angle <= 1e-11 && r <= 1e-6 * scale;
         if (r <= settings_.tolerance * scale || r <= noise_ || stalled) {
-            if (!sweep_.failure().empty()) return Outcome::diverged;
+            if (!assembly_.failure().empty()) return Outcome::diverged;
             converged_in_ = iteration;
             last_move_ = total;
             return Outcome::converged;
@@ -341,18 +342,18 @@ void Statics::commit(double before) {
             work += held_loads_[i].head<3>().dot(du) + held_loads_[i].tail<3>().dot(w_.rotation_step[i]);
     }
     take_reactions(trial_factor_);
-    for (const auto& e : effects_) e->add_up(step, state_.accumulated);
-    for (const auto& e : effects_) e->keep(step);
+    for (const auto& e : effects_) e->accumulate_energy(step, state_.accumulated);
+    for (const auto& e : effects_) e->before_commit(step);
     state_.displacement = w_.trial.displacement;
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
     state_.force = w_.force;
-    sweep_.keep_turns(state_, w_.trial);
+    assembly_.keep_turns(state_, w_.trial);
     state_.factor = trial_factor_;
     hinges_ = flowing_on(w_.yielding);
-    for (const auto& e : effects_) e->kept(step);
+    for (const auto& e : effects_) e->after_commit(step);
     tangent_known_ = tangent_of_trial_ && !w_.points_moved;
-    if (w_.points_moved) sweep_.take_up(state_), w_.points_moved = false;
+    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
     ++substeps_;
 }
 
@@ -376,7 +377,7 @@ Statics::Found Statics::try_step(double increment) {
 /// If not, the step has leapt over a snap. Asked where Newton's iteration took long, as it does over a leap.
 bool Statics::leads_back(double increment) {
     if (!structure_->large() || converged_in_ <= quick || !w_.yielding.empty() || !hinges_.empty()) return true;
-    const Pose arrived = w_.trial;
+    const Configuration arrived = w_.trial;
     const std::vector<Vec3> rotation_step = w_.rotation_step;
     const std::vector<Vec6> force = w_.force, resisting = w_.resisting, external = w_.external, move = last_move_,
                             response = response_;
@@ -420,7 +421,7 @@ bool Statics::past_exchange(double increment) {
 
 /// Ends the run at a limit load: completed where the script asked for that and there was a way to it.
 void Statics::end_at_limit(const std::string& why, const std::string& advice) {
-    if (const std::string of_element = sweep_.failure(); !of_element.empty())
+    if (const std::string of_element = assembly_.failure(); !of_element.empty())
         return fail(why + advice + "; " + of_element);
     if (!settings_.to_limit || substeps_ == 0) return fail(why + advice);
     verdict_ = Verdict::completed;

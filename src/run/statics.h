@@ -76,7 +76,7 @@ private:
     Vec6 load_at(std::size_t node, double factor) const;
     void recover();
     bool renew_and_factorise(double off_balance);
-    void find_flow_by_load(const std::vector<GivenTangent>& given);
+    void find_flow_by_load(const std::vector<ElementTangent>& given);
     Vec6 unit_load(std::size_t node) const;
     double out_of_balance(double& scale) const;
     void move(double factor, const std::vector<Vec6>& by);
@@ -133,7 +133,7 @@ private:
     std::vector<Vec6> right_, change_;  ///< F - R, and the move that it asks for
     std::vector<Vec6> response_;        ///< the move that F at factor 1 asks for
     std::vector<Vec6> last_move_;
-    std::vector<Yielding> hinges_;  ///< of the last equilibrium
+    std::vector<PlasticIncrement> hinges_;  ///< of the last equilibrium
     std::vector<int> was_yielding_;
     bool built_ = false, loads_follow_ = false, had_blocks_ = false;
     Stages stages_;

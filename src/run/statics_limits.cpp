@@ -45,7 +45,7 @@ void Statics::describe_mode() {
         of_compression += std::max(drive, 0.0);
         Eigen::Matrix<double, 12, 1> ends;
         ends << mode[e.node[0]], mode[e.node[1]];
-        const PlacedElement placed = place_element(*structure_, int(i), w_.trial);
+        const ElementFrame placed = element_frame(*structure_, int(i), w_.trial);
         const double all = -ends.dot(element_tangent(placed, w_.force[i], Mat6::Zero(), true) * ends);
         by_all_forces[e.member] += all;
         of_all_forces += all;
@@ -157,7 +157,7 @@ std::string Statics::limit_point() const {
         for (int c = 0; c < 3; ++c)
             if (const double size = std::abs(response_[i][c]); size > most) most = size, node = int(i), component = c;
     std::vector<int> members;
-    for (const Yielding& y : w_.yielding) members.push_back(structure_->elements()[y.element].member);
+    for (const PlasticIncrement& y : w_.yielding) members.push_back(structure_->elements()[y.element].member);
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     std::string text =
@@ -222,7 +222,7 @@ std::string Statics::advice_at_end() {
         return ": the path turns too sharply or ends there; more steps make a shorter arc";
     const int n = settings_.node, c = settings_.component;
     const std::string driven = std::string(component_name(c)) + " of " + structure_->node_name(n);
-    w_.trial = pose_of(state_);
+    w_.trial = configuration_of(state_);
     recover();
     w_.yielding = hinges_;
     SolverSettings direct;

@@ -9,34 +9,36 @@
 namespace hinge {
 
 /// dp/dd of an element that flows by itself, [D_p] of eq 10a, consistent with the return to the yield surface.
-inline Mat6 yield_tangent(const Structure& structure, const State& state, const Sweep& sweep, const Yielding& y) {
+inline Mat6 yield_tangent(const Structure& structure, const State& state, const ElementAssembly& assembly,
+                          const PlasticIncrement& y) {
     double section[2];
-    const int n = sweep.sections(section);
+    const int n = assembly.sections(section);
     const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
     return beam::plastic_tangent(y.flow.p, stiffness_now(structure, state, y.element),
                                  structure.elements()[y.element].yield, section, y.flow.lambda, active, n,
-                                 sweep.fixed_end(y.element));
+                                 assembly.fixed_end(y.element));
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from
 /// their [D_p], or whose partner does.
-inline std::vector<GivenTangent> given_tangents(const Structure& structure, const State& state, const Pose& pose,
-                                                const Sweep& sweep, const std::vector<int>& list,
-                                                const std::vector<Yielding>& yielding) {
-    std::vector<GivenTangent> given;
+inline std::vector<ElementTangent> given_tangents(const Structure& structure, const State& state,
+                                                  const Configuration& pose, const ElementAssembly& assembly,
+                                                  const std::vector<int>& list,
+                                                  const std::vector<PlasticIncrement>& yielding) {
+    std::vector<ElementTangent> given;
     int done = -1;  // elements up to here have theirs
     for (std::size_t i = 0; i < yielding.size(); ++i) {
         const int element = yielding[i].element;
         if (element <= done || !std::binary_search(list.begin(), list.end(), element)) continue;
         if (!in_pair(structure, state, element)) {
-            given.push_back({element, yield_tangent(structure, state, sweep, yielding[i]), Mat6::Zero()});
+            given.push_back({element, yield_tangent(structure, state, assembly, yielding[i]), Mat6::Zero()});
             continue;
         }
         const int first = element & ~1;
-        const beam::Flow* flow[2] = {nullptr, nullptr};
+        const beam::ReturnMapResult* flow[2] = {nullptr, nullptr};
         flow[element - first] = &yielding[i].flow;
         if (i + 1 < yielding.size() && yielding[i + 1].element == first + 1) flow[1] = &yielding[i + 1].flow;
-        const beam::PairMatrix K = pair_tangent(structure, state, pose, sweep, first, flow);
+        const beam::PairMatrix K = pair_tangent(structure, state, pose, assembly, first, flow);
         given.push_back({first, K.topLeftCorner<6, 6>(), K.topRightCorner<6, 6>()});
         given.push_back({first + 1, K.bottomRightCorner<6, 6>(), K.bottomLeftCorner<6, 6>()});
         done = first + 1;
@@ -47,10 +49,10 @@ inline std::vector<GivenTangent> given_tangents(const Structure& structure, cons
 /// What elements that flow resist with where their fixed-end parts change by `change`, and the nodes do not move, on
 /// their nodes: an element and its fixed-end part together yield as if it were deformed by what makes that elastically.
 /// `given`: their tangents. Sections have the mean of N and Mz at the two ends.
-inline void add_response(const Structure& structure, const State& state, const Pose& pose,
-                         const std::vector<GivenTangent>& given, const std::vector<beam::FixedEnd>& change,
+inline void add_response(const Structure& structure, const State& state, const Configuration& pose,
+                         const std::vector<ElementTangent>& given, const std::vector<beam::FixedEnd>& change,
                          std::vector<Vec6>& resisting) {
-    for (const GivenTangent& g : given) {
+    for (const ElementTangent& g : given) {
         const Vec6 own = change[g.element].at(0);
         Vec6 p = -own;
         if (in_pair(structure, state, g.element)) {
@@ -62,14 +64,14 @@ inline void add_response(const Structure& structure, const State& state, const P
         } else {
             p += g.own * stiffness_now(structure, state, g.element).solve(own);
         }
-        const Vec12 f = forces_at_nodes(place_element(structure, g.element, pose)) * p;
+        const Vec12 f = forces_at_nodes(element_frame(structure, g.element, pose)) * p;
         for (int end : {0, 1}) resisting[structure.elements()[g.element].node[end]] += f.segment<6>(6 * end);
     }
 }
 
 /// What flowed at the end of a step flows on when the next one begins: its [D_p] is that of a beginning.
-inline std::vector<Yielding> flowing_on(std::vector<Yielding> yielding) {
-    for (Yielding& y : yielding)
+inline std::vector<PlasticIncrement> flowing_on(std::vector<PlasticIncrement> yielding) {
+    for (PlasticIncrement& y : yielding)
         for (double& lambda : y.flow.lambda) lambda = lambda > 0 ? 1e-300 : 0;
     return yielding;
 }

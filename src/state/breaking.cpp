@@ -11,7 +11,7 @@ namespace {
 
 Mat3 frame(const Structure& structure, const State& state, int index) {
     if (!structure.large()) return structure.elements()[index].axes.toRotationMatrix();
-    return axes_of(place_element(structure, index, state));
+    return axes_of(element_frame(structure, index, state));
 }
 
 /// Axes in which an element's rotary inertia at an end lies: the element's, or its node's.

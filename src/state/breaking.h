@@ -3,7 +3,7 @@
 #pragma once
 
 #include "state/node_mass.h"
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 

@@ -14,7 +14,7 @@ struct Part {
 };
 
 /// The section at an end of the element, 1 or 2.
-Part part_of(const Structure& structure, const Yielding& y, int end) {
+Part part_of(const Structure& structure, const PlasticIncrement& y, int end) {
     const int e = y.element, member = structure.elements()[std::size_t(e)].member;
     const bool inside = end == 1 && e > 0 && structure.elements()[std::size_t(e) - 1].member == member;
     Part part{inside ? e - 1 : e, inside ? 2 : end, {}, 0};
@@ -25,7 +25,7 @@ Part part_of(const Structure& structure, const Yielding& y, int end) {
 }
 
 /// The middle of a conventional element, which bends plastically over its whole length.
-Part middle_of(const Yielding& y) {
+Part middle_of(const PlasticIncrement& y) {
     Part part{y.element, 0, {}, 1};
     for (int plane : {0, 1})
         part.rotation[plane] =
@@ -35,7 +35,7 @@ Part middle_of(const Yielding& y) {
 
 }  // namespace
 
-void record_flow(const Structure& structure, const std::vector<Yielding>& yielding, double at, bool statics,
+void record_flow(const Structure& structure, const std::vector<PlasticIncrement>& yielding, double at, bool statics,
                  HingeRecords& records) {
     std::vector<HingeRecord>& list = records.list;
     std::size_t now = 0;  // of the section that is being rotated: places rise as the elements do
@@ -43,7 +43,7 @@ void record_flow(const Structure& structure, const std::vector<Yielding>& yieldi
         if (now < list.size())
             list[now].largest = std::max(list[now].largest, std::hypot(list[now].rotation[0], list[now].rotation[1]));
     };
-    const auto add = [&](const Part& part, const beam::Flow& flow) {
+    const auto add = [&](const Part& part, const beam::ReturnMapResult& flow) {
         HingeRecord fresh;
         fresh.element = part.element, fresh.end = part.end;
         fresh.statics = statics, fresh.first = at;
@@ -56,7 +56,7 @@ void record_flow(const Structure& structure, const std::vector<Yielding>& yieldi
         found->elongation += part.share * flow.plastic[4];
         found->work += part.share * flow.dissipation;
     };
-    for (const Yielding& y : yielding) {
+    for (const PlasticIncrement& y : yielding) {
         if (structure.conventional()) add(middle_of(y), y.flow);
         for (int end : {1, 2})
             if (!structure.conventional() && y.flow.lambda[end - 1] > 0) add(part_of(structure, y, end), y.flow);

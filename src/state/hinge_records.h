@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 
@@ -51,7 +51,7 @@ struct HingeRecords {
 };
 
 /// A step is kept in which these elements flow. `at`: its end, s or load factor. Costs nothing where nothing flows.
-void record_flow(const Structure& structure, const std::vector<Yielding>& yielding, double at, bool statics,
+void record_flow(const Structure& structure, const std::vector<PlasticIncrement>& yielding, double at, bool statics,
                  HingeRecords& records);
 
 }  // namespace hinge

@@ -15,8 +15,8 @@ void move_point(const Structure& structure, State& state, int element, double s)
 namespace {
 
 /// What its plastic deformation leaves of each element's deformation.
-void elastic_deformations(const Structure& structure, const State& state, const Pose& pose, int first,
-                          const PlacedElement* place, Vec6 (&d)[2]) {
+void elastic_deformations(const Structure& structure, const State& state, const Configuration& pose, int first,
+                          const ElementFrame* place, Vec6 (&d)[2]) {
     for (int i : {0, 1}) {
         const Vec6 whole = place ? element_deformation(structure, first + i, pose, place[i])
                                  : element_deformation(structure, first + i, pose);
@@ -26,8 +26,9 @@ void elastic_deformations(const Structure& structure, const State& state, const 
 
 }  // namespace
 
-beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
-                              int first, const beam::Flow* const (&flow)[2]) {
+beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
+                              const ElementAssembly& assembly, int first,
+                              const beam::ReturnMapResult* const (&flow)[2]) {
     const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
     const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
     const beam::YieldSurface* surface[2] = {&e[0]->yield, &e[1]->yield};
@@ -35,12 +36,12 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
     elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
-    const beam::FixedEnd fixed[2] = {sweep.fixed_end(first), sweep.fixed_end(first + 1)};
+    const beam::FixedEnd fixed[2] = {assembly.fixed_end(first), assembly.fixed_end(first + 1)};
     return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, flow, fixed);
 }
 
-beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first,
-                                      const PlacedElement* place) {
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
+                                      int first, const ElementFrame* place) {
     Vec6 d[2];
     elastic_deformations(structure, state, pose, first, place, d);
     beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first]), d[0], d[1]);
@@ -48,12 +49,12 @@ beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& s
     return K;
 }
 
-std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,
+std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<PlasticIncrement>& yielding,
                              std::vector<int>& flowing) {
     const std::vector<int> before = flowing;
     for (int e : before) state.hinge[e] = 0;
     flowing.clear();
-    for (const Yielding& y : yielding) {
+    for (const PlasticIncrement& y : yielding) {
         state.plastic[y.element] += y.flow.plastic;
         state.plastic_work[y.element] += y.flow.dissipation;
         std::uint8_t bits = hinge_at_middle;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beam/pair_return.h"
-#include "state/sweep.h"
+#include "state/element_assembly.h"
 
 namespace hinge {
 
@@ -12,7 +12,7 @@ namespace hinge {
 /// Shift::plastic the plastic strain alone is at the hinge and no point moves.
 ///   flowing  elements that flowed in the step before; replaced by those of this one
 /// Returns the elements whose point moved.
-std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<Yielding>& yielding,
+std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<PlasticIncrement>& yielding,
                              std::vector<int>& flowing);
 
 /// Moves the integration point of an element to s and keeps its forces: d_p takes what the compliance gives away.
@@ -33,10 +33,11 @@ inline bool in_pair(const Structure& structure, const State& state, int element)
 }
 
 /// dp/dd of such a pair, 12 x 12, `first` its first element. `flow`: of its elements, null where one does not flow.
-beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Pose& pose, const Sweep& sweep,
-                              int first, const beam::Flow* const (&flow)[2]);
+beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
+                              const ElementAssembly& assembly, int first,
+                              const beam::ReturnMapResult* const (&flow)[2]);
 /// The same while both are elastic. `place`: of the two elements at the pose, where that is known.
-beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Pose& pose, int first,
-                                      const PlacedElement* place = nullptr);
+beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
+                                      int first, const ElementFrame* place = nullptr);
 
 }  // namespace hinge

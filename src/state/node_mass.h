@@ -1,4 +1,5 @@
-// What elements and offset masses weigh on their nodes. Eight elements at a time the sweep does it itself (sweep.cpp).
+// What elements and offset masses weigh on their nodes. Eight elements at a time the assembly does it itself
+// (element_assembly.cpp).
 #pragma once
 
 #include "state/state.h"

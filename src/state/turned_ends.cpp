@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/rotation.h"
-#include "state/pose.h"
+#include "state/configuration.h"
 
 namespace hinge {
 namespace {
@@ -26,7 +26,7 @@ bool turn_ends(const Structure& structure, State& state, int element) {
     if (state.broken[element] ||
         std::max(std::hypot(plastic[0], plastic[2]), std::hypot(plastic[1], plastic[3])) < far_hinge)
         return false;
-    const PlacedElement place = place_element(structure, element, state);
+    const ElementFrame place = element_frame(structure, element, state);
     const Vec6 elastic = element_deformation(structure, element, state, place) - plastic;
     for (int c : {0, 1, 2, 3, 5})
         if (!(std::abs(elastic[c]) <= most_elastic)) return false;

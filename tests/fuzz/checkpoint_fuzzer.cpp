@@ -17,7 +17,7 @@
 
 #include "core/archive.h"
 #include "core/errors.h"
-#include "script/kept_values.h"
+#include "script/lua/kept_values.h"
 #include "run/checkpoint.h"
 
 using namespace hinge;
@@ -142,7 +142,7 @@ const std::vector<Scene>& all_scenes() {
 // ---- who reads
 // ---------------------------------------------------------------------------------------------------------
 
-constexpr int until_a_look = 110;  ///< steps; by then the energy balance was checked (run/energy_watch.cpp)
+constexpr int until_a_look = 110;  ///< steps; by then the energy balance was checked (run/energy_monitor.cpp)
 
 void go_on(const Scene& scene, std::string_view bytes) {
     Dynamics run = scene.start();

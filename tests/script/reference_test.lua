@@ -126,7 +126,7 @@ for name, meta in pairs(debug.getregistry()) do
       local declared = fields_of(name)
       missing = ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s")
         :format(short, name, file_of(name))
-      local extra = ("%s declares %s.%%s, which name_fields in src/script/bind_*.cpp does not name")
+      local extra = ("%s declares %s.%%s, which name_fields in src/script/bind/bind_*.cpp does not name")
         :format(file_of(name), short)
       same(declared, set(meta.fields or {}), missing, extra)
       for field, about in pairs(declared) do

@@ -61,7 +61,7 @@ SomePair some_pair(Dice& dice, double bent, double most) {
 TEST_CASE("beam-column: the pair's two numbers are the stability functions", "[beam_column]") {
     double worst = 0, at_ends = 0;
     for (double p = -7.2; p <= 6; p += 0.0101) {
-        const PairNumbers<double> f = pair_numbers(p);
+        const StabilityFunctions<double> f = stability_functions(p);
         const double C = stability(p);
         const double error = largest_of(std::abs(f.S - pair_sag * p - C), std::abs(3 * f.A / (p / (1 - C)) - 1));
         double& most = p < 4.5 ? worst : at_ends;
@@ -69,22 +69,24 @@ TEST_CASE("beam-column: the pair's two numbers are the stability functions", "[b
     }
     CHECK_FIGURE("stability functions, p from -7.2 to 4.5", worst, 2.6e-5);
     CHECK_FIGURE("stability functions, up to 6", at_ends, 3.1e-4);
-    CHECK(pair_numbers(0.0).S == 1);
-    CHECK(pair_numbers(0.0).A == 1);
+    CHECK(stability_functions(0.0).S == 1);
+    CHECK(stability_functions(0.0).A == 1);
 }
 
 TEST_CASE("beam-column: S and A fall ever faster, without a jump in value or slope", "[beam_column]") {
     double last = 1, last_A = 1;
     for (double p = -40; p <= 40; p += 0.01) {
-        const PairNumbers<double> f = pair_numbers(p), next = pair_numbers(p + 1e-5);
+        const StabilityFunctions<double> f = stability_functions(p), next = stability_functions(p + 1e-5);
         CHECK(f.S1 <= last + 1e-12);
         CHECK(f.A1 <= last_A + 1e-12);
         last = f.S1, last_A = f.A1;
         CHECK(next.S == Approx(f.S + 1e-5 * f.S1).margin(1e-9));
         CHECK(next.A == Approx(f.A + 1e-5 * f.A1).margin(1e-9));
         if (std::abs(p - pair_least) < 1e-3 || std::abs(p - pair_most) < 1e-3) continue;  // S2 and A2 jump there
-        CHECK(f.S2 == Approx((pair_numbers(p + 1e-4).S1 - pair_numbers(p - 1e-4).S1) / 2e-4).margin(2e-3));
-        CHECK(f.A2 == Approx((pair_numbers(p + 1e-4).A1 - pair_numbers(p - 1e-4).A1) / 2e-4).margin(2e-3));
+        CHECK(f.S2 ==
+              Approx((stability_functions(p + 1e-4).S1 - stability_functions(p - 1e-4).S1) / 2e-4).margin(2e-3));
+        CHECK(f.A2 ==
+              Approx((stability_functions(p + 1e-4).A1 - stability_functions(p - 1e-4).A1) / 2e-4).margin(2e-3));
     }
 }
 
@@ -100,7 +102,7 @@ TEST_CASE("beam-column: N solves its equation, however far the pair is bent and 
         const auto beyond = [&](double N) {  // N - EA/l (e + bow(N)), which grows with N
             double bow = 0;
             for (int plane : {0, 1}) {
-                const PairNumbers<double> of = pair_numbers(-k.c[plane] * N);
+                const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
                 bow -= k.length / 8 * (of.S1 * sum[plane] * sum[plane] + of.A1 * difference[plane] * difference[plane]);
             }
             return N - k.axial * (e + bow);
@@ -188,7 +190,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
         const YieldSurface* w[2] = {&surfaces[0], &surfaces[1]};
         const double far = n % 4 < 2 ? 1.1 : 3;  // how far the trial is beyond
         const Vec6 trial[2] = {far * pair.d[0], far * pair.d[1]};
-        Flow flow[2];
+        ReturnMapResult flow[2];
         beam::return_to_surface(pair.kind, pair.of, trial, w, flow, 1e-13);
         const Vec6 elastic[2] = {trial[0] - flow[0].plastic, trial[1] - flow[1].plastic};
         const Vec12 p = pair.forces(elastic[0], elastic[1]);
@@ -201,7 +203,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
             CHECK(flow[i].dissipation >= 0);
         }
         flows += flowing[0] || flowing[1], both += flowing[0] && flowing[1];
-        const Flow* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
+        const ReturnMapResult* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
         const PairMatrix K = pair_tangent(pair.kind, pair.of, elastic, w, given);
         for (int i = 0; i < 12; ++i) {
             const double h = i % 6 == 4 ? 1e-10 : 1e-8;
@@ -210,7 +212,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
             for (int side : {1, -1}) {
                 Vec6 there[2] = {trial[0], trial[1]};
                 there[i / 6][i % 6] += side * h;
-                Flow moved[2];
+                ReturnMapResult moved[2];
                 beam::return_to_surface(pair.kind, pair.of, there, w, moved, 1e-13);
                 for (int e : {0, 1}) {
                     column.segment<6>(6 * e) += side * moved[e].p / (2 * h);
@@ -279,7 +281,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
             for (double r : {-1.0, 1.0}) f = largest_of(f, yield_function(Vec6(trial.segment<6>(6 * i)), r, y.w));
         if (f <= 1) continue;
         ++returns;
-        Flow flow[2];
+        ReturnMapResult flow[2];
         const double tolerance = n % 8 == 0 ? 1e-9 : 1e-4;
         const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, w, flow, tolerance, none);
         unconverged += !converged;

@@ -169,7 +169,7 @@ TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
             std::vector<std::pair<int, int>> expected;
             for (int i = 0; i < 60; ++i)
                 for (int j = i + 1; j < 60; ++j) {
-                    const Two two{{s.x[2 * i], s.x[2 * i + 1]}, {s.x[2 * j], s.x[2 * j + 1]}};
+                    const BarPair two{{s.x[2 * i], s.x[2 * i + 1]}, {s.x[2 * j], s.x[2 * j + 1]}};
                     const Closest c = closest_points(two);
                     const double contact_distance = s.bars[i].radius + s.bars[j].radius;
                     Vec3& way = normal.try_emplace({i, j}, Vec3::Zero()).first->second;
@@ -595,14 +595,14 @@ TEST_CASE(
         for (int i = 0; i < 600; ++i) {
             const std::string before = record(contact);
             const Scene here = s;
-            contact.remember();
+            contact.save_step();
             step(s, contact, i);
             differs += record(contact) != before;
-            contact.take_back();
+            contact.roll_back();
             CHECK(record(contact) == before);
             s = here;
             step(s, contact, i);
-            contact.forget();
+            contact.release_step();
             step(straight, steady, i);
             bound += !contact.idle();
         }

@@ -23,7 +23,7 @@ struct Bar {
     Quat q[2], axes;
     double L;
 
-    Placement<double> placement() const {
+    beam::ElementFrame<double> placement() const {
         const Vec3 c = x[1] - x[0];
         return place<double>({c.x(), c.y(), c.z()}, quad(q[0]), quad(q[1]), quad(axes));
     }
@@ -84,19 +84,19 @@ TEST_CASE("a structure flown through 1000 rigid rotations by its state has no fo
     const auto structure = frame.build();
     State state = initial_state(*structure);
     ThreadPool alone;
-    Sweep sweep(*structure, alone, false);
-    sweep.take_up(state);
+    ElementAssembly assembly(*structure, alone, false);
+    assembly.take_up(state);
     Dice dice(22);
     Quat whole = Quat::Identity();
     for (int i = 0; i < 1000; ++i) whole = rotated(dice.vector(2), whole);
-    Pose pose = pose_of(state);
+    Configuration pose = configuration_of(state);
     for (std::size_t i = 0; i < pose.displacement.size(); ++i) {
         pose.rotation[i] = whole;
         pose.displacement[i] = whole * structure->position()[i] - structure->position()[i];
     }
     std::vector<Vec6> nodal(pose.displacement.size(), Vec6::Zero()), force(state.force);
-    std::vector<Yielding> yielding;
-    sweep.run(state, pose, nodal, force, yielding);
+    std::vector<PlasticIncrement> yielding;
+    assembly.run(state, pose, nodal, force, yielding);
     const double EA = structure->elements()[0].rigidity.EA;
     double worst = 0;
     for (const Vec6& p : force) worst = largest_of(worst, largest_entry(p) / EA);
@@ -138,11 +138,11 @@ TEST_CASE("one element or eight at once: the same bits, also where one lane leav
             L[i] = bar[i].L;
             for (int c6 = 0; c6 < 6; ++c6) P[c6][i] = p[i][c6];
         }
-        const Placement<Lanes> place8 = place(chord, q1, q2, axes);
+        const beam::ElementFrame<Lanes> place8 = place(chord, q1, q2, axes);
         deformation(place8, L, d);
         const NodalForces<Lanes> f8 = nodal_forces(place8, P);
         for (int i = 0; i < lane_count; ++i) {
-            const Placement<double> place1 = bar[i].placement();
+            const beam::ElementFrame<double> place1 = bar[i].placement();
             double d1[6];
             deformation(place1, bar[i].L, d1);
             const NodalForces<double> f1 = nodal_forces(place1, p[i]);
@@ -167,7 +167,7 @@ TEST_CASE("nodal forces of a deformed element are in equilibrium: forces and mom
         const Bar b = random_bar(dice, trial % 2 ? 0.05 : 1.0);
         double p[6];
         for (double& v : p) v = dice(-1e4, 1e4);
-        const Placement<double> place = b.placement();
+        const beam::ElementFrame<double> place = b.placement();
         const NodalForces<double> f = nodal_forces(place, p);
         const Vec3 chord = b.x[1] - b.x[0], f1 = eigen(f.force[0]), f2 = eigen(f.force[1]), m1 = eigen(f.moment[0]),
                    m2 = eigen(f.moment[1]);

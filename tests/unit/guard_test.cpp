@@ -118,14 +118,14 @@ TEST_CASE("guard: energy that an error makes is no part of what the error is com
 TEST_CASE("guard: the error at the moment of failure is kept, and a jump between two looks does not pass", "[guard]") {
     const Swinging scene(false);
     State state = initial_state(*scene.structure);
-    const double may_grow = Guard::may_grow(0.02);
+    const double may_grow = EnergyMonitor::may_grow(0.02);
     CHECK(may_grow == Approx(0.01));
-    CHECK(Guard::may_grow(0.01) == Approx(0.01));
-    CHECK(Guard::may_grow(0.001) == Approx(0.001));
+    CHECK(EnergyMonitor::may_grow(0.01) == Approx(0.01));
+    CHECK(EnergyMonitor::may_grow(0.001) == Approx(0.001));
     for (const double jump : {-0.03e8, -0.3e8}) {  // below the tolerance, and beyond it
         INFO("jump " << jump);
         LargestEnergy largest(*scene.structure);
-        Guard guard(0.1, 1000);
+        EnergyMonitor guard(0.1, 1000);
         state.step = 50, state.time = 0.5;
         const Energy good = balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + 0.005e8}});
         REQUIRE(!guard.look(state, good, some_accounts, largest, true, may_grow, ""));
@@ -149,7 +149,7 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
     }
     // the same error, come slowly, passes
     LargestEnergy largest(*scene.structure);
-    Guard guard(0.1, 1000);
+    EnergyMonitor guard(0.1, 1000);
     for (int i = 1; i <= 9; ++i)
         CHECK(!guard.look(state, balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts,
                           largest, true, may_grow, ""));

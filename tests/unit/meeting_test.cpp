@@ -119,7 +119,7 @@ TEST_CASE("contact: eq 17 is six times the tetrahedron's volume, as printed and 
           "[contact]") {
     Dice dice(2);
     for (int i = 0; i < 50; ++i) {
-        const Two two{{dice.vector(2), dice.vector(2)}, {dice.vector(2), dice.vector(2)}};
+        const BarPair two{{dice.vector(2), dice.vector(2)}, {dice.vector(2), dice.vector(2)}};
         const auto &c1 = two.a[0], &c2 = two.a[1], &i1 = two.b[0], &i2 = two.b[1];
         const double printed =
             ((i1.y() - c2.y()) * (i2.z() - c2.z()) - (i2.y() - c2.y()) * (i1.z() - c2.z())) * (c1.x() - c2.x()) +
@@ -129,14 +129,14 @@ TEST_CASE("contact: eq 17 is six times the tetrahedron's volume, as printed and 
         const Vec3 p = c1 + dice(-1, 2) * (c2 - c1), q = i1 + dice(-1, 2) * (i2 - i1);
         CHECK(coplanarity(two) == Approx((q - p).dot((c2 - c1).cross(i2 - i1))).margin(1e-12));
     }
-    const Two corner{{{1, 0, 0}, {0, 0, 0}}, {{0, 1, 0}, {0, 0, 1}}};  // volume 1/6
+    const BarPair corner{{{1, 0, 0}, {0, 0, 0}}, {{0, 1, 0}, {0, 0, 1}}};  // volume 1/6
     CHECK(coplanarity(corner) == 1);
 }
 
 TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
     // Two bars of length 2, mid over mid at a right angle, h apart: four distances sqrt(2 + h^2) <= 1.8 * 4 / 4.
     const double h = std::sqrt(1.8 * 1.8 - 2);
-    const auto cross = [](double z) { return Two{{{-1, 0, 0}, {1, 0, 0}}, {{0, -1, z}, {0, 1, z}}}; };
+    const auto cross = [](double z) { return BarPair{{{-1, 0, 0}, {1, 0, 0}}, {{0, -1, z}, {0, 1, z}}}; };
     CHECK(spread(cross(0.5)) == Approx(4 * std::sqrt(2.25)));
     CHECK(within_contact_length(cross(h * (1 - 1e-9)), 1.8));
     CHECK_FALSE(within_contact_length(cross(h * (1 + 1e-9)), 1.8));
@@ -157,7 +157,7 @@ TEST_CASE("contact: eq 18 and eq 19 at their limits", "[contact]") {
     CHECK(coplanar({{{0.1, 0.2, 0.3}, {1.1, 2.2, 3.3}}, {{0.7, 0.9, 0.4}, {1.7, 2.9, 3.4}}}, 0));
     // End on, two bars of length 1 reach eq 18 only when they overlap by a tenth of their lengths' sum.
     const auto end_on = [](double overlap) {
-        return Two{{{0, 0, 0}, {1, 0, 0}}, {{1 - overlap, 0, 0}, {2 - overlap, 0, 0}}};
+        return BarPair{{{0, 0, 0}, {1, 0, 0}}, {{1 - overlap, 0, 0}, {2 - overlap, 0, 0}}};
     };
     CHECK_FALSE(within_contact_length(end_on(0.199), 1.8));
     CHECK(within_contact_length(end_on(0.201), 1.8));
@@ -219,7 +219,7 @@ struct Instant {
 };
 
 Instant instant(const Moving& m, double tau, const Vec3& normal, double contact_length) {
-    const Two now = m.at(tau);
+    const BarPair now = m.at(tau);
     const Closest c = closest_points(now);
     const double lengths = (now.a[1] - now.a[0]).norm() + (now.b[1] - now.b[0]).norm();
     const Vec3 w = (1 - c.t) * m.move.b[0] + c.t * m.move.b[1] - (1 - c.s) * m.move.a[0] - c.s * m.move.a[1];
@@ -333,7 +333,7 @@ TEST_CASE("contact: the sweep agrees with fine sub-sampling of the step", "[cont
 }
 
 TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
-    const auto meet = [](const Two& start, const Vec3& down, double contact_length = 1.8) {
+    const auto meet = [](const BarPair& start, const Vec3& down, double contact_length = 1.8) {
         const Moving m{start, {{Vec3::Zero(), Vec3::Zero()}, {down, down}}};
         const Closest begin = closest_points(start);
         return first_meeting(m, begin, begin.between.normalized(), {contact_length, 3e-4, 0.05});
@@ -358,7 +358,7 @@ TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
         CHECK(hit.t == 0);
     }
     SECTION("end on: eq 18 waits for an overlap of a tenth of the lengths, without eq 18 the half depths decide") {
-        const Two rods{{{0, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {2.1, 0, 0}}};
+        const BarPair rods{{{0, 0, 0}, {1, 0, 0}}, {{1.1, 0, 0}, {2.1, 0, 0}}};
         const Meeting late = meet(rods, {-0.5, 0, 0});
         REQUIRE(late.found);
         CHECK(late.tau == Approx(0.6).margin(1.0 / 128));
@@ -367,7 +367,7 @@ TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
         CHECK(contact.tau == Approx(0.1).epsilon(1e-9));
     }
     SECTION("a bar of no length") {
-        const Two dot{{{0, 0, 0}, {1, 0, 0}}, {{0.5, 0, 0.1}, {0.5, 0, 0.1}}};
+        const BarPair dot{{{0, 0, 0}, {1, 0, 0}}, {{0.5, 0, 0.1}, {0.5, 0, 0.1}}};
         CHECK_FALSE(meet(dot, {0, 0, -0.2}).found);  // eq 18: 4 * 0.5 > 1.8
         CHECK(meet(dot, {0, 0, -0.2}, infinite).found);
     }

@@ -134,7 +134,7 @@ struct Dense {
     Dense(const Structure& structure, const State& state, double k, const std::vector<Coupling>& couplings,
           const std::vector<int>& removed, int offset_node, const Mat6& offset) {
         ThreadPool alone;
-        EffectiveStiffness parts(structure, alone, 1, k, false, Keeping::direct);
+        EffectiveStiffness parts(structure, alone, 1, k, false, MatrixStorage::direct);
         const int n = 6 * int(structure.position().size());
         A = Eigen::MatrixXd::Zero(n, n);
         const auto add = [&](int a, int b, const Mat12& m) {
@@ -145,7 +145,7 @@ struct Dense {
         for (int i : all_elements(structure))
             if (std::find(removed.begin(), removed.end(), i) == removed.end())
                 add(structure.elements()[i].node[0], structure.elements()[i].node[1],
-                    parts.part(i, state, pose_of(state), {}).A);
+                    parts.part(i, state, configuration_of(state), {}).A);
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
         if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += offset;
         free = free_degrees_of_freedom(state.held);
@@ -190,9 +190,9 @@ struct Solving {
     ThreadPool pool{1};
     Dice dice{31};
     int inner(int i) const { return 6 + i; }  // the declared nodes come first
-    std::unique_ptr<EffectiveStiffness> fresh(Keeping keeping, double k) {
+    std::unique_ptr<EffectiveStiffness> fresh(MatrixStorage keeping, double k) {
         auto op = std::make_unique<EffectiveStiffness>(*structure, pool, 1, k, false, keeping);
-        op->build(all_elements(*structure), state, pose_of(state), {});
+        op->build(all_elements(*structure), state, configuration_of(state), {});
         return op;
     }
 };
@@ -202,14 +202,14 @@ struct Solving {
 constexpr double short_step = 0.25 * 1e-5 * 1e-5, long_step = 0.25 * 1e-3 * 1e-3;
 
 struct Way {
-    Keeping keeping;
+    MatrixStorage keeping;
     double k, limit;
     const char* name;
 };
 // single precision: 6e-8 of each entry, and not much more of the answer where inertia rules A
-constexpr Way ways[] = {{Keeping::iterative, short_step, 1e-9, "double, short step"},
-                        {Keeping::iterative, long_step, 1e-9, "double, long step"},
-                        {Keeping::narrow, short_step, 1e-6, "single, short step"}};
+constexpr Way ways[] = {{MatrixStorage::iterative, short_step, 1e-9, "double, short step"},
+                        {MatrixStorage::iterative, long_step, 1e-9, "double, long step"},
+                        {MatrixStorage::single_precision, short_step, 1e-6, "single, short step"}};
 
 }  // namespace
 
@@ -248,7 +248,7 @@ TEST_CASE(
         for (const auto& [element, where] : breaks) {
             break_element(structure, state, element, where);
             end[element] = where;
-            mass.renew({element}, state, pose_of(state));
+            mass.renew({element}, state, configuration_of(state));
             const Eigen::MatrixXd M = dense_mass(structure, Q, end);
             CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken",
                          mass_error(structure, state, mass, M, 2), 1e-10);
@@ -262,11 +262,11 @@ TEST_CASE(
         turned.broken = state.broken;
         turned.held = state.held;
         if (kind == MassKind::lumped) {
-            mass.rotate_offset_masses(turned, pose_of(turned));
+            mass.rotate_offset_masses(turned, configuration_of(turned));
             CHECK_FIGURE("lumped M, offset masses rotated alone",
                          mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }
-        mass.renew(all_elements(structure), turned, pose_of(turned));
+        mass.renew(all_elements(structure), turned, configuration_of(turned));
         CHECK_FIGURE(name + " M, all rotated",
                      mass_error(structure, turned, mass, dense_mass(structure, other, end), 5), 1e-10);
     }
@@ -429,12 +429,12 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
     Dice dice(32);
     const std::vector<Coupling> couplings = {{grid[3][3], grid[20][20], spring(dice, 1e8)},
                                              {1700, 1900, spring(dice, 1e8)}};
-    for (Keeping keeping : {Keeping::iterative, Keeping::narrow}) {
+    for (MatrixStorage keeping : {MatrixStorage::iterative, MatrixStorage::single_precision}) {
         Eigen::VectorXd first;
         for (int threads : {1, 2, 3}) {
             ThreadPool pool(threads);
             EffectiveStiffness op(*structure, pool, 1, short_step, false, keeping);
-            op.build(all_elements(*structure), state, pose_of(state), {});
+            op.build(all_elements(*structure), state, configuration_of(state), {});
             op.set_couplings(couplings);
             const Eigen::VectorXd x = flat(answer(op, b));
             if (threads == 1) first = x;

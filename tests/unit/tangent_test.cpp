@@ -63,7 +63,7 @@ struct Sample {
         }
     }
 
-    Placement<double> placement(const Nodes& n) const {
+    beam::ElementFrame<double> placement(const Nodes& n) const {
         const auto quad = [](const Quat& q) { return Quadruple<double>{q.w(), q.x(), q.y(), q.z()}; };
         const Vec3 chord = large ? Vec3(n.x[1] - n.x[0]) : Vec3(start.x[1] - start.x[0]);
         const Quat none = Quat::Identity();
@@ -83,10 +83,10 @@ struct Sample {
         }
         return d;
     }
-    Flow forces(const Nodes& n) const {
+    ReturnMapResult forces(const Nodes& n) const {
         const Vec6 trial = k.times(deformation_of(n));
         if (yield.elastic()) {
-            Flow f;
+            ReturnMapResult f;
             f.p = trial;
             return f;
         }
@@ -108,10 +108,10 @@ struct Sample {
     /// Difference quotient of at_nodes; empty when another set of ends flows at one of the points.
     bool differences(Mat12& K) const {
         const double h = 1e-6;
-        const Flow here = forces(now);
+        const ReturnMapResult here = forces(now);
         for (int j = 0; j < 12; ++j) {
             const Nodes ahead = now.moved(j, h), behind = now.moved(j, -h);
-            for (const Flow& f : {forces(ahead), forces(behind)})
+            for (const ReturnMapResult& f : {forces(ahead), forces(behind)})
                 for (int i = 0; i < 2; ++i) {
                     REQUIRE((f.lambda[i] >= 0 && here.lambda[i] >= 0));
                     if ((f.lambda[i] > 0) != (here.lambda[i] > 0)) return false;
@@ -121,7 +121,7 @@ struct Sample {
         return true;
     }
     Mat12 analytic(bool geometric = true) const {
-        const Flow f = forces(now);
+        const ReturnMapResult f = forces(now);
         Mat6 dp = k.matrix();
         if (!yield.elastic()) {
             const bool active[2] = {f.lambda[0] > 0, f.lambda[1] > 0};
@@ -146,7 +146,7 @@ void compare(bool large, bool plastic, double deform, const std::string& name) {
         if (plastic) sample.yield = random_surface(dice);
         Mat12 K;
         if (!sample.differences(K)) continue;
-        const Flow f = sample.forces(sample.now);
+        const ReturnMapResult f = sample.forces(sample.now);
         const int ends = (f.lambda[0] > 0) + (f.lambda[1] > 0);
         ++flowing[ends];
         if (plastic && ends == 0) continue;

@@ -177,7 +177,7 @@ TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and 
         w.last = last;
         const bool wound = wind(w);
         Vec6 d;
-        Placement<double> near = place<double>(w.chord, w.node[0], w.node[1], w.axes);
+        beam::ElementFrame<double> near = place<double>(w.chord, w.node[0], w.node[1], w.axes);
         if (wound) d = Eigen::Map<const Vec6>(w.d);
         else deformation(near, w.L, d.data());
         if (!wound) {

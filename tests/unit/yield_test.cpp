@@ -57,7 +57,7 @@ TEST_CASE("1e5 random returns, both ends: on the surface, nearest point, never n
     long one = 0, both = 0, none = 0;
     for (int trial = 0; trial < 100000; ++trial) {
         const Trial t = random_trial(dice);
-        const Flow flow = return_to_surface(t.p, t.k, t.w, ends, 2);
+        const ReturnMapResult flow = return_to_surface(t.p, t.k, t.w, ends, 2);
         const double before = largest_of(yield_function(t.p, -1, t.w), yield_function(t.p, 1, t.w));
         if (before <= 1) {  // elastic: nothing happens
             ++none;
@@ -109,7 +109,7 @@ TEST_CASE(
             fixed.add(end, loads * dice(-1, 1) * limit[0], loads * dice(-1, 1) * limit[1],
                       0.2 * loads * dice(-1, 1) * limit[2], 0.2 * loads * dice(-1, 1) * limit[3]);
         const Vec6 s[2] = {fixed.at(-1), fixed.at(1)}, apart = s[0] - s[1];
-        const Flow flow = return_to_surface(t.p, t.k, t.w, ends, 2, fixed);
+        const ReturnMapResult flow = return_to_surface(t.p, t.k, t.w, ends, 2, fixed);
         // N and Mz are the same at both ends but for the loads between them: too far apart, no p serves both
         const bool possible = t.w.n * apart[4] * apart[4] + t.w.z * apart[5] * apart[5] < 4;
         double off = 0;
@@ -143,7 +143,7 @@ TEST_CASE("returns of elements with loads between their nodes: the whole forces 
                       dice(-0.2, 0.2) * limit(t.w.z));
         const Vec6 s[2] = {fixed.at(-1), fixed.at(1)};
         const auto returned = [&](const Vec6& p) { return return_to_surface(p, t.k, t.w, ends, 2, fixed); };
-        const Flow flow = returned(t.p);
+        const ReturnMapResult flow = returned(t.p);
         if (flow.lambda[0] == 0 && flow.lambda[1] == 0) {
             REQUIRE(flow.p == t.p);
             for (int i = 0; i < 2; ++i) REQUIRE(yield_function(Vec6(t.p + s[i]), ends[i], t.w) <= 1);
@@ -173,7 +173,7 @@ TEST_CASE("returns of elements with loads between their nodes: the whole forces 
             const double unit = limit(j < 2 ? t.w.x : j < 4 ? t.w.y : j == 4 ? t.w.n : t.w.z) / t.k.matrix()(j, j);
             const Vec6 way = t.k.times(1e-4 * unit * Vec6::Unit(j));
             const auto at = [&](double by) -> Vec6 {
-                const Flow there = returned(t.p + by * way);
+                const ReturnMapResult there = returned(t.p + by * way);
                 for (int i = 0; i < 2; ++i) same_ends = same_ends && (there.lambda[i] > 0) == active[i];
                 return there.p;
             };
@@ -198,7 +198,7 @@ TEST_CASE("no other admissible state is nearer to the trial in the energy norm (
     double worst = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         const Trial t = random_trial(dice);
-        const Flow flow = return_to_surface(t.p, t.k, t.w, ends, 2);
+        const ReturnMapResult flow = return_to_surface(t.p, t.k, t.w, ends, 2);
         const auto distance = [&](const Vec6& p) { return (t.p - p).dot(t.k.solve(t.p - p)); };
         const double here = distance(flow.p);
         for (int other = 0; other < 10; ++other) {
@@ -254,7 +254,7 @@ TEST_CASE("the return's tangent is its derivative, at one end and at both, near 
         const auto returned = [&](const Vec6& deformation) {
             return return_to_surface(t.k.times(deformation), t.k, t.w, ends, 2);
         };
-        const Flow flow = returned(d);
+        const ReturnMapResult flow = returned(d);
         off_point = largest_of(off_point, size_of(flow.p - p, t.w));
         const bool active[2] = {flow.lambda[0] > 0, flow.lambda[1] > 0};
         REQUIRE((active[0] && active[1] == both));
@@ -268,7 +268,7 @@ TEST_CASE("the return's tangent is its derivative, at one end and at both, near 
         for (int j = 0; j < 6; ++j) {
             const double unit = 1 / std::sqrt(limit[j]) / t.k.matrix()(j, j), h = 1e-5 * unit;
             const auto at = [&](double by) -> Vec6 {
-                const Flow there = returned(d + by * Vec6::Unit(j));
+                const ReturnMapResult there = returned(d + by * Vec6::Unit(j));
                 same_ends = same_ends && there.lambda[0] > 0 && (there.lambda[1] > 0) == both;
                 return there.p;
             };
@@ -295,7 +295,7 @@ TEST_CASE("the conventional element yields at its middle alone (1e-12)") {
     double worst = 0;
     for (int trial = 0; trial < 10000; ++trial) {
         const Trial t = random_trial(dice, true);
-        const Flow flow = return_to_surface(t.p, t.k, t.w, middle, 1);
+        const ReturnMapResult flow = return_to_surface(t.p, t.k, t.w, middle, 1);
         if (yield_function(t.p, 0, t.w) <= 1) REQUIRE(flow.p == t.p);
         else worst = largest_of(worst, std::abs(yield_function(flow.p, 0, t.w) - 1));
         REQUIRE(flow.dissipation >= 0);
@@ -345,18 +345,18 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") 
             }
             for (Vec6& d : state.plastic)
                 for (double& v : d) v = dice(-1e-4, 1e-4);
-            std::vector<Yielding> yielding;
+            std::vector<PlasticIncrement> yielding;
             const auto nodal = [&](std::vector<Vec6>& force) {
                 ThreadPool alone;
-                Sweep sweep(*structure, alone, false);
-                sweep.take_up(state);
+                ElementAssembly assembly(*structure, alone, false);
+                assembly.take_up(state);
                 std::vector<Vec6> at(state.displacement.size(), Vec6::Zero());
-                sweep.run(state, pose_of(state), at, force, yielding);
+                assembly.run(state, configuration_of(state), at, force, yielding);
                 return at;
             };
             // a state on which nothing yields, as it is when a step is over
             nodal(state.force);
-            for (const Yielding& y : yielding) state.plastic[y.element] += y.flow.plastic;
+            for (const PlasticIncrement& y : yielding) state.plastic[y.element] += y.flow.plastic;
             const std::vector<Vec6> before = nodal(state.force);
             const std::vector<Vec6> force_before = state.force;
             Vec6 size = Vec6::Constant(1);
@@ -441,7 +441,7 @@ TEST_CASE("unloading takes the points back, and the forces are continuous when t
         CHECK((now.point[1] != -gauss_point) == (is || now.hinge[1] != 0));
         // p = k(s) (d - d_p) holds with the point where it is now
         for (int e = 0; e < 2; ++e) {
-            const Vec6 d = element_deformation(*structure, e, pose_of(now)) - now.plastic[e];
+            const Vec6 d = element_deformation(*structure, e, configuration_of(now)) - now.plastic[e];
             worst = largest_of(worst, size_of(stiffness_now(*structure, now, e).times(d) - now.force[e],
                                               structure->elements()[e].yield));
         }

@@ -1,0 +1,275 @@
+// What a script leaves behind: summary.json, other files, and where they go.
+#include <algorithm>
+#include <filesystem>
+
+#include "core/files.h"
+#include "core/text.h"
+#include "script/checks/chain.h"
+#include "script/checks/check.h"
+#include "script/record/events.h"
+#include "script/files/folder_lock.h"
+#include "script/files/folders.h"
+#include "script/record/element_events.h"
+#include "script/record/summary.h"
+
+namespace hinge::script {
+
+/// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder,
+/// whatever links are there.
+void prepare_folder(const Context& c, const std::string& file) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::path(file).parent_path();
+    if (c.sandbox) {
+        const fs::path own = fs::weakly_canonical(fs::absolute(c.out_dir)),
+                       there = fs::weakly_canonical(fs::absolute(folder));
+        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
+            fs::is_symlink(file))
+            throw InputError("'" + file + "' is outside the output folder " + c.out_dir +
+                             "; a script in the sandbox writes nowhere else");
+    }
+    if (folder.empty()) return;
+    make_folder(folder.string());
+    const fs::path within = fs::path(c.out_dir).lexically_normal(), here = folder.lexically_normal();
+    if (!c.out_dir.empty() &&
+        std::mismatch(within.begin(), within.end(), here.begin(), here.end()).first == within.end())
+        take_lock(c.out_dir);
+}
+
+namespace {
+
+/// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is
+/// looked over.
+int plan(lua_State* L) {
+    context(L)->planning = true;
+    context(L)->checking = lua_toboolean(L, 1);
+    return 0;
+}
+
+/// core.time_product(run, repeats): the shortest time of a product of its operator with a vector, s
+int time_product(lua_State* L) {
+    const auto* d = dynamic_cast<const Dynamics*>(run_argument(L, 1, "time_product: the run")->run.get());
+    if (!d) throw InputError("time_product: the run is static; only a dynamic one has a yardstick");
+    lua_pushnumber(L, d->time_product(int(luaL_checkinteger(L, 2))));
+    return 1;
+}
+
+/// core.runs_made()
+int runs_made(lua_State* L) {
+    lua_pushinteger(L, context(L)->runs);
+    return 1;
+}
+
+/// core.planning()
+int planning(lua_State* L) {
+    lua_pushboolean(L, context(L)->planning);
+    return 1;
+}
+
+/// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
+
+constexpr int most_failed = 10;  ///< lines about runs that failed before the last one
+
+/// with the verdict and reason of `whole` where the script says how all its runs went. Returns verdict, reason.
+int write_summary(lua_State* L) {
+    const auto c = context(L);
+    Json j;
+    std::string verdict = "completed", reason;
+    const auto field = [&](const char* name) {
+        lua_getfield(L, 1, name);
+        Json v = to_json(L, -1, 0);
+        lua_pop(L, 1);
+        return v;
+    };
+    if (const auto& r = c->record) {
+        tell_findings(*c, *r);
+        const Run& run = *r->run;
+        verdict = run.verdict() == Verdict::running ? "stopped" : name(verdict_of(*r));
+        reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : reason_of(*r);
+        if (is_weak(*r)) verdict = "failed", reason = reason_of(*r);
+        if (const std::string other = unasked_failure(*c); verdict != "failed" && !other.empty())
+            verdict = "failed", reason = other;
+    }
+    if (const Json whole = field("whole"); !whole.is_null())
+        verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");
+    if (!c->lost.empty()) {
+        const std::string missing =
+            c->lost.front() + (c->lost.size() > 1 ? "; and " + std::to_string(c->lost.size() - 1) + " more" : "");
+        reason = (verdict == "failed" ? reason + "; " : "") + "not all was written: " + missing;
+        verdict = "failed";
+        j["lost"] = c->lost;
+    }
+    j["verdict"] = verdict;
+    if (!reason.empty()) j["reason"] = reason;
+    for (const char* name : {"script", "case", "parameters"})
+        if (Json v = field(name); !v.is_null()) j[name] = v;
+    j["hinge"] = HINGE_VERSION;
+    if (const auto& r = c->record) {
+        describe_run(j, *r);
+        j["state_hash"] = [&] {
+            char t[20];
+            std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(r->run->state()));
+            return std::string(t);
+        }();
+    }
+    Json results = field("results");
+    j["results"] = results.is_null() ? Json::object() : results;
+    if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
+    if (!c->warned.empty()) j["warnings"] = c->warned;
+    int told = 0;  // the last run's failure is the verdict, which is told by itself
+    for (const auto& [number, text] : c->failed) {
+        if (c->record && number == c->record->number) continue;
+        j["failed_runs"].push_back(text);
+        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    }
+    if (told > most_failed)
+        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
+    if (const int idle = c->runs - c->begun; idle > 0 && c->begun == 0) {
+        const std::string text = count_text(idle, "run") + " made, and none has taken a step";
+        j["warnings"].push_back(text);
+        if (c->warns)
+            std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
+                         text.c_str());
+    }
+    if (!c->out_dir.empty()) {
+        take_folder(*c);
+        if (c->record) leave_happenings(*c, *c->record);
+        write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+    write_event(*c, "summary", {{"folder", c->out_dir}, {"summary", j}});
+    lua_pushstring(L, verdict.c_str());
+    lua_pushstring(L, reason.c_str());
+    return 2;
+}
+
+/// core.write_text(path, text), core.write_json(path, value): whole files; core.append(path, text).
+int write_text(lua_State* L) {
+    const char *file = luaL_checkstring(L, 1),
+               *text = luaL_checkstring(L, 2);  // these raise: nothing may be pending yet
+    prepare_folder(*context(L), file);
+    write_whole(file, text);
+    return 0;
+}
+
+/// core.read_text(path): all of a file; or nil and why not.
+int read_text(lua_State* L) {
+    const char* file = luaL_checkstring(L, 1);
+    try {
+        const std::string text = read_whole(file);
+        lua_pushlstring(L, text.data(), text.size());
+        return 1;
+    } catch (const OutsideError& e) { return lua_pushnil(L), lua_pushstring(L, e.what()), 2; }
+}
+
+/// core.leads_out(folder, path): whether a link on the way to the file leads out of the folder; then where to.
+int leads_out(lua_State* L) {
+    namespace fs = std::filesystem;
+    const fs::path folder = luaL_checkstring(L, 1), file = luaL_checkstring(L, 2);
+    std::error_code error;
+    const fs::path inside = fs::weakly_canonical(folder, error), to = fs::weakly_canonical(file.parent_path(), error);
+    const auto end = std::mismatch(inside.begin(), inside.end(), to.begin(), to.end()).first;
+    if (end == inside.end()) return lua_pushnil(L), 1;
+    return lua_pushstring(L, to.c_str()), 1;
+}
+
+int write_json(lua_State* L) {
+    const char* file = luaL_checkstring(L, 1);
+    prepare_folder(*context(L), file);
+    write_whole(file, to_json(L, 2, 0).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return 0;
+}
+
+/// core.event(kind, fields): a line of hinge run --json. Returns whether somebody listens.
+int event(lua_State* L) {
+    const char* kind = luaL_checkstring(L, 1);
+    const auto c = context(L);
+    write_event(*c, kind, to_json(L, 2));
+    return lua_pushboolean(L, c->events != nullptr), 1;
+}
+
+int append_text(lua_State* L) {
+    const char *file = luaL_checkstring(L, 1), *text = luaL_checkstring(L, 2);
+    prepare_folder(*context(L), file);
+    append(file, text);
+    return 0;
+}
+
+/// core.own_output(folder, owner, given): what this program's run writes goes there, or beside it where the folder is
+/// not given by the user and holds a run of something else; `owner`: script, case, parameters, for run.json. Returns
+/// the folder.
+int own_output(lua_State* L) {
+    const char* folder = luaL_checkstring(L, 1);  // this raises: nothing may be pending yet
+    const auto c = context(L);
+    c->owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
+    c->out_dir = lua_toboolean(L, 3) ? folder : free_folder(folder, c->owner);
+    return lua_pushstring(L, c->out_dir.c_str()), 1;
+}
+
+/// core.lock(folder, shared): makes the folder, which this process alone writes to from now on; shared: beside other
+/// tasks of a study, each to cases of its own.
+int lock(lua_State* L) {
+    const char* folder = luaL_checkstring(L, 1);
+    make_folder(folder);
+    take_lock(folder, lua_toboolean(L, 2) ? Share::with_tasks : Share::alone);
+    return 0;
+}
+
+/// core.unlock(folder)
+int unlock(lua_State* L) {
+    leave_lock(luaL_checkstring(L, 1));
+    return 0;
+}
+
+/// core.refuse_locked(folder): an error where another process writes there.
+int refuse_taken(lua_State* L) {
+    refuse_locked(luaL_checkstring(L, 1));
+    return 0;
+}
+
+/// core.lose(text): what the script asked for and could not be written, and why; the job has failed.
+int lose(lua_State* L) {
+    context(L)->lost.emplace_back(luaL_checkstring(L, 1));
+    return 0;
+}
+
+/// core.whole_path(path): from the root, without links.
+int whole_path(lua_State* L) {
+    const char* path = luaL_checkstring(L, 1);
+    std::error_code none;
+    const auto whole = std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+    return lua_pushstring(L, none ? path : whole.c_str()), 1;
+}
+
+int out_dir(lua_State* L) {
+    const std::string& dir = context(L)->out_dir;
+    lua_pushstring(L, dir.empty() ? "." : dir.c_str());
+    return 1;
+}
+
+}  // namespace
+
+void open_output(lua_State* L, int module) {
+    static const luaL_Reg functions[] = {{"plan", guarded<plan>},
+                                         {"planning", guarded<planning>},
+                                         {"runs_made", guarded<runs_made>},
+                                         {"time_product", guarded<time_product>},
+                                         {"write_text", guarded<write_text>},
+                                         {"read_text", guarded<read_text>},
+                                         {"leads_out", guarded<leads_out>},
+                                         {"write_json", guarded<write_json>},
+                                         {"append", guarded<append_text>},
+                                         {"event", guarded<event>},
+                                         {"write_summary", guarded<write_summary>},
+                                         {"out_dir", guarded<out_dir>},
+                                         {"own_output", guarded<own_output>},
+                                         {"lock", guarded<lock>},
+                                         {"unlock", guarded<unlock>},
+                                         {"refuse_locked", guarded<refuse_taken>},
+                                         {"lose", guarded<lose>},
+                                         {"whole_path", guarded<whole_path>},
+                                         {nullptr, nullptr}};
+    lua_pushvalue(L, module);
+    luaL_setfuncs(L, functions, 0);
+    lua_pop(L, 1);
+}
+
+}  // namespace hinge::script

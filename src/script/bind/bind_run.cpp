@@ -1,0 +1,471 @@
+// A run in a script's hands: its steps, and what can be read of it.
+#include "effects/contact.h"
+#include <algorithm>
+#include <cstring>
+
+#include "core/text.h"
+#include "script/checks/chain.h"
+#include "script/checks/check.h"
+#include "script/record/element_events.h"
+#include "script/checks/plan.h"
+#include "script/record/probe_list.h"
+#include "script/record/recording.h"
+#include "script/record/snapshot.h"
+
+namespace hinge::script {
+
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every,
+             std::vector<Warning> likely_mistakes) {
+    if (!model->closed_at.empty())
+        throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
+    model->take_elements(run->structure().model());
+    auto record = std::make_shared<RunRecord>();
+    record->run = std::move(run);
+    record->model = std::move(model);
+    record->every = every;
+    record->likely_mistakes = std::move(likely_mistakes);
+    const auto c = context(L);
+    if (c->record) tell_findings(*c, *c->record);
+    if (c->record && !c->record->model->closed_at.empty()) {  // kept for the summary alone
+        if (c->record->run) write_happenings(*c->record);
+        c->record->run.reset();
+    }
+    c->record = record;
+    ++c->runs;
+    record->asked_at = where(L);
+    if (c->planning)
+        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record);
+            c->described.find(plan) == std::string::npos) {
+            c->described += plan;
+            std::printf("%s", plan.c_str());
+            if (!c->checking) {
+                std::printf("\n");
+            } else {
+                const std::string model = checked_model(*record);
+                const auto [known, fresh] = c->described_at.try_emplace(model, record->asked_at);
+                if (fresh) std::printf("%s\n", model.c_str());
+                else
+                    std::printf("  the same model as that of the run made at %s, with the same warnings\n\n",
+                                known->second.c_str());
+            }
+        }
+    look_over(*c, *record);
+    push<RunBox>(L, record);
+    hold_registry(L, *record->model);
+    push_registry(L, *record->model);
+    lua_pushvalue(L, -2);
+    lua_setfield(L, -2, "latest");
+    lua_pop(L, 1);
+    std::erase_if(record->model->runs, [](const auto& r) { return r.expired(); });
+    record->model->runs.push_back(record);
+    tell_collector(L, 2000 * record->run->structure().elements().size());
+    tell_of_run(L);
+    return 1;
+}
+
+namespace {
+
+// ---- methods ------------------------------------------------------------------------------------------------------
+
+int next_step(lua_State* L) {
+    if (!find<RunBox>(L, lua_upvalueindex(1))) throw InputError("run:steps: the run was collected");
+    const auto record = run_argument(L, lua_upvalueindex(1), "run:steps: the run");
+    const auto& r = *record;
+    if (!advance(L, record)) return lua_pushnil(L), 1;
+    lua_pushvalue(L, lua_upvalueindex(2));
+    lua_pushinteger(L, r.run->steps_done());
+    lua_setfield(L, -2, "index");
+    lua_pushnumber(L, r.run->state().time);
+    lua_setfield(L, -2, "time");
+    lua_pushnumber(L, r.run->state().factor);
+    lua_setfield(L, -2, "factor");
+    return 1;
+}
+
+int steps(lua_State* L) {
+    self<RunBox>(L, "run:steps");
+    lua_pushvalue(L, 1);
+    lua_createtable(L, 0, 3);  // one table, filled anew at each step
+    lua_pushcclosure(L, guarded<next_step>, 2);
+    return 1;
+}
+
+int step(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:step").value;
+    return lua_pushboolean(L, advance(L, r)), 1;
+}
+
+int finish(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:finish").value;
+    while (advance(L, r)) {}
+    lua_settop(L, 1);
+    return 1;
+}
+
+int on_step(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:on_step").value;
+    if (!lua_isfunction(L, 2))
+        throw InputError("run:on_step: takes a function of the run, called after each step; got " + show(L, 2));
+    if (r->closed || r->run->verdict() != Verdict::running)
+        throw InputError("run:on_step: the run is over (" + std::string(name(r->run->verdict())) +
+                         "), so no step follows that would call it");
+    r->on_step.emplace_back(L, 2, *r->model);
+    lua_settop(L, 1);
+    return 1;
+}
+
+int stop(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:stop").value;
+    r->run->stop();
+    tell_findings(*context(L), *r);
+    return 0;
+}
+
+/// The quantity of a probe by its name, and where that is a drift its height.
+void read_quantity(Options& o, const RunRecord& r, Probe& p) {
+    lua_State* L = o.L();
+    o.push_item(1);
+    const std::string what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
+    const bool drift = what == "drift_x" || what == "drift_y";
+    std::vector<std::string> names = node_quantities();
+    const auto at = std::find(names.begin(), names.end(), drift ? "u" + what.substr(6) : what);
+    const int index = int(at - names.begin());
+    if (at == names.end()) {
+        names.insert(names.end(), {"drift_x", "drift_y"});
+        throw InputError("run:probe: quantity is " + show(L, -1) +
+                         "; must be one of ux uy uz rx ry rz (displacement), vx .. vrz (velocity), ax .. arz "
+                         "(acceleration), fx fy fz mx my mz (reaction), drift_x drift_y" +
+                         did_you_mean(what, names));
+    }
+    lua_pop(L, 1);
+    p.quantity = Probe::Quantity(index / 6);
+    p.component = index % 6;
+    const bool relative = o.push_field("relative_to") != LUA_TNIL;
+    if (relative) p.relative_to = node_of_run(L, -1, r, "run:probe: field 'relative_to'");
+    lua_pop(L, 1);
+    if (relative && p.quantity == Probe::Quantity::reaction)
+        o.complain("relative_to", "given beside '" + what + "'", "a reaction is of one node; leave one of the two out");
+    if (relative && p.relative_to == p.node)
+        o.complain("relative_to", "the same node", "must be another one than 'node'");
+    if (drift && !relative)
+        throw InputError("run:probe: field 'relative_to' is missing; '" + what + "' takes a node of the floor below");
+    if (const auto height = o.maybe_number("height", "m", Range::positive)) {
+        if (!drift) o.complain("height", show(*height) + " m", "belongs to drift_x and drift_y");
+        p.height = *height;
+    } else if (drift) {
+        const auto& nodes = r.run->structure().position();
+        p.height = std::abs(nodes[std::size_t(p.node)].z() - nodes[std::size_t(p.relative_to)].z());
+        if (!(p.height > 0))
+            throw InputError("run:probe: both nodes are " + number_text(nodes[std::size_t(p.node)].z()) +
+                             " m high, so '" + what + "' has no height to divide by; give height = m");
+    }
+    if (const auto name = o.text("name")) {
+        p.name = *name;
+        return;
+    }
+    p.name = "node" + std::to_string(p.node + 1) + "_" + what;
+    if (relative) p.name += "_to_node" + std::to_string(p.relative_to + 1);
+}
+
+int probe(lua_State* L) {
+    const auto r = self<RunBox>(L, "run:probe").value;
+    Options o(L, 2, "run:probe");
+    auto p = std::make_shared<Probe>();
+    o.push_field("node");
+    p->node = node_of_run(L, -1, *r, "run:probe: field 'node'");
+    lua_pop(L, 1);
+    read_quantity(o, *r, *p);
+    if (p->quantity == Probe::Quantity::reaction) must_be_fixed_in(*r, p->node, "run:probe: field 'node'");
+    o.finish(1);
+    if (p->name.find_first_of(",\n\"") != std::string::npos)
+        o.complain("name", "'" + p->name + "'",
+                   "it heads a column of history.csv and may not hold a comma, quote or line break");
+    if (r->started)
+        throw InputError("run:probe: the run has begun (step " + std::to_string(r->run->steps_done()) +
+                         "); ask for probes before its first step");
+    std::vector<std::string> columns = {"time", "factor", "remainder"};
+    for (const AccountInfo& account : r->run->accounts()) columns.emplace_back(account.name);
+    for (const auto& other : r->probes) columns.push_back(other->name);
+    if (std::find(columns.begin(), columns.end(), p->name) != columns.end())
+        o.complain("name", "'" + p->name + "'",
+                   "there is a column of history.csv with that name already; give the probe another one");
+    p->time.push_back(abscissa(*r->run));
+    p->value.push_back(value_of(*r->run, *p));
+    r->probes.push_back(p);
+    push<ProbeBox>(L, p);
+    return 1;
+}
+
+int count(lua_State* L) {
+    const auto& r = *self<RunBox>(L, "run:count").value;
+    Options o(L, 2, "run:count");
+    int group = -1;
+    if (o.push_field("group") != LUA_TNIL)
+        group = group_argument(L, -1, "run:count: field 'group'", *r.model, &r.run->structure().model());
+    lua_pop(L, 1);
+    const std::string state = o.word("state", {"broken", "yielded", "elastic", "touched"}, "");
+    if (state.empty())
+        throw InputError(
+            "run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'");
+    o.finish();
+    const Run::Counts c = r.run->count_members(group);
+    lua_pushinteger(L, state == "broken"    ? c.broken
+                       : state == "yielded" ? c.yielded
+                       : state == "elastic" ? c.elastic
+                                            : c.touched);
+    return 1;
+}
+
+int run_momentum(lua_State* L) {
+    const auto& r = *self<RunBox>(L, "run:momentum").value;
+    const Momentum m = momentum(r.run->structure(), r.run->state());
+    lua_createtable(L, 0, 3);
+    lua_pushnumber(L, m.mass), lua_setfield(L, -2, "mass");
+    push_array(L, m.linear.data(), 3), lua_setfield(L, -2, "linear");
+    push_array(L, m.angular.data(), 3), lua_setfield(L, -2, "angular");
+    return 1;
+}
+
+int run_snapshot(lua_State* L) {
+    const auto& record = self<RunBox>(L, "run:snapshot").value;
+    const auto& run = record->run;
+    push<SnapshotBox>(L, make_snapshot(*run), run->share_structure(), record->model);
+    tell_collector(L, 200 * run->structure().elements().size());
+    return 1;
+}
+
+void push_energy(lua_State* L, const Run& run) {
+    const Energy e = run.energy();
+    lua_createtable(L, 0, int(run.accounts().size()) + 2);
+    const auto put = [L](std::string_view name, double value) {
+        lua_pushlstring(L, name.data(), name.size());
+        lua_pushnumber(L, value);
+        lua_rawset(L, -3);
+    };
+    put("initial", e.initial);
+    for (const AccountInfo& account : run.accounts()) put(account.name, e[account.name]);
+    put("remainder", e.error);
+}
+
+/// { name = factor } of the load cases.
+void push_cases(lua_State* L, const Model& m) {
+    lua_newtable(L);
+    for (std::size_t i = 0; i < m.case_factors().size(); ++i)
+        lua_pushnumber(L, m.case_factors()[i]), lua_setfield(L, -2, m.cases()[i].c_str());
+}
+
+int fields(lua_State* L) {
+    if (push_method(L)) return 1;
+    const std::string key = key_argument(L);
+    const auto& r = *self<RunBox>(L, "run." + key).value;
+    const Run& run = *r.run;
+    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->asked_how.insert(r.number);
+    if (key == "time") lua_pushnumber(L, run.state().time);
+    else if (key == "factor") lua_pushnumber(L, run.state().factor);
+    else if (key == "index") lua_pushinteger(L, run.steps_done());
+    else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
+    else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt")
+        d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
+    else if (key == "verdict") lua_pushstring(L, name(verdict_of(r)));
+    else if (key == "reason") lua_pushstring(L, (verdict_of(r) == run.verdict() ? run.reason() : reason_of(r)).c_str());
+    else if (key == "kind") lua_pushstring(L, run.kind());
+    else if (key == "energy") push_energy(L, run);
+    else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
+    else if (key == "loads") push_cases(L, run.structure().model());
+    else if (key == "energy_error_of_state") lua_pushnumber(L, r.state_energy_share);
+    else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
+    else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
+    else if (key == "hash")
+        lua_pushstring(L,
+                       [&] {
+                           char t[20];
+                           std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state()));
+                           return std::string(t);
+                       }()
+                           .c_str());
+    else if (key == "warnings") {
+        lua_newtable(L);
+        int i = 0;
+        if (!r.weak.empty()) lua_pushstring(L, ("goes on from " + r.weak).c_str()), lua_rawseti(L, -2, ++i);
+        for (const auto& list : {run.warnings(), run.findings()})
+            for (const RunWarning& w : list)
+                lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
+    } else if (key == "contacts") {
+        lua_createtable(L, 0, 2);
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0),
+            lua_setfield(L, -2, "bound");
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().released : 0),
+            lua_setfield(L, -2, "released");
+    } else if (key == "counts") {
+        const auto* d = dynamic_cast<const Dynamics*>(&run);
+        const auto* s = dynamic_cast<const Statics*>(&run);
+        const EffectiveStiffness::Counts c = d   ? d->solver_counts()
+                                             : s ? s->solver_counts()
+                                                 : EffectiveStiffness::Counts{};
+        lua_createtable(L, 0, 9);
+        lua_pushinteger(L, c.built), lua_setfield(L, -2, "element_builds");
+        lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
+        lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
+        lua_pushinteger(L, c.factorisations), lua_setfield(L, -2, "factorisations");
+        lua_pushinteger(L, d   ? d->element_updates()
+                           : s ? s->element_updates()
+                               : 0),
+            lua_setfield(L, -2, "element_updates");
+        lua_pushinteger(L, d ? d->rejected() : s ? s->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
+        lua_pushinteger(L, s ? s->substeps() : run.steps_done()), lua_setfield(L, -2, "substeps");
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().pair_tests : 0),
+            lua_setfield(L, -2, "pair_tests");
+        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().list_builds : 0),
+            lua_setfield(L, -2, "pair_lists");
+    } else if (key == "limit") {
+        const auto* s = dynamic_cast<const Statics*>(&run);
+        s ? lua_pushboolean(L, s->limit()) : lua_pushnil(L);
+    } else if (key == "instability") {
+        const auto* s = dynamic_cast<const Statics*>(&run);
+        if (!s || !s->instability()) return lua_pushnil(L), 1;
+        const Instability& i = *s->instability();
+        lua_createtable(L, 0, 8);
+        lua_pushnumber(L, i.factor), lua_setfield(L, -2, "factor");
+        lua_pushnumber(L, i.beyond), lua_setfield(L, -2, "beyond");
+        lua_pushinteger(L, i.count), lua_setfield(L, -2, "count");
+        if (i.node >= 0) {
+            lua_pushstring(L, run.structure().node_name(i.node).c_str()), lua_setfield(L, -2, "node");
+            lua_pushstring(L, Statics::component_name(i.component)), lua_setfield(L, -2, "component");
+        }
+        if (!i.members.empty())
+            lua_pushstring(L, i.by_compression ? "compression" : "bending"), lua_setfield(L, -2, "by");
+        lua_createtable(L, int(i.members.size()), 0);
+        for (std::size_t k = 0; k < i.members.size(); ++k) {
+            push_handle<MemberBox>(L, r.model, i.members[k]);
+            lua_rawseti(L, -2, lua_Integer(k) + 1);
+        }
+        lua_geti(L, -1, 1), lua_setfield(L, -3, "member");
+        lua_setfield(L, -2, "members");
+    } else if (key == "wakings") {
+        lua_newtable(L);
+        int i = 0;
+        for (const Run::Activation& w : run.activations()) {
+            lua_createtable(L, 0, 4);
+            lua_pushnumber(L, w.time), lua_setfield(L, -2, "time");
+            lua_pushstring(L, w.effect.c_str()), lua_setfield(L, -2, "effect");
+            lua_pushboolean(L, w.awake), lua_setfield(L, -2, "awake");
+            lua_pushstring(L, w.why.c_str()), lua_setfield(L, -2, "why");
+            lua_rawseti(L, -2, ++i);
+        }
+    } else if (key == "fastest") {
+        const auto* d = dynamic_cast<const Dynamics*>(&run);
+        if (!d || d->fastest().node < 0) return lua_pushnil(L), 1;
+        lua_createtable(L, 0, 4);
+        lua_pushnumber(L, d->fastest().speed), lua_setfield(L, -2, "speed");
+        lua_pushnumber(L, d->fastest().time), lua_setfield(L, -2, "time");
+        lua_pushstring(L, run.structure().node_name(d->fastest().node).c_str()), lua_setfield(L, -2, "node");
+    } else if (key == "probes") {
+        lua_createtable(L, int(r.probes.size()), 0);
+        for (std::size_t i = 0; i < r.probes.size(); ++i)
+            push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    } else if (key == "effects") {
+        lua_newtable(L);
+        int i = 0;
+        for (const PlanLine& e : run.effects()) {
+            lua_createtable(L, 0, 5);
+            lua_pushstring(L, e.name.c_str()), lua_setfield(L, -2, "name");
+            lua_pushboolean(L, e.active), lua_setfield(L, -2, "active");
+            lua_pushstring(L, e.because.c_str()), lua_setfield(L, -2, "because");
+            lua_pushnumber(L, e.seconds), lua_setfield(L, -2, "seconds");
+            lua_pushstring(L, e.asked_at.c_str()), lua_setfield(L, -2, "asked_at");
+            lua_rawseti(L, -2, ++i);
+        }
+    } else if (key == "stages") {
+        lua_newtable(L);
+        int i = 0;
+        for (const StageTime& s : run.stage_times()) {
+            lua_createtable(L, 0, 2);
+            lua_pushstring(L, s.name), lua_setfield(L, -2, "name");
+            lua_pushnumber(L, s.seconds), lua_setfield(L, -2, "seconds");
+            lua_rawseti(L, -2, ++i);
+        }
+    } else {
+        refuse_field(L, "run", key);
+    }
+    return 1;
+}
+
+int text(lua_State* L) {
+    const auto& box = self_or_gone<RunBox>(L, "tostring");
+    if (const std::string since = gone(box); !since.empty())
+        return lua_pushstring(L, (name_of(box) + since).c_str()), 1;
+    const Run& run = *box.value->run;
+    char t[160];
+    std::snprintf(t, sizeof t, "%s run: %s at step %ld of %ld, t = %.6g s", run.kind(), name(verdict_of(*box.value)),
+                  run.steps_done(), run.planned_steps(), run.state().time);
+    return lua_pushstring(L, t), 1;
+}
+
+int probe_fields(lua_State* L) {
+    const std::string key = key_argument(L);
+    const Probe& p = *self<ProbeBox>(L, "probe." + key).value;
+    if (key == "time" || key == "value") return push_probe_list(L, key == "time");
+    if (key == "name") lua_pushstring(L, p.name.c_str());
+    else if (key == "unit") lua_pushstring(L, unit_of(p));
+    else if (key == "last") lua_pushnumber(L, p.value.back());
+    else if (key == "max") lua_pushnumber(L, *std::max_element(p.value.begin(), p.value.end()));
+    else if (key == "min") lua_pushnumber(L, *std::min_element(p.value.begin(), p.value.end()));
+    else refuse_field(L, "probe", key);
+    return 1;
+}
+
+int probe_text(lua_State* L) {
+    const Probe& p = *self<ProbeBox>(L, "tostring").value;
+    return lua_pushstring(L, ("probe " + p.name + ": " + count_text(long(p.value.size()), "value") + ", the last " +
+                              show(p.value.back()))
+                                 .c_str()),
+           1;
+}
+
+}  // namespace
+
+void open_run(lua_State* L) {
+    static const luaL_Reg none[] = {{nullptr, nullptr}};
+    static const luaL_Reg methods[] = {{"steps", guarded<takes<"run:steps", 1, steps>>},
+                                       {"step", guarded<takes<"run:step", 1, step>>},
+                                       {"finish", guarded<takes<"run:finish", 1, finish>>},
+                                       {"stop", guarded<takes<"run:stop", 1, stop>>},
+                                       {"probe", guarded<takes<"run:probe", 2, probe>>},
+                                       {"on_step", guarded<takes<"run:on_step", 2, on_step>>},
+                                       {"count", guarded<takes<"run:count", 2, count>>},
+                                       {"momentum", guarded<takes<"run:momentum", 1, run_momentum>>},
+                                       {"snapshot", guarded<takes<"run:snapshot", 1, run_snapshot>>},
+                                       {nullptr, nullptr}};
+    make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
+    make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
+    name_fields(L, RunBox::lua_name,
+                {"kind",
+                 "time",
+                 "factor",
+                 "index",
+                 "planned_steps",
+                 "verdict",
+                 "reason",
+                 "energy",
+                 "worst_remainder",
+                 "contacts",
+                 "stages",
+                 "effects",
+                 "wall_seconds",
+                 "fastest",
+                 "dt",
+                 "hash",
+                 "counts",
+                 "wakings",
+                 "probes",
+                 "instability",
+                 "limit",
+                 "energy_error",
+                 "energy_error_of_state",
+                 "loads",
+                 "warnings"});
+    name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name", "unit"});
+    make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
+}
+
+}  // namespace hinge::script

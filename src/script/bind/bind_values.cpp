@@ -1,0 +1,166 @@
+// hinge.material and hinge.section: what members are made of.
+#include <cmath>
+
+#include "model/plastic_shape.h"
+#include "script/lua/objects.h"
+
+namespace hinge::script {
+namespace {
+
+int material(lua_State* L) {
+    Options o(L, 1, "hinge.material");
+    Material m;
+    m.E = o.number("E", "Pa", Range::positive);
+    const auto nu = o.maybe_number("nu", "", Range::any);
+    if (nu && !(*nu > -1 && *nu <= 0.5))
+        o.complain("nu", show(*nu), "Poisson's ratio must be above -1 and at most 0.5");
+    const auto G = o.maybe_number("G", "Pa", Range::positive);
+    if (nu && G) o.complain("G", show(*G) + " Pa", "is given beside nu, from which it follows; give one of the two");
+    m.G = G ? *G : m.E / (2 * (1 + nu.value_or(0.3)));
+    m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
+    if (const auto y = o.maybe_number("yield_stress", "Pa", Range::positive)) m.yield_stress = *y;
+    o.finish();
+    m.asked_at = where(L);
+    push<MaterialBox>(L, std::make_shared<const Material>(m));
+    return 1;
+}
+
+int material_fields(lua_State* L) {
+    const Material& m = *self<MaterialBox>(L, "material").value;
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (key == "E") lua_pushnumber(L, m.E);
+    else if (key == "G") lua_pushnumber(L, m.G);
+    else if (key == "density") lua_pushnumber(L, m.density);
+    else if (key == "yield_stress") lua_pushnumber(L, m.yield_stress);
+    else
+        throw InputError("material has no field '" + key + "'" +
+                         did_you_mean(key, {"E", "G", "density", "yield_stress"}));
+    return 1;
+}
+
+int material_text(lua_State* L) {
+    const Material& m = *self<MaterialBox>(L, "tostring").value;
+    lua_pushfstring(L, "material: E %f Pa, G %f Pa, density %f kg/m^3, yield stress %s Pa", m.E, m.G, m.density,
+                    show(m.yield_stress).c_str());
+    return 1;
+}
+
+int section(lua_State* L) {
+    Options o(L, 1, "hinge.section.general");
+    o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0",
+              "plastic", "size", "kind"});
+    Section s;
+    s.area = o.number("area", "m^2", Range::positive);
+    s.Ix = o.number("Ix", "m^4", Range::positive);
+    s.Iy = o.number("Iy", "m^4", Range::positive);
+    s.J = o.number("J", "m^4", Range::positive);
+    s.shear_area_x = o.number("shear_area_x", "m^2", Range::positive, s.area * 5 / 6);
+    s.shear_area_y = o.number("shear_area_y", "m^2", Range::positive, s.area * 5 / 6);
+    s.mass_Ix = o.number("mass_Ix", "m^4", Range::positive, 0);
+    s.mass_Iy = o.number("mass_Iy", "m^4", Range::positive, 0);
+    s.N0 = o.maybe_number("N0", "N", Range::positive);
+    s.Mx0 = o.maybe_number("Mx0", "N m", Range::positive);
+    s.My0 = o.maybe_number("My0", "N m", Range::positive);
+    s.Mz0 = o.maybe_number("Mz0", "N m", Range::positive);
+    if (o.push_field("plastic") != LUA_TNIL) {
+        Options p(L, -1, "hinge.section.general, plastic");
+        s.plastic_area = p.number("A", "m^2", Range::positive, 0);
+        s.Zx = p.number("Zx", "m^3", Range::positive, 0);
+        s.Zy = p.number("Zy", "m^3", Range::positive, 0);
+        s.Zz = p.number("Zz", "m^3", Range::positive, 0);
+        p.finish();
+    }
+    lua_pop(L, 1);
+    if (o.push_field("size") != LUA_TNIL) {
+        Options p(L, -1, "hinge.section.general, size");
+        s.width = p.number("width", "m", Range::positive);
+        s.depth = p.number("depth", "m", Range::positive);
+        s.web = p.number("web", "m", Range::positive, 0);
+        s.flange = p.number("flange", "m", Range::positive, 0);
+        p.finish();
+    }
+    lua_pop(L, 1);
+    if (const auto kind = o.text("kind")) s.kind = *kind;
+    o.finish();
+    s.asked_at = where(L);
+    push<SectionBox>(L, std::make_shared<const Section>(s));
+    return 1;
+}
+
+/// section:reduced_moments(n)
+int reduced_moments(lua_State* L) {
+    const Section& s = *self<SectionBox>(L, "section:reduced_moments").value;
+    const double n = lua_type(L, 2) == LUA_TNUMBER ? lua_tonumber(L, 2) : std::nan("");
+    if (!(std::abs(n) <= 1))
+        throw InputError("section:reduced_moments: N / N0 is " + show(L, 2) + "; must be a number from -1 to 1");
+    const auto shape = PlasticShape::of(s);
+    if (!shape) return lua_pushnil(L), 1;
+    for (int axis : {0, 1}) lua_pushnumber(L, shape->moment(axis, n));
+    return 2;
+}
+
+int section_fields(lua_State* L) {
+    if (push_method(L)) return 1;
+    const Section& s = *self<SectionBox>(L, "section").value;
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    const std::pair<const char*, double> numbers[] = {{"area", s.area},
+                                                      {"Ix", s.Ix},
+                                                      {"Iy", s.Iy},
+                                                      {"J", s.J},
+                                                      {"shear_area_x", s.shear_area_x},
+                                                      {"shear_area_y", s.shear_area_y},
+                                                      {"plastic_area", s.plastic_area},
+                                                      {"Zx", s.Zx},
+                                                      {"Zy", s.Zy},
+                                                      {"Zz", s.Zz},
+                                                      {"width", s.width},
+                                                      {"depth", s.depth}};
+    for (const auto& [name, value] : numbers)
+        if (key == name) return lua_pushnumber(L, value), 1;
+    const std::pair<const char*, std::optional<double>> given[] = {
+        {"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};
+    for (const auto& [name, value] : given)
+        if (key == name) return value ? lua_pushnumber(L, *value) : lua_pushnil(L), 1;
+    if (key == "kind") return lua_pushstring(L, s.kind.c_str()), 1;
+    std::vector<std::string> names = {"kind", "N0", "Mx0", "My0", "Mz0"};
+    for (const auto& n : numbers) names.push_back(n.first);
+    throw InputError("section has no field '" + key + "'" + did_you_mean(key, names));
+}
+
+int section_text(lua_State* L) {
+    const Section& s = *self<SectionBox>(L, "tostring").value;
+    char text[200];
+    std::snprintf(text, sizeof text, "section (%s): area %.4g m^2, Ix %.4g, Iy %.4g, J %.4g m^4", s.kind.c_str(),
+                  s.area, s.Ix, s.Iy, s.J);
+    lua_pushstring(L, text);
+    return 1;
+}
+
+template <class T>
+int same(lua_State* L) {
+    const T *a = find<T>(L, 1), *b = find<T>(L, 2);
+    lua_pushboolean(L, a && b && a->value == b->value);
+    return 1;
+}
+
+}  // namespace
+
+void open_values(lua_State* L, int module) {
+    static const luaL_Reg none[] = {{nullptr, nullptr}};
+    make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>,
+                   guarded<material_text>, same<MaterialBox>);
+    static const luaL_Reg of_section[] = {
+        {"reduced_moments", guarded<takes<"section:reduced_moments", 2, reduced_moments>>}, {nullptr, nullptr}};
+    make_metatable(L, SectionBox::lua_name, of_section, guarded<section_fields>, collect<SectionBox>,
+                   guarded<section_text>, same<SectionBox>);
+    name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
+    name_fields(L, SectionBox::lua_name,
+                {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
+                 "N0", "Mx0", "My0", "Mz0", "width", "depth"});
+    lua_pushcfunction(L, (guarded<takes<"hinge.material", 1, material>>));
+    lua_setfield(L, module, "material");
+    lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));
+    lua_setfield(L, module, "section");
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,97 @@
+#include "script/checks/chain.h"
+
+#include "core/text.h"
+#include "script/checks/check.h"
+
+namespace hinge::script {
+namespace {
+
+/// "at 0.29 of its load", "at t = 0.12 s, in step 41 of 100"
+std::string how_far(const Run& run) {
+    const auto* s = dynamic_cast<const Statics*>(&run);
+    if (!s)
+        return "at t = " + number_text(run.state().time, 4) + " s, after " + std::to_string(run.steps_done()) + " of " +
+               count_text(run.planned_steps(), "step");
+    switch (s->settings().control) {
+        case Control::arc:
+            return "at load factor " + number_text(run.state().factor, 3) + " of " +
+                   number_text(s->settings().target, 3);
+        case Control::displacement: return "at " + number_text(s->part_done(), 3) + " of its way";
+        default: return "at " + number_text(run.state().factor, 3) + " of its load";
+    }
+}
+
+/// What kept the run itself from its end; "" for nothing.
+std::string own_end(const RunRecord& r) {
+    const auto* s = dynamic_cast<const Statics*>(r.run.get());
+    if (r.run->verdict() == Verdict::failed) return "failed ";
+    if (s && s->limit()) return "ended at its limit load, ";
+    if (s && s->short_of_target()) return "ended ";
+    return "";
+}
+
+}  // namespace
+
+std::string weak_link(const RunRecord& r) {
+    if (const std::string end = own_end(r); !end.empty()) {
+        const std::string why = r.run->reason().substr(0, r.run->reason().find("; "));  // without its advice
+        return std::string(r.run->kind()) + " run " + std::to_string(r.number) + ", which " + end + how_far(*r.run) +
+               (r.asked_at.empty() ? "" : " (made at " + r.asked_at + ")") + (why.empty() ? "" : ": " + why);
+    }
+    return is_weak(r) ? r.weak : "";
+}
+
+Verdict verdict_of(const RunRecord& r) {
+    const Verdict own = r.run->verdict();
+    const bool ended = own == Verdict::completed || own == Verdict::stopped;
+    return ended && is_weak(r) ? Verdict::failed : own;
+}
+
+std::string reason_of(const RunRecord& r) {
+    const std::string& reason = r.run->reason();
+    if (r.run->verdict() != Verdict::failed && is_weak(r))
+        return "goes on from " + r.weak + "; allow_failed = true of model:" + r.run->kind() + " accepts that";
+    if (r.run->verdict() != Verdict::failed || !r.of_units) return reason;
+    const Warning& w = *r.of_units;
+    return reason + "; the cause may be what the warning" + (w.asked_at.empty() ? "" : " at " + w.asked_at) +
+           " says: " + w.what;
+}
+
+std::string unasked_failure(const Context& c) {
+    std::string first;
+    int more = 0;
+    for (const auto& [number, text] : c.failed) {
+        if ((c.record && number == c.record->number) || c.asked_how.count(number) > 0) continue;
+        if (first.empty()) first = text;
+        else ++more;
+    }
+    if (first.empty()) return "";
+    return first + (more > 0 ? "; so did " + count_text(more, "more run") : "") +
+           "; the script never asked how that went (run.verdict)";
+}
+
+Chain::Chain(Options& o, const RunRecord* before) : allowed_(o.flag("allow_failed", false)) {
+    if (!before && o.has("allow_failed"))
+        o.complain("allow_failed", allowed_ ? "true" : "false",
+                   "has no meaning without from =, the run that this one goes on from; leave it out");
+    Context& c = *context(o.L());
+    if (!before || c.planning) return;
+    weak_ = weak_link(*before);
+    if (weak_.empty()) return;
+    if (allowed_) c.asked_how.insert(before->number);
+    Warning w;
+    w.what = "this run goes on from " + weak_;
+    w.advice = allowed_
+                   ? "allow_failed = true accepts that"
+                   : "so this one counts as failed too; look at run.verdict first, or accept it: allow_failed = true";
+    w.asked_at = where(o.L());
+    tell(c, w);
+}
+
+int Chain::keep(lua_State* L) {
+    RunRecord& r = *find<RunBox>(L, -1)->value;
+    r.weak = std::move(weak_), r.weak_allowed = allowed_;
+    return 1;
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,67 @@
+// Likely mistakes that hinge run tells of, before the mechanism or the failure that they may end in.
+#include <algorithm>
+
+#include "effects/connectors.h"
+#include "script/checks/check.h"
+#include "script/record/events.h"
+
+namespace hinge::script {
+namespace {
+
+constexpr int most_lines = 10;               ///< of all the script's runs
+constexpr std::size_t most_kept = 100;       ///< in summary.json
+constexpr int most_models = 50;              ///< that are looked at: a loop's further ones are like the first
+constexpr std::size_t most_members = 20000;  ///< of one: half a second
+constexpr int most_solved = 2000;            ///< nodes, where a linear solution is asked for: a tenth of a second
+
+}  // namespace
+
+std::vector<std::pair<int, int>> joined_by_connectors(const Model& model) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const Connector& c : model.declared<Connector>(connectors_effect))
+        if (c.a >= 0 && c.b >= 0) pairs.emplace_back(c.a, c.b);
+    return pairs;
+}
+
+void tell(Context& c, const Warning& w) {
+    const std::string text = warning_text(w);
+    if (c.warned.size() >= most_kept || std::find(c.warned.begin(), c.warned.end(), text) != c.warned.end()) return;
+    c.warned.push_back(text);
+    write_event(c, "warning", {{"text", w.what}, {"advice", w.advice}, {"line", w.asked_at}, {"more", w.more}});
+    if (!c.warns || c.warnings_told >= most_lines) return;
+    if (++c.warnings_told < most_lines) std::fprintf(stderr, "warning: %s\n", text.c_str());
+    else std::fprintf(stderr, "warning: and more than these %d; hinge check tells all\n", most_lines - 1);
+}
+
+void tell_findings(Context& c, const RunRecord& r) {
+    if (!r.run || r.run->steps_done() == 0) return;
+    for (const RunWarning& w : r.run->findings()) tell(c, warning_of(*r.run, w));
+}
+
+void look_over(Context& c, const Model& model) {
+    c.of_units.reset();
+    if (!c.looks_over || c.looked_over >= most_models || model.members().size() > most_members) return;
+    ++c.looked_over;
+    const std::vector<Warning> list = warnings(model, joined_by_connectors(model));
+    c.of_units = of_units(list);
+    for (const Warning& w : list) tell(c, w);
+}
+
+void look_over(Context& c, RunRecord& record) {
+    record.of_units = c.of_units;
+    if (!c.looks_over || c.looked_over >= most_models ||
+        record.run->structure().model().members().size() > most_members)
+        return;
+    std::vector<Warning> list = warnings_of_run(record, c.of_units ? 0 : most_solved, false, true);
+    const auto buckles = [](const Warning& w) { return w.what.find("Euler's load") != std::string::npos; };
+    const long columns = std::count_if(list.begin(), list.end(), buckles);
+    const auto first = std::find_if(list.begin(), list.end(), buckles);
+    if (columns > 1) {  // the worst is told, the others are counted
+        for (auto w = first + 1; w != list.end(); ++w) first->more += w->more + w->tells_of;
+        list.erase(first + 1, list.end());
+    }
+    for (const Warning& w : list) tell(c, w);
+    if (!record.of_units) record.of_units = of_units(list);
+}
+
+}  // namespace hinge::script

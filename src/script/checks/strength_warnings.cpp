@@ -1,0 +1,48 @@
+// Members whose axial force makes eq 14 unsafe, from a linear solution of the loads.
+#include <cmath>
+
+#include "core/text.h"
+#include "effects/axial_strength.h"
+#include "model/member_text.h"
+#include "script/checks/load_warnings.h"
+
+namespace hinge::script {
+
+std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& solution) {
+    const Structure& declared = record.run->structure();
+    if (!solution.run || !declared.can_yield()) return {};
+    const Model& model = declared.model();
+    const auto& elements = solution.run->structure().elements();
+    double worst = 0, excess = 0, worst_n = 0;  // of M0, of the exact moment, of N0
+    int worst_member = -1, worst_axis = 0, last = -1;
+    int members = 0;
+    for (int i = 0; i < int(elements.size()); ++i) {
+        const int member = elements[i].member;
+        const beam::YieldSurface& yield = declared.elements()[i].yield;
+        const auto shape = PlasticShape::of(*model.members()[member].section);
+        if (!shape || yield.n == 0) continue;
+        double n = 0;
+        for (double side : {-1.0, 1.0})
+            n = std::max(n, std::sqrt(yield.n) * std::abs(solution.run->section_forces(i, side).N));
+        if (n >= 1) continue;  // it yields by N alone
+        for (int axis : {0, 1}) {
+            const double of_eq14 = std::sqrt(1 - n * n), exact = shape->moment(axis, n);
+            if (!is_unsafe(of_eq14, exact)) continue;
+            if (last != member) last = member, ++members;
+            if (of_eq14 - exact > worst + alike_moment) {
+                worst = of_eq14 - exact, excess = of_eq14 / exact - 1;
+                worst_n = n, worst_member = member, worst_axis = axis;
+            }
+        }
+    }
+    if (worst_member < 0) return {};
+    return {{member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
+                 ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
+                 "N eq 14 gives it " + excess_text(excess) + " more than its exact plastic moment about " +
+                 (worst_axis == 0 ? "x" : "y"),
+             std::string("what bends it to yielding is found too strong; a lower ") +
+                 (worst_axis == 0 ? "Mx0" : "My0") + " (hinge.section.general) or a lower yield stress is safe",
+             model.asked_at("member " + std::to_string(worst_member + 1)), members - 1, members}};
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,111 @@
+// What pulls along gravity, by source; loads that are no mass, floors that count twice, gravity that comes too late.
+#include <cmath>
+#include <optional>
+
+#include "core/text.h"
+#include "effects/member_loads.h"
+#include "effects/point_mass.h"
+#include "script/checks/load_warnings.h"
+
+namespace hinge::script {
+namespace {
+
+/// Loads along gravity over the weight of all mass, in dynamics: beyond it, floors are loads and not mass.
+constexpr double much_load = 3;
+
+/// Loads along gravity and the weight of point masses are taken for the same floors where neither is more than this
+/// many times the other: mass rounded, tributary widths that differ, live load in one of them alone.
+constexpr double alike = 1.3;
+
+std::string digits(double v, int n = 4) { return number_text(v, n); }
+
+/// Along gravity, N, of what acts without a history.
+struct Weights {
+    double members = 0, point_masses = 0, on_members = 0, on_nodes = 0;
+    double mass = 0, point_mass = 0;  ///< kg, of members and of points
+    double loads() const { return on_members + on_nodes; }
+    double all() const { return members + point_masses + loads(); }
+};
+
+/// The part of a load on a member along `down`, N.
+double load_along(const MemberLoad& l, const Vec3& chord, const Vec3& down) {
+    if (!l.spread()) return l.force[0].dot(down);
+    const auto length = [&](const Vec3& force) {
+        if (l.axes != LoadAxes::projected || force.isZero(0)) return chord.norm();
+        const Vec3 along = force.normalized();
+        return (chord - chord.dot(along) * along).norm();
+    };
+    return 0.5 * (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]).dot(down);
+}
+
+/// None where the model has no gravity.
+std::optional<Weights> weights_of(const Structure& s) {
+    const Model& model = s.model();
+    if (!model.gravity() || model.gravity()->isZero(0)) return {};
+    const double g = model.gravity()->norm();
+    const Vec3 down = *model.gravity() / g;
+    Weights w;
+    for (const NodalLoad& l : model.loads())
+        if (!l.history && !l.follows_state()) w.on_nodes += l.force.dot(down);
+    for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
+        if (l.has_history || l.axes == LoadAxes::local) continue;
+        const auto& node = model.members()[l.member].node;
+        w.on_members += load_along(l, model.nodes()[node[1]].position - model.nodes()[node[0]].position, down);
+    }
+    for (const Element& e : s.elements()) w.mass += e.mass();
+    for (const PointMass& m : model.declared<PointMass>(point_mass_effect)) w.point_mass += m.mass;
+    w.members = g * w.mass, w.point_masses = g * w.point_mass;
+    return w;
+}
+
+}  // namespace
+
+std::string weight_by_source(const Structure& structure) {
+    const auto w = weights_of(structure);
+    if (!w) return "";
+    std::string text = "  along gravity: members " + digits(w->members) + " N";
+    if (w->point_masses > 0)
+        text += ", point masses " + digits(w->point_masses) + " N (" + digits(w->point_mass) + " kg)";
+    if (w->on_members != 0) text += ", loads on members " + digits(w->on_members) + " N";
+    if (w->on_nodes != 0) text += ", loads on nodes " + digits(w->on_nodes) + " N";
+    return text + (w->all() != w->members ? ", together " + digits(w->all()) + " N\n" : "\n");
+}
+
+std::vector<Warning> massless_loads(const Structure& s, const std::string& line) {
+    const auto w = weights_of(s);
+    if (!w || w->loads() < much_load * (w->members + w->point_masses)) return {};
+    return {{"the loads along gravity, " + digits(w->loads(), 3) + " N, are " +
+                 digits(w->loads() / (w->members + w->point_masses), 2) + " times the weight of the model's " +
+                 digits(w->mass + w->point_mass, 3) +
+                 " kg; loads have no inertia, so what falls under them falls faster than free",
+             "give floors as mass in the place of these loads: a density that holds them, or model:mass; gravity gives "
+             "mass its weight",
+             line}};
+}
+
+std::vector<Warning> floors_twice(const Structure& s) {
+    const auto w = weights_of(s);
+    if (!w || !(w->loads() > 0 && w->point_masses > 0) || w->loads() > alike * w->point_masses ||
+        w->point_masses > alike * w->loads())
+        return {};
+    return {{"loads along gravity, " + digits(w->loads()) + " N, and point masses, which weigh " +
+                 digits(w->point_masses) + " N, act together: " + digits(w->all()) + " N with the members",
+             "are they the same floors? Then these count twice: leave the loads out, since gravity gives masses their "
+             "weight",
+             s.model().asked_at(point_mass_effect)}};
+}
+
+std::vector<Warning> late_gravity(const Structure& s, const RunRecord& before, const std::string& line) {
+    const auto& now = s.model().gravity();
+    const Vec3 then = before.run->structure().model().gravity().value_or(Vec3::Zero());
+    if (!now || now->isZero(0) || now->isApprox(then)) return {};
+    const std::string run = std::string(before.run->kind()) + " run made at " + before.asked_at;
+    return {{"gravity " + vector_text(*now) + " m/s^2 acts at once in this run, and " +
+                 (then.isZero(0) ? "did not act in the " + run : "was " + vector_text(then) + " m/s^2 in the " + run) +
+                 ", from which it goes on",
+             "weight that acts at once moves a structure about twice as far as at rest; declare model:gravity before "
+             "that run",
+             line}};
+}
+
+}  // namespace hinge::script

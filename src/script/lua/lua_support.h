@@ -1,0 +1,171 @@
+// The boundary to Lua: errors that cross it, values that come in, objects that live behind userdata.
+//
+// Lua's errors are longjmps, so none may start while a C++ destructor is pending. Every function that Lua calls is
+// wrapped by `guarded`: it catches C++ exceptions, leaves the catch, and only then raises. Inside, arguments are read
+// with calls that do not raise, wrong input is thrown as InputError, and lua_calls.h has Lua's lack of memory thrown as
+// std::bad_alloc.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/errors.h"
+#include "core/types.h"
+#include "script/lua/lua_calls.h"
+
+namespace hinge::script {
+
+/// Runs body(L) and turns what it throws into a Lua error at the script's own line.
+using Body = int (*)(lua_State*);
+int guarded_call(lua_State* L, Body body);
+template <Body body>
+int guarded(lua_State* L) {
+    return guarded_call(L, body);
+}
+
+/// "script.lua:12" for the innermost level outside the hinge library, or "" when there is none.
+std::string where(lua_State* L);
+
+/// Remembers what kind of error a message is (see core.error_kind).
+void note_error(lua_State* L, const std::string& message, const char* kind);
+
+/// The folder of the Lua library; its chunks are skipped by `where`.
+void set_library_folder(lua_State* L, const std::string& folder);
+
+/// The nearest of `names` to a mistyped one, as " (did you mean 'x'?)", or "".
+std::string did_you_mean(const std::string& typed, const std::vector<std::string>& names);
+
+std::string show(lua_State* L, int index);  ///< a value as an error message shows it
+std::string show(double value);
+
+// ---- objects ------------------------------------------------------------------------------------------------------
+
+/// T declares `static constexpr const char* lua_name`.
+template <class T>
+T* find(lua_State* L, int index) {
+    return static_cast<T*>(luaL_testudata(L, index, T::lua_name));
+}
+
+template <class T, class... Args>
+T* push(lua_State* L, Args&&... args) {
+    void* room = lua_newuserdatauv(L, sizeof(T), 1);
+    T* object = new (room) T{std::forward<Args>(args)...};
+    luaL_setmetatable(L, T::lua_name);
+    return object;
+}
+
+/// Leaves a userdata that no function takes: a script may call this by hand (debug.getmetatable), or a finalizer of its
+/// own bring the userdata back.
+template <class T>
+int collect(lua_State* L) {
+    T* object = find<T>(L, 1);
+    if (!object) return 0;
+    lua_pushnil(L);
+    lua_setmetatable(L, 1);
+    object->~T();
+    return 0;
+}
+
+/// Raises where what stands behind a handle is gone; objects.h says of which handles.
+inline void refuse_gone(const auto&, const std::string&) {}
+
+template <class T>
+T& self_or_gone(lua_State* L, const std::string& function) {
+    if (T* object = find<T>(L, 1)) return *object;
+    throw InputError(function + ": called on " + show(L, 1) + "; write object" +
+                     (function.find(':') != std::string::npos ? ":method(...)" : ".field") + " on a " + T::lua_name);
+}
+
+template <class T>
+T& self(lua_State* L, const std::string& function) {
+    T& object = self_or_gone<T>(L, function);
+    refuse_gone(object, function);
+    return object;
+}
+
+/// Makes T's metatable with methods, __gc, __index falling back from methods to `fields`.
+void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields,
+                    lua_CFunction collect, lua_CFunction to_string, lua_CFunction equal);
+
+/// Which fields its objects have: for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
+void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields);
+/// Methods for a metatable that make_metatable made.
+void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
+
+/// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the
+/// complaint if it is neither.
+std::string key_argument(lua_State* L);
+bool push_method(lua_State* L);
+[[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key);
+
+/// body; arguments beyond the first `most` (an object with its `:` counts) are refused.
+int taking(lua_State* L, const char* name, int most, Body body);
+template <std::size_t n>
+struct Name {
+    char text[n];
+    constexpr Name(const char (&from)[n]) {
+        for (std::size_t i = 0; i < n; ++i) text[i] = from[i];
+    }
+};
+template <Name name, int most, Body body>
+int takes(lua_State* L) {
+    return taking(L, name.text, most, body);
+}
+
+/// The number of items of the list at `index`: a table with items 1 to n and nothing else, or it throws naming `what`.
+lua_Integer list_length(lua_State* L, int index, const std::string& what);
+
+// ---- tables of options --------------------------------------------------------------------------------------------
+
+enum class Range { any, positive, not_negative };
+
+/// Reads a table of named options; every complaint names function, field, value, unit and what is allowed.
+class Options {
+public:
+    /// `index`: the table; absent is an empty table when `may_be_absent`.
+    Options(lua_State* L, int index, std::string function, bool may_be_absent = false);
+
+    double number(const char* field, const char* unit, Range range);  ///< must be there
+    double number(const char* field, const char* unit, Range range, double fallback);
+    std::optional<double> maybe_number(const char* field, const char* unit, Range range);
+    int integer(const char* field, int least, int fallback);
+    bool flag(const char* field, bool fallback);
+    std::optional<Vec3> triple(const char* field, const char* unit);
+    std::optional<std::string> text(const char* field);
+    /// One of the given words.
+    std::string word(const char* field, const std::vector<std::string>& allowed, const std::string& fallback);
+    bool has(const char* field);
+    /// Pushes the field's raw value (nil if absent) and counts it as known.
+    int push_field(const char* field);
+    int push_item(int i);
+    /// Complains about a field that is none of these, before anything is said to be missing.
+    void expect(std::vector<std::string> fields, int items_allowed = 0) {
+        known_ = std::move(fields), finish(items_allowed);
+    }
+    /// Complains about a field nobody asked for.
+    void finish(int items_allowed = 0);
+
+    [[noreturn]] void complain(const std::string& field, const std::string& value, const std::string& allowed) const;
+    const std::string& function() const { return function_; }
+    lua_State* L() const { return L_; }
+
+private:
+    std::optional<double> read_number(const char* field, const char* unit, Range range);
+    lua_State* L_;
+    int index_;  // 0: absent
+    std::string function_;
+    std::vector<std::string> known_;
+};
+
+/// Reads {x, y, z} at `index`, or throws naming `what`.
+Vec3 read_triple(lua_State* L, int index, const std::string& what, const char* unit);
+void push_array(lua_State* L, const double* values, int n);
+
+}  // namespace hinge::script

@@ -1,0 +1,54 @@
+// What keeps a model's Lua functions: one table a model, its registry, held by every object of the script that keeps
+// the model.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "script/lua/lua_support.h"
+
+namespace hinge {
+class Model;
+}
+
+namespace hinge::script {
+
+struct Context;
+
+/// Pushes the model's registry, a Lua table made when it is first asked for.
+void push_registry(lua_State* L, const Model& model);
+
+/// Has the userdata on top of the stack hold the model's registry. Whatever keeps a model alive for the script must.
+void hold_registry(lua_State* L, const Model& model);
+
+/// Pushes the registry, and its table of the handles of one kind that are in use, by number. It does not keep them.
+void push_handles(lua_State* L, const Model& model, const char* kind);
+
+/// A Lua value that C++ holds. The model's registry keeps it, not the registry: a rule that refers to its own model is
+/// then a cycle that Lua sees and collects. It may be used as long as an object of the script holds that registry.
+class LuaValue {
+public:
+    LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index
+    void push(lua_State* L) const;
+
+private:
+    struct Slot;
+    std::shared_ptr<Slot> slot_;
+};
+
+/// A Lua function that C++ calls.
+class LuaFunction : public LuaValue {
+public:
+    LuaFunction(lua_State* L, int index, const Model& model);
+    lua_State* running() const;
+    const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
+
+private:
+    std::shared_ptr<Context> context_;
+    std::string place_;
+};
+
+/// Calls the function below its arguments; a Lua error becomes HookError with the message it had, and `what` failed.
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what = "");
+
+}  // namespace hinge::script

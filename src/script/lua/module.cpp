@@ -1,0 +1,118 @@
+// The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
+#include <cstdlib>
+
+#include "script/bind/bind_hinges.h"
+#include "script/files/run_checkpoint.h"
+#include "script/lua/interrupts.h"
+#include "script/lua/module.h"
+#include "script/files/installed_files.h"
+#include "script/files/processes.h"
+
+namespace hinge::script {
+namespace {
+
+/// core.input_error(message): wrong input found by the Lua library, raised at the script's own line.
+int input_error(lua_State* L) {
+    const char* text = lua_tostring(L, 1);
+    throw InputError(text ? text : "wrong input");
+}
+
+/// core.error_kind(failure): "input", "outside", "hook", "interrupted" for a message that the engine raised, nil for
+/// others; of "interrupted" the exit status too.
+int error_kind(lua_State* L) {
+    const auto c = context(L);
+    const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
+    if (text && !c->last_error.empty() && c->last_error == text) lua_pushstring(L, c->last_error_kind);
+    else lua_pushnil(L);
+    if (c->last_error_kind != std::string_view("interrupted") || lua_isnil(L, -1)) return 1;
+    lua_pushinteger(L, c->exit_status);
+    return 2;
+}
+
+/// core.did_you_mean(word, names): " (did you mean 'x'?)", or "".
+int suggest(lua_State* L) {
+    const char* word = lua_tostring(L, 1);
+    if (!word || !lua_istable(L, 2)) throw InputError("did_you_mean: takes a word and a list of names");
+    std::vector<std::string> names;
+    for (lua_Integer i = 1, n = lua_rawlen(L, 2); i <= n; ++i) {
+        lua_rawgeti(L, 2, i);
+        if (const char* name = lua_tostring(L, -1)) names.push_back(name);
+        lua_pop(L, 1);
+    }
+    lua_pushstring(L, did_you_mean(word, names).c_str());
+    return 1;
+}
+
+int open_core(lua_State* L) {
+    prepare(L);
+    lua_newtable(L);
+    const int module = lua_gettop(L);
+    open_values(L, module);
+    open_objects(L);
+    open_model(L, module);
+    open_run(L);
+    open_reading(L);
+    open_checkpoint(L, module);
+    open_output(L, module);
+    open_pictures(L, module);
+    open_plots(L, module);
+    open_frames(L, module);
+    open_hinges(L, module);
+    open_measure(L, module);
+    open_processes(L, module);
+    open_interrupts(L, module);
+    open_film(L, module);
+    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
+                                         {"error_kind", guarded<error_kind>},
+                                         {"did_you_mean", guarded<suggest>},
+                                         {nullptr, nullptr}};
+    luaL_setfuncs(L, functions, 0);
+    lua_pushstring(L, HINGE_VERSION);
+    lua_setfield(L, module, "version");
+    return 1;
+}
+
+int open_module(lua_State* L) {
+    const std::string init = prepare(L)->library + "/hinge/init.lua";
+    protect(L, 0, 1, [file = init.c_str()](lua_State* L) {
+        if (luaL_loadfilex(L, file, "t") != LUA_OK) lua_error(L);
+        lua_call(L, 0, 1);
+    });
+    return 1;
+}
+
+}  // namespace
+
+std::shared_ptr<Context> prepare(lua_State* L) {
+    if (has_context(L)) return context(L);
+    auto c = std::make_shared<Context>();
+    c->running = L;
+    c->library = library_folder();
+    c->picture_module = picture_module();
+    c->looks_over = c->warns = c->tells_failures = std::getenv("HINGE_QUIET") == nullptr;  // the program says otherwise
+    set_library_folder(L, c->library + "/hinge/");
+    lua_getglobal(L, "package");
+    lua_getfield(L, -1, "path");
+    const std::string path =
+        c->library + "/?.lua;" + c->library + "/?/init.lua;" + (lua_isstring(L, -1) ? lua_tostring(L, -1) : "");
+    lua_pop(L, 1);
+    lua_pushstring(L, path.c_str());
+    lua_setfield(L, -2, "path");
+    lua_getfield(L, -1, "preload");
+    lua_pushcfunction(L, guarded<open_core>);
+    lua_setfield(L, -2, "hinge.core");
+    lua_pop(L, 2);
+    set_context(L, c);  // last: all of this is done, or none of it counts
+    return c;
+}
+
+}  // namespace hinge::script
+
+/// Where Lua finds hinge/init.lua by itself (a rock), it comes here for the engine alone.
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge_core(lua_State* L) {
+    return hinge::script::guarded<hinge::script::open_core>(L);
+}
+
+extern "C" __attribute__((visibility("default"))) int luaopen_hinge(lua_State* L) {
+    return hinge::script::guarded<hinge::script::open_module>(L);
+}

@@ -1,0 +1,358 @@
+// What stands behind the userdata a script holds.
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/warnings.h"
+#include "script/lua/model_registry.h"
+#include "run/dynamics.h"
+#include "run/energy_monitor.h"
+#include "run/statics.h"
+
+namespace hinge::script {
+
+/// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
+struct Context {
+    lua_State* running = nullptr;  ///< the thread that entered the engine last; hooks are called on it
+    std::string out_dir;           ///< empty: nothing is written unless a path is given
+    std::string owner;             ///< run.json of that folder; "": none is written
+    bool owner_written = false;
+    std::string library;                         ///< folder of the Lua library
+    std::string picture_module;                  ///< path of the output module
+    bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state
+    bool warns = false;                          ///< tell there of likely mistakes
+    bool tells_failures = false;                 ///< and at the end of runs that failed, where the script never asked
+    std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
+    struct RunObserver* observer = nullptr;      ///< who looks on while runs go on; null: nobody
+    bool looks_over = false;                     ///< look for likely mistakes in the models that are run
+    std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
+    std::optional<Warning> of_units;             ///< the first such warning of the model looked at last
+    int warnings_told = 0, looked_over = 0;      ///< lines; models
+    volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
+    bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on
+    int exit_status = 3;                ///< after such an end: 3 with a checkpoint written, else 128 and the signal
+    bool resume = false;                ///< runs go on from their checkpoints
+    std::set<std::string> checkpoints;  ///< files that runs have named
+    bool sandbox = false;               ///< the script is not trusted: nothing is written outside out_dir
+    bool planning = false;              ///< runs are described, not stepped; nothing is written
+    bool checking = false;              ///< while planning: what a run works on is looked over, not its effects
+    std::string left_out;               ///< an effect that runs do without, whatever their models declare; "" for none
+    std::string last_error;             ///< the message the engine raised last, to tell its kind from its text
+    const char* last_error_kind = "";   ///< "input", "outside", "interrupted", "hook"
+    std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
+    std::shared_ptr<struct RunRecord> record;            ///< of the last run
+    std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
+    int runs = 0;                              ///< made so far
+    std::string described;                     ///< all plans printed so far: a loop's runs are described once
+    std::map<std::string, std::string> described_at;  ///< lines of the runs whose models were, by what was said of them
+    int histories = 0;                                ///< kept by number so far
+    int begun = 0;                                    ///< runs that have taken a step
+    std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
+    std::set<int> asked_how;                          ///< runs of which the script has read how they went
+    std::vector<std::string> lost;  ///< pictures, frames and checkpoints that could not be written, and why
+    std::size_t unseen = 0;         ///< bytes that objects took outside Lua since all was collected
+};
+std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
+bool has_context(lua_State* L);
+void set_context(lua_State* L, std::shared_ptr<Context> c);
+
+/// Lua's collector sees a handle, not the megabytes behind it: each 16 MB that new objects took outside Lua make it
+/// collect all.
+void tell_collector(lua_State* L, std::size_t bytes);
+
+struct MaterialBox {
+    static constexpr const char* lua_name = "hinge.material";
+    std::shared_ptr<const Material> value;
+};
+struct SectionBox {
+    static constexpr const char* lua_name = "hinge.section";
+    std::shared_ptr<const Section> value;
+};
+
+/// A model in a script's hands.
+struct ScriptModel : Model {
+    using Model::Model;
+    std::string closed_at;  ///< the script's line that closed it, "" while it is open
+    std::vector<std::weak_ptr<struct RunRecord>> runs;
+    std::optional<int> gravity_case;  ///< that gravity belongs to, -1 for none
+};
+struct ModelBox {
+    static constexpr const char* lua_name = "hinge.model";
+    std::shared_ptr<ScriptModel> value;
+};
+struct NodeBox {
+    static constexpr const char* lua_name = "hinge.node";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+struct MemberBox {
+    static constexpr const char* lua_name = "hinge.member";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+struct GroupBox {
+    static constexpr const char* lua_name = "hinge.group";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+    std::string name;
+};
+struct LoadBox {
+    static constexpr const char* lua_name = "hinge.load";
+    std::shared_ptr<ScriptModel> model;
+    int index;  ///< its number
+    int node;
+    std::string removed_at = {};  ///< the script's line that removed it, "" while it is there
+};
+
+struct CaseBox {
+    static constexpr const char* lua_name = "hinge.case";
+    std::shared_ptr<ScriptModel> model;
+    int index;
+};
+
+/// A quantity of a node, or the difference of two nodes' recorded at every step.
+struct Probe {
+    int node;
+    enum class Quantity { displacement, velocity, acceleration, reaction } quantity;
+    int component;
+    std::string name;
+    std::vector<double> time, value;
+    int relative_to = -1;  ///< the node whose value is taken off, -1: none
+    double height = 0;     ///< m, that the difference is divided by: a drift; 0: it is not
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.node, s.quantity, s.component, s.name, s.time, s.value, s.relative_to, s.height);
+    }
+};
+struct ProbeBox {
+    static constexpr const char* lua_name = "hinge.probe";
+    std::shared_ptr<Probe> value;
+};
+
+/// Something that happened to an element for the first time.
+struct ElementEvent {
+    enum class What : int { contact, yield, fracture } what;
+    double at;          ///< s; in statics the load factor
+    int element, end;   ///< end 1 or 2; 0: no end, or both
+    int limit;          ///< beam::Limit that a break had reached
+    double strain, of;  ///< the strain that did, and its limit
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.what, s.at, s.element, s.end, s.limit, s.strain, s.of);
+    }
+};
+
+/// Rows of the energy balance that are kept for plots, whether or not there is a history.csv: time, load factor, all
+/// accounts, energy error. Where they are many, every second one goes, and so on.
+struct KeptRows {
+    static constexpr long most = 8192;
+    long stride = 1, seen = 0;
+    std::vector<double> values;  ///< row by row
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stride, s.seen, s.values);
+    }
+};
+
+/// What a run's steps have left that a checkpoint keeps.
+struct Recorded {
+    bool started = false, closed = false;
+    long breaks_noted = 0;
+    std::vector<double> broken_at,
+        left_at;  ///< s, when an element broke, when a node lost its last; -inf: before this run; empty until one does
+    double wall = 0;  ///< s in steps
+    double worst_energy_error = 0, last_energy_error = 0, initial = 0;
+    long row_of = -1;                                      ///< the step of the last row
+    std::vector<ElementEvent> happenings;                  ///< in order
+    std::vector<std::uint8_t> yielded_seen, touched_seen;  ///< of each element, as in the state
+    KeptRows kept_rows;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
+          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.kept_rows);
+    }
+};
+
+/// Where a run is kept, and how often.
+struct CheckpointPlan {
+    std::string file;
+    double every = 60;             ///< s
+    std::optional<LuaValue> keep;  ///< the script's table that is kept with it
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+    bool ended = false;  ///< it holds the end of the run
+};
+
+/// A run with what is recorded of it.
+struct RunRecord : Recorded {
+    std::shared_ptr<Run> run;
+    std::shared_ptr<ScriptModel> model;  ///< the script's own, to know its nodes and groups again
+    std::vector<std::shared_ptr<Probe>> probes;
+    long every = 1;    ///< steps between rows of history.csv; 0: none is kept
+    std::string rows;  ///< not yet written
+    std::string history_path, events_path;
+    std::size_t events_written = 0;        ///< of the happenings
+    std::string asked_at;                  ///< the script's line that made the run
+    std::vector<Warning> likely_mistakes;  ///< likely mistakes that are seen where it is made
+    std::optional<Warning> of_units;       ///< of its model: what looks as if it were in another unit
+    std::string weak;                      ///< the run before that did not come to its end (weak_link); "" for none
+    bool weak_allowed = false;             ///< allow_failed = true
+    std::string changed;                   ///< what was declared first since, and where; "" for nothing
+    bool begun = false;                    ///< its files are open
+    bool stepping = false;                 ///< a step is going on: the script's functions may not ask for another
+    bool mid_step = false;                 ///< the state is between two
+    std::optional<CheckpointPlan> checkpoint;
+    std::string past;                  ///< of history.csv, from a checkpoint
+    long resumed_at = 0;               ///< steps
+    std::vector<LuaFunction> on_step;  ///< called after each step
+    std::chrono::steady_clock::time_point start, last_progress, last_write;
+    int number = 0;  ///< of the program's runs that have begun, from 1
+    std::size_t wakings_seen = 0, warnings_seen = 0;
+    struct Changes {
+        int awake = 0, asleep = 0;
+        double last = 0;  ///< s
+    };
+    std::map<std::string, Changes>
+        changes;  ///< of state, by effect: the first of each kind is told, the others counted
+    bool instability_shown = false;
+    std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
+    double last_energy_share = 0;   ///< the energy error as a part of it; of a balance that no longer closed, that
+    double state_energy_share = 0;  ///< likewise of the state alone, to which such a run went back
+};
+struct RunBox {
+    static constexpr const char* lua_name = "hinge.run";
+    std::shared_ptr<RunRecord> value;
+};
+
+std::string name_of(const NodeBox& n);
+std::string name_of(const MemberBox& m);
+std::string name_of(const GroupBox& g);
+std::string name_of(const LoadBox& l);
+std::string name_of(const CaseBox& c);
+std::string name_of(const ModelBox& m);
+std::string name_of(const RunBox& r);
+
+/// "" for what is there, else since when it is not, as " of a model that was closed at script.lua:12".
+std::string gone(const ScriptModel& model);
+template <class T>
+std::string gone(const T& handle) {
+    return gone(*handle.model);
+}
+std::string gone(const LoadBox& l);
+std::string gone(const ModelBox& m);
+std::string gone(const RunBox& r);
+
+template <class T>
+requires requires(const T& handle) { name_of(handle); }
+void refuse_gone(const T& handle, const std::string& function) {
+    if (const std::string since = gone(handle); !since.empty())
+        throw InputError(function + ": this is " + name_of(handle) + since);
+}
+
+/// Pushes the handle to the model's node, member, group or load of that number; while one is in use it is always the
+/// same one.
+template <class T, class... More>
+void push_handle(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number, More&&... more) {
+    push_handles(L, *model, T::lua_name);
+    if (lua_rawgeti(L, -1, number + 1) == LUA_TNIL) {
+        lua_pop(L, 1);
+        push<T>(L, model, number, std::forward<More>(more)...);
+        lua_pushvalue(L, -3);
+        lua_setiuservalue(L, -2, 1);  // as hold_registry does
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, number + 1);
+    }
+    lua_replace(L, -3);  // the registry
+    lua_pop(L, 1);
+}
+void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int index);
+void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number);
+
+/// Rows of history.csv and events.csv that are not yet in the files.
+void write_rows(RunRecord& r);
+
+/// One step, recorded. False at the end.
+bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
+
+void open_values(lua_State* L, int module);  ///< hinge.material, hinge.section
+void open_model(lua_State* L, int module);   ///< hinge.model
+void open_objects(lua_State* L);             ///< nodes, members, groups, loads
+void open_run(lua_State* L);
+void open_reading(lua_State* L);             ///< what runs, nodes and members tell of a state
+void open_output(lua_State* L, int module);  ///< summary and other files
+void open_pictures(lua_State* L, int module);
+void open_plots(lua_State* L, int module);
+void open_frames(lua_State* L, int module);   ///< frames as a page takes them
+void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
+
+#define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);
+#define HINGE_MODEL_RUN(name, function) int function(lua_State* L);
+#include "script/bind/model_methods.inc"
+#undef HINGE_MODEL_METHOD
+#undef HINGE_MODEL_RUN
+int set_gravity(lua_State* L);
+#define HINGE_LOAD_ON(target, function, ...) int function(lua_State* L);
+#include "script/bind/load_targets.inc"
+#undef HINGE_LOAD_ON
+
+/// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
+/// point has beside its time. Empty where the field is absent.
+/// `jumps`: two points may have the same time.
+History read_history(Options& o, const char* field, const std::string& each, const Model& model, bool jumps);
+
+/// body, which changes the model that it is called on: runs made before take note (advance).
+int declaring(lua_State* L, const char* name, Body body);
+void note_change(lua_State* L, ScriptModel& model, const char* name);
+template <Name name, int most, Body body>
+int declares(lua_State* L) {
+    return taking(L, name.text, most, [](lua_State* L) { return declaring(L, name.text, body); });
+}
+
+/// The case in field 'case' of a load, by name or handle; -1 where there is none.
+int case_of(Options& o, const Model& model);
+int case_argument(lua_State* L, int index, const std::string& what, const Model& model);
+/// What a run takes of the loads: its field 'loads', or what the run before had.
+LoadChoice read_choice(Options& o, const Model& model, const RunRecord* from, bool is_static);
+void open_cases(lua_State* L);
+
+/// Makes the run that model:static{} and model:dynamic{} return.
+int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every,
+             std::vector<Warning> likely_mistakes = {});
+
+/// Why a run failed, or the run that it goes on from, and which warning may tell the cause.
+std::string reason_of(const RunRecord& record);
+
+NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
+MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);
+const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what,
+                                               const Model* model = nullptr);
+void prepare_folder(const Context& c, const std::string& file);
+/// Whether somebody listens (core.on_run): such runs leave nothing.
+bool runs_are_measured(lua_State* L);
+/// The run made last of the model, nullptr when there is none.
+std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
+/// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is
+/// what is asked.
+int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy = nullptr);
+/// Tells who listens (core.on_run) of the run on top of the stack.
+void tell_of_run(lua_State* L);
+/// The index of a node that the run has.
+int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
+/// Refuses a node that was fixed after the run was made: the run knows no reaction of it.
+void must_be_fixed_in(const RunRecord& r, int node, const std::string& what);
+/// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order
+/// of Probe::Quantity.
+const std::vector<std::string>& node_quantities();
+/// Number of the member's element that broke first and the time (s) of it, -inf where that was before this run.
+std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member);
+std::pair<int, int> elements_of(const Structure& structure, int member);  ///< first and one past the last
+std::string group_names(const Model& model, const std::string& typed);
+
+}  // namespace hinge::script

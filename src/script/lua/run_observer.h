@@ -1,0 +1,27 @@
+// Somebody who looks on while runs go on (hinge run --live). Called on the thread of the run, between its steps;
+// changes nothing of a run, and throws nothing.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace hinge::script {
+
+struct Context;
+struct RunRecord;
+
+struct RunObserver {
+    virtual ~RunObserver() = default;
+    /// A run is about to take its first step. `history`: the heading of history.csv, and the rows that a checkpoint
+    /// had.
+    virtual void begun(const RunRecord& run, const std::string& history) = 0;
+    /// A row of its history.csv, with the line's end.
+    virtual void row(const RunRecord& run, const std::string& row) = 0;
+    /// It has taken a step. `over`: it takes no more.
+    virtual void stepped(const Context& context, const RunRecord& run, bool over,
+                         std::chrono::steady_clock::time_point now) = 0;
+    /// This is a process of its own now, in which nobody looks.
+    virtual void forked() = 0;
+};
+
+}  // namespace hinge::script

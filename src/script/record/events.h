@@ -1,0 +1,19 @@
+// hinge run --json: what a run says as objects, one a line.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "script/lua/objects.h"
+
+namespace hinge::script {
+
+using Json = nlohmann::ordered_json;
+
+/// Writes { "event": kind, ... } as a line, where somebody listens.
+void write_event(const Context& c, const char* kind, Json fields);
+
+/// A Lua value: tables with items are lists, others objects with their keys in order; a number that is not finite is
+/// its text.
+Json to_json(lua_State* L, int index, int depth = 0);
+
+}  // namespace hinge::script

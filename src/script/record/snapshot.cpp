@@ -1,0 +1,129 @@
+// A run at one instant: where its elements are, how they are damaged, and what they carry.
+#include "script/record/snapshot.h"
+
+#include <cmath>
+#include <map>
+
+#include "beam/fracture.h"
+#include "beam/yield.h"
+#include "effects/connectors.h"
+#include "effects/ground.h"
+#include "state/configuration.h"
+#include "state/turned_ends.h"
+
+namespace hinge::script {
+namespace {
+
+void add_forces(output::Bar& bar, const Run& run, int element) {
+    const SectionForces a = run.section_forces(element, -1), b = run.section_forces(element, 1);
+    bar.N = std::abs(a.N) > std::abs(b.N) ? a.N : b.N;
+    bar.Mz = std::abs(a.Mz) > std::abs(b.Mz) ? a.Mz : b.Mz;
+    bar.Mx[0] = a.Mx, bar.Mx[1] = b.Mx, bar.My[0] = a.My, bar.My[1] = b.My;
+    bar.Qx[0] = a.Qx, bar.Qx[1] = b.Qx, bar.Qy[0] = a.Qy, bar.Qy[1] = b.Qy;
+    const beam::YieldSurface& w = run.structure().elements()[element].yield;
+    const auto plastic = [](double weight) { return weight > 0 ? 1 / std::sqrt(weight) : 0; };
+    bar.N0 = plastic(w.n), bar.Mx0 = plastic(w.x), bar.My0 = plastic(w.y), bar.Mz0 = plastic(w.z);
+    bar.hinges = run.state().yielded[element], bar.touched = run.state().touched[element];
+    const Vec6 all = flowed(run.state(), element);
+    for (const int end : {1, 2})
+        bar.rotation[end - 1] = std::hypot(beam::hinge_rotation(all, end, 0), beam::hinge_rotation(all, end, 1));
+}
+
+std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// The section's y axis in space.
+Vec3 direction_up(const Run& run, int element) {
+    const State& state = run.state();
+    const Element& e = run.structure().elements()[element];
+    if (!state.broken[element]) return axes_of(element_frame(run.structure(), element, state)).col(1);
+    const int carrier = e.node[state.broken[element] == 2 ? 0 : 1];
+    return state.rotation[carrier] * (e.axes * Vec3::UnitY());
+}
+
+/// As pictures show it. A section without a size is a square of its area.
+output::Shape shape_of(const Section& s) {
+    output::Shape shape;
+    shape.kind = s.kind == "pipe" || s.kind == "round" ? output::Shape::round
+                 : s.web > 0 && s.flange > 0           ? output::Shape::h
+                                                       : output::Shape::rectangle;
+    shape.width = s.width > 0 ? s.width : std::sqrt(s.area);
+    shape.depth = s.depth > 0 ? s.depth : std::sqrt(s.area);
+    shape.web = s.web, shape.flange = s.flange;
+    return shape;
+}
+
+void add_loads(output::Snapshot& snapshot, const Run& run) {
+    for (const ShownLoad& l : run.shown_loads())
+        for (const auto kind : {output::Load::force, output::Load::moment}) {
+            const Vec3* value = kind == output::Load::force ? l.force : l.moment;
+            if (value[0].isZero(0) && value[1].isZero(0)) continue;
+            output::Load load{kind, l.node, l.element, l.at, {}};
+            for (int end : {0, 1}) load.value[end] = numbers(value[end]);
+            snapshot.loads.push_back(load);
+        }
+}
+
+}  // namespace
+
+output::Snapshot make_snapshot(const Run& run) {
+    const Structure& structure = run.structure();
+    const State& state = run.state();
+    output::Snapshot snapshot;
+    snapshot.time = state.time;
+    if (dynamic_cast<const Statics*>(&run)) snapshot.factor = state.factor;
+    snapshot.groups = structure.model().groups();
+    snapshot.declared = int(structure.model().nodes().size());
+    for (std::size_t i = 0; i < structure.position().size(); ++i) {
+        const Vec3 x = structure.position()[i] + state.displacement[i];
+        snapshot.points.push_back(numbers(x));
+        snapshot.displacement.push_back(numbers(state.displacement[i]));
+        snapshot.rotation.push_back(numbers(run.displacement(int(i)).tail<3>()));
+    }
+    snapshot.is_virtual.assign(snapshot.points.size(), 0);
+    snapshot.held = structure.fixed();
+    for (std::size_t m = 0; m < structure.model().members().size(); ++m)
+        for (const int g : structure.model().members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
+    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
+        if (c.a >= 0) snapshot.connected.push_back({c.a, c.b});
+    std::map<const Section*, int> shape_at;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
+        const Section* section = structure.model().members()[e.member].section.get();
+        const auto [shape, fresh] = shape_at.try_emplace(section, int(snapshot.shapes.size()));
+        if (fresh) snapshot.shapes.push_back(shape_of(*section));
+        const auto& groups = structure.model().members()[e.member].groups;
+        output::Bar bar;
+        bar.point[0] = e.node[0];
+        bar.point[1] = e.node[1];
+        bar.node[0] = e.node[0], bar.node[1] = e.node[1];
+        bar.yield = run.yield_value(int(i));
+        bar.state = state.broken[i]    ? output::BarState::broken
+                    : state.yielded[i] ? output::BarState::yielded
+                                       : output::BarState::elastic;
+        bar.group = groups.empty() ? -1 : groups[0];
+        bar.member = e.member + 1;
+        bar.element = int(i) + 1;
+        bar.width = 2 * e.radius;
+        bar.shape = shape->second;
+        bar.up = numbers(direction_up(run, int(i)));
+        add_forces(bar, run, int(i));
+        if (state.broken[i]) {
+            const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
+            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
+                             state.rotation[carrier] * state.offset_arm[i];
+            bar.point[side] = int(snapshot.points.size());
+            const Vec3 moved = end - structure.position()[e.node[side]];
+            snapshot.points.push_back(numbers(end));
+            snapshot.displacement.push_back(numbers(moved));
+            snapshot.rotation.push_back(snapshot.rotation[std::size_t(carrier)]);
+            snapshot.is_virtual.push_back(1), snapshot.held.push_back(0);
+        }
+        snapshot.bars.push_back(bar);
+    }
+    add_loads(snapshot, run);
+    for (const GroundPlane& plane : structure.model().declared<GroundPlane>(ground_effect))
+        snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});
+    return snapshot;
+}
+
+}  // namespace hinge::script

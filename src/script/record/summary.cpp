@@ -1,0 +1,101 @@
+#include "script/record/summary.h"
+
+#include <cmath>
+
+#include "effects/point_mass.h"
+#include "script/checks/element_count.h"
+#include "script/record/element_events.h"
+#include "script/checks/plan.h"
+#include "script/record/recording.h"
+
+namespace hinge::script {
+namespace {
+
+Json energy_json(const Run& run) {
+    const Energy e = run.energy();
+    Json j = {{"initial", e.initial}};
+    for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
+    j["remainder"] = e.error;
+    return j;
+}
+
+/// Of all members and point masses, kg.
+double mass_of(const Structure& s) {
+    double mass = 0;
+    for (const Element& e : s.elements()) mass += e.mass();
+    for (const PointMass& m : s.model().declared<PointMass>(point_mass_effect)) mass += m.mass;
+    return mass;
+}
+
+}  // namespace
+
+Json probes_json(const RunRecord& r) {
+    Json list = Json::array();
+    for (const auto& p : r.probes) {
+        list.push_back({{"name", p->name},
+                        {"node", p->node + 1},
+                        {"quantity", node_quantities()[std::size_t(6 * int(p->quantity) + p->component)]},
+                        {"unit", unit_of(*p)}});
+        if (p->relative_to >= 0) list.back()["relative_to"] = p->relative_to + 1;
+        if (p->height > 0) list.back()["quantity"] = p->component == 0 ? "drift_x" : "drift_y";
+        if (p->height > 0) list.back()["height"] = p->height;
+    }
+    return list;
+}
+
+void describe_run(Json& j, const RunRecord& r) {
+    const Run& run = *r.run;
+    const Structure& s = run.structure();
+    j["kind"] = run.kind();
+    j["model"] = {{"members", s.model().members().size()},
+                  {"elements", s.elements().size()},
+                  {"nodes", s.position().size()},
+                  {"free_dofs", s.free_dofs()},
+                  {"mass", mass_of(s)}};
+    for (const ElementGroup& g : element_groups(s.model()))
+        j["model"]["automatic_elements"].push_back(
+            {{"elements", g.elements}, {"members", g.members}, {"because", g.because}});
+    j["steps"] = run.steps_done();
+    j["time"] = run.state().time;
+    j["factor"] = run.state().factor;
+    j["wall_seconds"] = r.wall;
+    if (r.resumed_at > 0) j["resumed_at"] = r.resumed_at;
+    j["effects"] = Json::array();
+    for (const PlanLine& e : effects_of(r)) {
+        j["effects"].push_back(
+            {{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+        if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
+    }
+    j["wakings"] = Json::array();
+    for (const Run::Activation& w : run.activations())
+        j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
+    j["stages"] = Json::array();
+    for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
+    j["damage"] = damage_by_group(run);
+    j["probes"] = probes_json(r);
+    j["energy"] = energy_json(run);
+    j["energy_error"] =
+        std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));
+    if (r.state_energy_share != r.last_energy_share) j["energy_error_of_state"] = r.state_energy_share;
+    j["worst_remainder"] = r.worst_energy_error;
+    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && (d->settings().step_control > 0 || d->rejected() > 0))
+        j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
+    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
+        j["fastest_node"] = {
+            {"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
+    if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
+        j["limit"] = statics->limit();
+        if (const auto& i = statics->instability()) {
+            j["instability"] = {{"factor", i->factor}, {"beyond", i->beyond}, {"count", i->count}};
+            if (i->node >= 0) {
+                j["instability"]["node"] = s.node_name(i->node);
+                j["instability"]["component"] = Statics::component_name(i->component);
+            }
+            if (!i->members.empty()) j["instability"]["by"] = i->by_compression ? "compression" : "bending";
+            j["instability"]["members"] = Json::array();
+            for (int member : i->members) j["instability"]["members"].push_back(member + 1);
+        }
+    }
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,68 @@
+// Where the nodes are or are tried to be, and where one element is then: its frame, deformation and tangent. Eight at a
+// time the assembly does it itself (element_assembly.h).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "beam/winding.h"
+#include "state/state.h"
+
+namespace hinge {
+
+/// Where the nodes are tried to be, and how they move there.
+struct Configuration {
+    std::vector<Vec3> displacement;
+    std::vector<Quat> rotation;
+    std::vector<Vec3> small_rotation;
+    std::vector<Vec6> velocity, acceleration;
+    std::vector<double> twist;       ///< of the state that the step began with (State::twist)
+    std::vector<TurnedEnds> turned;  ///< the same (State::turned)
+};
+
+/// A state's nodes as a pose.
+Configuration configuration_of(const State& state);
+
+/// Where the nodes are, of a state or of a pose.
+struct ConfigurationView {
+    const std::vector<Vec3>& displacement;
+    const std::vector<Quat>& rotation;
+    const std::vector<Vec3>& small_rotation;
+    const std::vector<double>& twist;
+    const std::vector<TurnedEnds>& turned;
+    ConfigurationView(const State& s) : ConfigurationView(s, 0) {}
+    ConfigurationView(const Configuration& p) : ConfigurationView(p, 0) {}
+
+private:
+    template <class T>
+    ConfigurationView(const T& from, int)
+        : displacement(from.displacement),
+          rotation(from.rotation),
+          small_rotation(from.small_rotation),
+          twist(from.twist),
+          turned(from.turned) {}
+};
+
+/// Where an element is. Where it is wound, its end rotations and y axes say nothing: `wound` has its deformation.
+struct ElementFrame : beam::ElementFrame<double> {
+    std::optional<beam::Winding> wound;
+};
+
+/// Where one element is (for its tangent and for reading it).
+Mat3 axes_of(const beam::ElementFrame<double>& placement);  ///< columns: the local axes in space
+ElementFrame element_frame(const Structure& structure, int element, const ConfigurationView& at);
+Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at);
+Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at,
+                         const ElementFrame& placement);
+Eigen::Matrix<double, 12, 6> forces_at_nodes(const ElementFrame& placement);  ///< times p: nodal forces, in space
+/// Large displacement: see beam/tangent.h.
+Mat12 element_tangent(const ElementFrame& placement, const Vec6& p, const Mat6& k, bool geometric);
+
+/// From node 1 to node 2, m.
+Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement);
+/// Large displacement: the rotation of the node at an end (0, 1), and of what hinges have turned that end by.
+Quat end_rotation(const Element& e, int index, int end, const ConfigurationView& at);
+/// An element as winding.h takes it.
+beam::Winding winding_of(const Element& e, int index, const ConfigurationView& at);
+
+}  // namespace hinge

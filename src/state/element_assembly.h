@@ -1,0 +1,135 @@
+// Assembly of the elements, eight at a time: deformation, forces, yield, and inertia, summed into the nodes.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "beam/yield.h"
+#include "core/thread_pool.h"
+#include "state/configuration.h"
+
+namespace hinge {
+
+namespace beam {
+template <class Real>
+struct PairKind;
+}
+
+/// What one element did on the way to the pose.
+struct PlasticIncrement {
+    int element;
+    beam::ReturnMapResult flow;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.element, s.flow);
+    }
+};
+
+class ElementAssembly {
+public:
+    /// `inertia`: add consistent-mass inertia and gyroscopic forces of the pose's acceleration and velocity.
+    ElementAssembly(const Structure& structure, ThreadPool& pool, bool inertia);
+    ~ElementAssembly();
+
+    /// Takes up which elements are whole and where their points stand. Call when a point has moved.
+    void take_up(const State& state);
+    void drop(int element);   ///< it broke, or rests
+    void raise(int element);  ///< it no longer rests
+
+    /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; what resists), writes p of each element to
+    /// `force`, and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes
+    /// nothing in it.
+    void run(const State& state, const Configuration& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
+             std::vector<PlasticIncrement>& yielding);
+
+    /// What loads between the nodes do at the ends of each element, as of the pose that run is asked for next; empty
+    /// where there are none.
+    std::vector<beam::FixedEnd>& fixed_ends() { return fixed_ends_; }
+    const beam::FixedEnd& fixed_end(int element) const {
+        return fixed_ends_.empty() ? beam::no_fixed_end : fixed_ends_[element];
+    }
+
+    /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked, or, where bending
+    /// follows the axial force, that have bent by more. Filled by run.
+    const std::vector<int>& rotated() const { return rotated_; }
+    void watch_rotation(double tolerance);
+    /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound, and what hinges
+    /// have turned their ends by; and in the pose that the next step is tried with. Returns the elements whose ends
+    /// have new axes.
+    std::vector<int> keep_turns(State& state, Configuration& trial) const;
+    /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
+    /// there is none. Filled by run; large displacement.
+    int folded() const { return folded_; }
+    /// An element whose return to its yield surface has not converged; -1 when there is none. Filled by run.
+    int unreturned() const { return unreturned_; }
+    /// Why a step cannot go on from here, "" where it can: an element has folded, or the return of one to its yield
+    /// surface has not converged. Filled by run.
+    std::string failure() const;
+    /// Marks where the element is at `pose` as what its stiffness was built for.
+    void mark_built(int element, const State& state, const Configuration& pose);
+
+    /// How far the plastic flow of pairs is found (pair_return.h), as a part of the elastic deformation. Newton's
+    /// method needs forces without steps, 1e-9, the default. Where a step is solved once 1e-4 is enough: the forces
+    /// follow from what is left elastic, whatever this is.
+    void set_return_tolerance(double tolerance) { return_tolerance_ = tolerance; }
+
+    int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
+    long updates() const { return updates_; }
+
+    /// What a checkpoint holds, read after take_up: who takes part, and the frames of the last builds.
+    template <class A>
+    static void fields(const ElementAssembly& s, A& a) {
+        a(s.taking_part(), s.frames(), s.updates_);
+    }
+    template <class A>
+    static void fields(ElementAssembly& s, A& a) {
+        std::vector<std::uint8_t> whole;
+        std::vector<double> built;
+        a(whole, built, s.updates_);
+        a.must(s.take_part(whole, built));
+    }
+
+private:
+    struct Block;
+    struct Kind;
+    const Kind& add_kind(const State& state, const int* index);
+    struct Found;  ///< what one piece of the assembly came upon
+    unsigned find_wound(const Block& b, int element, const Lanes& rotated, const State&, const Configuration&,
+                        Found& found) const;
+    static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
+    void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
+    void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    template <bool large, bool inertia, bool cubic, bool p_delta>
+    void run_blocks(int first, int end, const State&, const Configuration&, std::vector<Vec6>& nodal,
+                    std::vector<Vec6>& force, Found& found);
+    void share_out();
+    std::vector<std::uint8_t> taking_part() const;  ///< a byte a block, a bit for each of its elements
+    std::vector<double> frames() const;
+    bool take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
+
+    const Structure& structure_;
+    ThreadPool& pool_;
+    bool inertia_;
+    std::vector<Block> blocks_;
+    std::deque<Kind> kinds_;
+    std::vector<beam::FixedEnd> fixed_ends_;
+    std::vector<Found> found_;
+    // several threads: what elements of several pieces do to one node is left in `left_` and added up afterwards
+    struct Shared {
+        int node, first, end;
+    };
+    std::vector<Shared> shared_;  ///< places in left_ of each such node, in the order of its elements
+    std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
+    std::vector<Vec6> left_;
+    std::size_t built_stride() const { return structure_.p_delta() ? 8 : 6; }
+    std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and what its elements were bent by
+    std::vector<int> rotated_;
+    std::vector<int> far_;
+    int folded_ = -1, unreturned_ = -1;
+    double return_tolerance_ = 1e-9;
+    double rotation_limit_ = 1e300;
+    bool watching_ = false;
+    long updates_ = 0;
+};
+
+}  // namespace hinge
