@@ -35,4 +35,31 @@ for name in text:gmatch "%]%(([^)#]+)%)" do
     expect(support.is_there(support.root .. name), "README.md points to %s, which is not there", name)
   end
 end
+
+-- The page for contributors names only files that are there, and targets and tests that the build has.
+local contributing = support.read(support.root .. ".github/CONTRIBUTING.md") or ""
+local links = 0
+for name in contributing:gmatch "%]%(([^)#]+)" do
+  links = links + 1
+  expect(support.is_there(support.root .. ".github/" .. name), "CONTRIBUTING.md points to %s, which is not there", name)
+end
+expect(links > 5, "CONTRIBUTING.md has %d links", links)
+local builds = support.read(support.root .. "CMakeLists.txt") .. support.read(support.root .. "tests/CMakeLists.txt")
+for target in contributing:gmatch "%-%-target (%w+)" do
+  expect(builds:find("add_custom_target(" .. target, 1, true), "CONTRIBUTING.md: no target %s", target)
+end
+for name in contributing:gmatch "script_(%w+)" do
+  expect(builds:find("add_script_test(" .. name .. " ", 1, true), "CONTRIBUTING.md: no test script_%s", name)
+end
+
+-- The citation is of this version, and of the paper that the README names.
+local citation = support.read(support.root .. ".github/CITATION.cff") or ""
+equal(citation:match "\nversion: ([%d.]+)", builds:match "project%(hinge VERSION ([%d.]+)", "version in CITATION.cff")
+local words = text:gsub("%s+", " ")
+for _, field in ipairs { "title", "journal" } do
+  local value = citation:match("references:.*%s" .. field .. ": ([^\n]+)")
+  expect(value and words:find(value, 1, true), "the README does not cite %s", value)
+end
+expect(words:find(("%s (%s) %s-%s"):format(citation:match "volume: (%d+)", citation:match "year: (%d+)",
+  citation:match "start: (%d+)", citation:match "end: (%d+)"), 1, true), "volume, year or pages of the paper")
 checks.done()
