@@ -29,8 +29,8 @@ local settings = {
   { "as printed", times = 1, predictor = "displacement", iterations = 1 }, -- eq 15 as printed, one solve a step
   { "auto", dt = "auto" }, { "explicit", dt = "auto", integrator = "explicit" },
 }
--- In how many scenes of those tried a setting holds, at least, on each processor tried: collisions at 300 and 1000 m/s in
--- steps 8 and 64 times as long end within their bounds, or by name, as the last bits fall.
+-- In how many scenes of those tried a setting holds, at least, on each processor tried: collisions at 300 and 1000 m/s
+-- in steps 8 and 64 times as long end within their bounds, or by name, as the last bits fall.
 local stated = quick and { ["1"] = { 58, 65 } } or {
   ["1"] = { 68, 75 }, ["1/4"] = { 41, 41 }, ["1/2"] = { 41, 41 }, ["2"] = { 40, 43 }, ["4"] = { 41, 43 },
   ["8"] = { 40, 43 }, ["8 control"] = { 41, 43 }, ["64 control"] = { 40, 43 }, ["8 damped"] = { 41, 43 },
