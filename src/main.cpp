@@ -104,16 +104,16 @@ std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, in
     lua_settop(L, 0);
     std::cerr << "live until the program ends: " << live->address() << std::endl;
     hinge::script::write_event(context, "live", {{"address", live->address()}});
-    context.observer = live.get();
+    context.messages.observer = live.get();
     return live;
 }
 
 /// The program ends with that status: who looks is told how, and of what it leaves.
 void end_live(hinge::live::Live& live, Context& context, int status) {
-    context.observer = nullptr;
-    hinge::script::Json last = {{"status", status}, {"folder", context.out_dir}};
-    const std::string summary = context.out_dir + "/summary.json";
-    if (status <= 1 && context.record && context.record->number == live.shown() && fs::exists(summary)) {
+    context.messages.observer = nullptr;
+    hinge::script::Json last = {{"status", status}, {"folder", context.output.folder}};
+    const std::string summary = context.output.folder + "/summary.json";
+    if (status <= 1 && context.runs.last && context.runs.last->number == live.shown() && fs::exists(summary)) {
         auto whole = hinge::script::Json::parse(hinge::read_whole(summary), nullptr, false);
         if (whole.is_object()) last["summary"] = std::move(whole);
     }
@@ -129,14 +129,14 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
     const bool one_run = request.verb != "cost" && request.verb != "study" && request.verb != "report";
-    if (one_run) context->out_dir = request.out;  // runs that are only compared leave nothing
-    context->progress = progress && !request.quiet && !request.json;
-    context->warns = context->progress;
-    context->tells_failures = false;  // the verdict is told by itself
-    context->looks_over = progress;
-    if (request.json) context->events = events_alone_on_stdout();
-    context->sandbox = request.sandbox;
-    context->resume = request.resume;
+    if (one_run) context->output.folder = request.out;  // runs that are only compared leave nothing
+    context->messages.progress = progress && !request.quiet && !request.json;
+    context->messages.warns = context->messages.progress;
+    context->messages.tells_failures = false;  // the verdict is told by itself
+    context->mode.looks_over = progress;
+    if (request.json) context->messages.events = events_alone_on_stdout();
+    context->mode.sandbox = request.sandbox;
+    context->mode.resume = request.resume;
     const bool ends_on_signals = request.verb == "run" || request.verb == "study" || request.verb == "render";
     if (ends_on_signals) hinge::script::end_on_signals(L);
     std::unique_ptr<hinge::live::Live> live;
@@ -146,7 +146,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     if (request.sandbox) hinge::script::confine(L, request.limits);
     const int status = call_library(L, module, function, request);
     if (live) end_live(*live, *context, status);
-    if (request.verb == "run") request.out = context->out_dir;  // its name may tell the parameters
+    if (request.verb == "run") request.out = context->output.folder;  // its name may tell the parameters
     if (ends_on_signals) hinge::script::forget_signals();
     return status;
 }

@@ -48,7 +48,7 @@ Context* its_context = nullptr;
 void stop_script(lua_State* L, lua_Debug*) {
     lua_sethook(L, nullptr, 0, 0);
     asked_to_end = 0;
-    if (const auto c = context(L)) c->interrupted = 0;
+    if (const auto c = context(L)) c->signals.interrupted = 0;
     lua_pushliteral(L, "interrupted");
     lua_error(L);
 }
@@ -70,7 +70,7 @@ void stop_on_interrupt(lua_State* L) {
     struct sigaction stop = {};
     stop.sa_handler = [](int) {
         asked_to_end = SIGINT;
-        its_context->interrupted = SIGINT;
+        its_context->signals.interrupted = SIGINT;
         lua_sethook(evaluating, stop_script, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
     };
     stop.sa_flags = SA_RESTART;

@@ -142,15 +142,15 @@ void Live::take_shot(const Context& c, const RunRecord& run) {
     s.snapshot = std::make_shared<const output::Snapshot>(script::make_snapshot(*run.run));
     Json summary = {{"verdict", name(script::verdict_of(run))}};
     if (const std::string reason = script::reason_of(run); !reason.empty()) summary["reason"] = reason;
-    if (const Json owner = Json::parse(c.owner, nullptr, false); owner.is_object())
+    if (const Json owner = Json::parse(c.output.owner, nullptr, false); owner.is_object())
         for (const char* field : {"script", "case", "parameters"})
             if (owner.contains(field)) summary[field] = owner[field];
     summary["hinge"] = HINGE_VERSION;
     script::describe_run(summary, run);
-    if (!c.warned.empty()) summary["warnings"] = c.warned;
+    if (!c.messages.warned.empty()) summary["warnings"] = c.messages.warned;
     s.fields = {{"program", "running"},
                 {"run", run.number},
-                {"runs", c.begun},
+                {"runs", c.runs.begun},
                 {"made_at", run.asked_at},
                 {"planned", run.run->planned_steps()},
                 {"summary", std::move(summary)}};

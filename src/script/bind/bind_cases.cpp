@@ -121,7 +121,7 @@ LoadChoice read_choice(Options& o, const Model& m, const RunRecord* from, bool i
         const Model& before = from->run->structure().model();
         const bool was_static = std::string_view(from->run->kind()) == "static";
         choice.from = &before;
-        if (was_static && !context(L)->planning) choice.reached = from->run->state().factor;
+        if (was_static && !context(L)->mode.planning) choice.reached = from->run->state().factor;
         for (std::size_t i = 0; i < before.case_factors().size(); ++i) {
             const double held = before.holds_loads() ? before.held_factors()[i] : 0;
             choice.factor[i] = held + choice.reached * (before.case_factors()[i] - held);

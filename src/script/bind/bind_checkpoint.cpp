@@ -10,6 +10,7 @@
 #include "script/lua/interrupts.h"
 #include "script/lua/kept_values.h"
 #include "run/checkpoint.h"
+#include "run/dynamics.h"
 
 namespace hinge::script {
 namespace {
@@ -24,7 +25,8 @@ std::string place_text(const Run& run) {
 
 /// A name without a folder is in the output folder. A script that is not trusted has no other.
 std::string checkpoint_path(const Context& c, const std::string& name) {
-    const std::string path = name.find('/') != std::string::npos || c.out_dir.empty() ? name : c.out_dir + "/" + name;
+    const std::string path =
+        name.find('/') != std::string::npos || c.output.folder.empty() ? name : c.output.folder + "/" + name;
     prepare_folder(c, path);
     return path;
 }
@@ -46,7 +48,7 @@ struct Beside {
 
 void write_checkpoint(lua_State* L, const Context& c, const RunRecord& r, const std::string& path) {
     const auto* run = dynamic_cast<const Dynamics*>(r.run.get());
-    Beside beside{r, (r.history_path.empty() ? r.past : read_whole(r.history_path)) + r.rows, {}, c.frames, ""};
+    Beside beside{r, (r.history_path.empty() ? r.past : read_whole(r.history_path)) + r.rows, {}, c.output.frames, ""};
     if (r.checkpoint && r.checkpoint->keep) {
         r.checkpoint->keep->push(L);
         beside.kept = pack_table(L, -1, "model:dynamic, checkpoint: keep");
@@ -104,10 +106,10 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
     static_cast<Recorded&>(r) = std::move(beside.recorded);
     for (std::size_t i = 0; i < r.probes.size(); ++i) *r.probes[i] = std::move(beside.probes[i]);
     r.past = std::move(beside.history);
-    c.frames = std::move(beside.frames);
+    c.output.frames = std::move(beside.frames);
     r.wakings_seen = r.run->activations().size();
     r.resumed_at = r.run->steps_done();
-    if (c.progress) std::fprintf(stderr, "goes on from %s: %s\n", path.c_str(), place_text(*r.run).c_str());
+    if (c.messages.progress) std::fprintf(stderr, "goes on from %s: %s\n", path.c_str(), place_text(*r.run).c_str());
 }
 
 // ---- methods --------------------------------------------------------------------------------------------------------
@@ -131,7 +133,7 @@ int checkpoint(lua_State* L) {
         throw InputError(
             "run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step");
     const auto c = context(L);
-    if (!c->planning) write_checkpoint(L, *c, *r, checkpoint_path(*c, name));
+    if (!c->mode.planning) write_checkpoint(L, *c, *r, checkpoint_path(*c, name));
     lua_settop(L, 1);
     return 1;
 }
@@ -143,7 +145,7 @@ int resume(lua_State* L) {
     if (r->begun)
         throw InputError("run:resume: the run has begun (" + place_text(*r->run) + "); resume before its first step");
     const auto c = context(L);
-    if (!c->planning) read_checkpoint(L, *c, *r, checkpoint_path(*c, name));
+    if (!c->mode.planning) read_checkpoint(L, *c, *r, checkpoint_path(*c, name));
     lua_settop(L, 1);
     return 1;
 }
@@ -187,9 +189,9 @@ std::optional<CheckpointPlan> read_checkpoint_plan(Options& o, const Model& mode
     if (plan.file.empty())
         o.complain("checkpoint", shown, "must be a file name, or { file =, every = s, keep = table }");
     const auto c = context(L);
-    if (c->planning || runs_are_measured(L)) return {};
+    if (c->mode.planning || runs_are_measured(L)) return {};
     plan.file = checkpoint_path(*c, plan.file);
-    if (!c->out_dir.empty() && !c->checkpoints.insert(plan.file).second)
+    if (!c->output.folder.empty() && !c->output.checkpoints.insert(plan.file).second)
         o.complain("checkpoint", "'" + plan.file + "'",
                    "must be another file for each run of a script; an earlier run has this one");
     return plan;
@@ -198,16 +200,18 @@ std::optional<CheckpointPlan> read_checkpoint_plan(Options& o, const Model& mode
 void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
     if (r.started || !dynamic_cast<const Dynamics*>(r.run.get())) return;
     if (!r.checkpoint) {
-        if (c.resume)
+        if (c.mode.resume)
             std::fprintf(stderr, "--resume: the run made at %s names no checkpoint and starts from its beginning\n",
                          r.asked_at.c_str());
         return;
     }
     const std::string& file = r.checkpoint->file;
     const bool there = std::filesystem::exists(file);
-    if (c.resume && there) return read_checkpoint(L, c, r, file);
-    if (c.resume) std::fprintf(stderr, "--resume: there is no %s; the run starts from its beginning\n", file.c_str());
-    if (there && is_unfinished(file) && std::rename(file.c_str(), (file + ".before").c_str()) == 0 && c.progress)
+    if (c.mode.resume && there) return read_checkpoint(L, c, r, file);
+    if (c.mode.resume)
+        std::fprintf(stderr, "--resume: there is no %s; the run starts from its beginning\n", file.c_str());
+    if (there && is_unfinished(file) && std::rename(file.c_str(), (file + ".before").c_str()) == 0 &&
+        c.messages.progress)
         std::fprintf(stderr,
                      "%s is of a run that is not over, and kept as %s.before; --resume would have gone on from it\n",
                      file.c_str(), file.c_str());
@@ -215,15 +219,15 @@ void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
 }
 
 void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
-    if (!c.interrupted) return;
-    if (!c.ends_on_signals) {  // the prompt goes on, and so may the run
+    if (!c.signals.interrupted) return;
+    if (!c.signals.ends_on_signals) {  // the prompt goes on, and so may the run
         asked_to_end = 0;
-        c.interrupted = 0;
+        c.signals.interrupted = 0;
         lua_sethook(L, nullptr, 0, 0);
         throw Interrupted("interrupted");
     }
     // the signal stays noted: a script that catches this error is not asked twice
-    c.exit_status = 128 + c.interrupted;
+    c.signals.exit_status = 128 + c.signals.interrupted;
     const std::string where = interrupted_by(c) + std::string(" after ") + place_text(*r.run) + "; ";
     std::string trouble;
     const Doing doing("writing the checkpoint");
@@ -235,7 +239,7 @@ void mind_interrupts(lua_State* L, Context& c, RunRecord& r) {
     if (!r.checkpoint)
         throw Interrupted(
             where + "the run names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time");
-    c.exit_status = 3;
+    c.signals.exit_status = 3;
     throw Interrupted(where + "written to " + r.checkpoint->file +
                       "; the same command with --resume goes on from there");
 }
@@ -251,7 +255,8 @@ void keep_if_due(lua_State* L, Context& c, RunRecord& r) {
         const std::string text = std::string(e.what()) + (r.closed ? "; the run is over" : "; the run goes on") +
                                  ", the checkpoint before stays as it was";
         std::fprintf(stderr, "%s\n", text.c_str());
-        if (std::find(c.warned.begin(), c.warned.end(), text) == c.warned.end()) c.warned.push_back(text);
+        if (std::find(c.messages.warned.begin(), c.messages.warned.end(), text) == c.messages.warned.end())
+            c.messages.warned.push_back(text);
     }
     r.checkpoint->last = Clock::now();
 }

@@ -136,7 +136,7 @@ int rename(lua_State* L) {
 /// core.process(): this process's number. core.signal(): the signal that came, or nil.
 int process(lua_State* L) { return lua_pushinteger(L, ::getpid()), 1; }
 int signal(lua_State* L) {
-    if (const int came = context(L)->interrupted) lua_pushinteger(L, came);
+    if (const int came = context(L)->signals.interrupted) lua_pushinteger(L, came);
     else lua_pushnil(L);
     return 1;
 }

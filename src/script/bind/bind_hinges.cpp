@@ -126,7 +126,7 @@ int hinges_of(lua_State* L) {
 
 /// core.last_run(): the run that the summary speaks of, nil where there is none.
 int last_run(lua_State* L) {
-    const auto record = context(L)->record;
+    const auto record = context(L)->runs.last;
     if (!record || !record->run || !record->model->closed_at.empty()) return lua_pushnil(L), 1;
     push<RunBox>(L, record);
     hold_registry(L, *record->model);

@@ -64,7 +64,7 @@ int list_optional_effects(lua_State* L) {
 
 /// core.leave_out(name or nil): runs that are made from now on do without this effect.
 int leave_out(lua_State* L) {
-    context(L)->left_out = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
+    context(L)->mode.left_out = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
     return 0;
 }
 

@@ -97,7 +97,7 @@ int model(lua_State* L) {
 
 /// The script's line for each node, member and support: only for hinge check, which names it.
 void note_line(lua_State* L, Model& m, const char* kind, int index) {
-    if (context(L)->checking) m.ask(std::string(kind) + " " + std::to_string(index + 1), where(L));
+    if (context(L)->mode.checking) m.ask(std::string(kind) + " " + std::to_string(index + 1), where(L));
 }
 
 int add_node(lua_State* L) {

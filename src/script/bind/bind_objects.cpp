@@ -337,7 +337,7 @@ int close_model(lua_State* L) {
         if (const auto r = run.lock(); r && r->stepping)
             throw InputError("model:close: a run of this model is in a step; close it when the step is done");
     for (const auto& run : m->runs)
-        if (const auto r = run.lock(); r && r != c->record) r->run.reset();
+        if (const auto r = run.lock(); r && r != c->runs.last) r->run.reset();
     m->runs.clear();
     const std::string place = where(L);
     m->closed_at = place.empty() ? "an unknown line" : place;

@@ -11,6 +11,7 @@
 #include "script/files/folders.h"
 #include "script/record/element_events.h"
 #include "script/record/summary.h"
+#include "run/dynamics.h"
 
 namespace hinge::script {
 
@@ -19,20 +20,20 @@ namespace hinge::script {
 void prepare_folder(const Context& c, const std::string& file) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::path(file).parent_path();
-    if (c.sandbox) {
-        const fs::path own = fs::weakly_canonical(fs::absolute(c.out_dir)),
+    if (c.mode.sandbox) {
+        const fs::path own = fs::weakly_canonical(fs::absolute(c.output.folder)),
                        there = fs::weakly_canonical(fs::absolute(folder));
         if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
             fs::is_symlink(file))
-            throw InputError("'" + file + "' is outside the output folder " + c.out_dir +
+            throw InputError("'" + file + "' is outside the output folder " + c.output.folder +
                              "; a script in the sandbox writes nowhere else");
     }
     if (folder.empty()) return;
     make_folder(folder.string());
-    const fs::path within = fs::path(c.out_dir).lexically_normal(), here = folder.lexically_normal();
-    if (!c.out_dir.empty() &&
+    const fs::path within = fs::path(c.output.folder).lexically_normal(), here = folder.lexically_normal();
+    if (!c.output.folder.empty() &&
         std::mismatch(within.begin(), within.end(), here.begin(), here.end()).first == within.end())
-        take_lock(c.out_dir);
+        take_lock(c.output.folder);
 }
 
 namespace {
@@ -40,8 +41,8 @@ namespace {
 /// core.plan(check): from now on runs are described, not stepped, and nothing is written; `check`: what they work on is
 /// looked over.
 int plan(lua_State* L) {
-    context(L)->planning = true;
-    context(L)->checking = lua_toboolean(L, 1);
+    context(L)->mode.planning = true;
+    context(L)->mode.checking = lua_toboolean(L, 1);
     return 0;
 }
 
@@ -55,13 +56,13 @@ int time_product(lua_State* L) {
 
 /// core.runs_made()
 int runs_made(lua_State* L) {
-    lua_pushinteger(L, context(L)->runs);
+    lua_pushinteger(L, context(L)->runs.made);
     return 1;
 }
 
 /// core.planning()
 int planning(lua_State* L) {
-    lua_pushboolean(L, context(L)->planning);
+    lua_pushboolean(L, context(L)->mode.planning);
     return 1;
 }
 
@@ -80,7 +81,7 @@ int write_summary(lua_State* L) {
         lua_pop(L, 1);
         return v;
     };
-    if (const auto& r = c->record) {
+    if (const auto& r = c->runs.last) {
         tell_findings(*c, *r);
         const Run& run = *r->run;
         verdict = run.verdict() == Verdict::running ? "stopped" : name(verdict_of(*r));
@@ -91,19 +92,20 @@ int write_summary(lua_State* L) {
     }
     if (const Json whole = field("whole"); !whole.is_null())
         verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");
-    if (!c->lost.empty()) {
+    if (!c->output.lost.empty()) {
         const std::string missing =
-            c->lost.front() + (c->lost.size() > 1 ? "; and " + std::to_string(c->lost.size() - 1) + " more" : "");
+            c->output.lost.front() +
+            (c->output.lost.size() > 1 ? "; and " + std::to_string(c->output.lost.size() - 1) + " more" : "");
         reason = (verdict == "failed" ? reason + "; " : "") + "not all was written: " + missing;
         verdict = "failed";
-        j["lost"] = c->lost;
+        j["lost"] = c->output.lost;
     }
     j["verdict"] = verdict;
     if (!reason.empty()) j["reason"] = reason;
     for (const char* name : {"script", "case", "parameters"})
         if (Json v = field(name); !v.is_null()) j[name] = v;
     j["hinge"] = HINGE_VERSION;
-    if (const auto& r = c->record) {
+    if (const auto& r = c->runs.last) {
         describe_run(j, *r);
         j["state_hash"] = [&] {
             char t[20];
@@ -114,28 +116,28 @@ int write_summary(lua_State* L) {
     Json results = field("results");
     j["results"] = results.is_null() ? Json::object() : results;
     if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
-    if (!c->warned.empty()) j["warnings"] = c->warned;
+    if (!c->messages.warned.empty()) j["warnings"] = c->messages.warned;
     int told = 0;  // the last run's failure is the verdict, which is told by itself
-    for (const auto& [number, text] : c->failed) {
-        if (c->record && number == c->record->number) continue;
+    for (const auto& [number, text] : c->runs.failed) {
+        if (c->runs.last && number == c->runs.last->number) continue;
         j["failed_runs"].push_back(text);
         if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
     }
     if (told > most_failed)
         std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
-    if (const int idle = c->runs - c->begun; idle > 0 && c->begun == 0) {
+    if (const int idle = c->runs.made - c->runs.begun; idle > 0 && c->runs.begun == 0) {
         const std::string text = count_text(idle, "run") + " made, and none has taken a step";
         j["warnings"].push_back(text);
-        if (c->warns)
+        if (c->messages.warns)
             std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
                          text.c_str());
     }
-    if (!c->out_dir.empty()) {
+    if (!c->output.folder.empty()) {
         take_folder(*c);
-        if (c->record) leave_happenings(*c, *c->record);
-        write_whole(c->out_dir + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        if (c->runs.last) leave_happenings(*c, *c->runs.last);
+        write_whole(c->output.folder + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
-    write_event(*c, "summary", {{"folder", c->out_dir}, {"summary", j}});
+    write_event(*c, "summary", {{"folder", c->output.folder}, {"summary", j}});
     lua_pushstring(L, verdict.c_str());
     lua_pushstring(L, reason.c_str());
     return 2;
@@ -183,7 +185,7 @@ int event(lua_State* L) {
     const char* kind = luaL_checkstring(L, 1);
     const auto c = context(L);
     write_event(*c, kind, to_json(L, 2));
-    return lua_pushboolean(L, c->events != nullptr), 1;
+    return lua_pushboolean(L, c->messages.events != nullptr), 1;
 }
 
 int append_text(lua_State* L) {
@@ -199,9 +201,9 @@ int append_text(lua_State* L) {
 int own_output(lua_State* L) {
     const char* folder = luaL_checkstring(L, 1);  // this raises: nothing may be pending yet
     const auto c = context(L);
-    c->owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
-    c->out_dir = lua_toboolean(L, 3) ? folder : free_folder(folder, c->owner);
-    return lua_pushstring(L, c->out_dir.c_str()), 1;
+    c->output.owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
+    c->output.folder = lua_toboolean(L, 3) ? folder : free_folder(folder, c->output.owner);
+    return lua_pushstring(L, c->output.folder.c_str()), 1;
 }
 
 /// core.lock(folder, shared): makes the folder, which this process alone writes to from now on; shared: beside other
@@ -227,7 +229,7 @@ int refuse_taken(lua_State* L) {
 
 /// core.lose(text): what the script asked for and could not be written, and why; the job has failed.
 int lose(lua_State* L) {
-    context(L)->lost.emplace_back(luaL_checkstring(L, 1));
+    context(L)->output.lost.emplace_back(luaL_checkstring(L, 1));
     return 0;
 }
 
@@ -240,7 +242,7 @@ int whole_path(lua_State* L) {
 }
 
 int out_dir(lua_State* L) {
-    const std::string& dir = context(L)->out_dir;
+    const std::string& dir = context(L)->output.folder;
     lua_pushstring(L, dir.empty() ? "." : dir.c_str());
     return 1;
 }

@@ -18,9 +18,9 @@ const SnapshotBox& snapshot_argument(lua_State* L, int index, const char* functi
 int write_frame(lua_State* L) {
     const output::Snapshot& snapshot = snapshot_argument(L, 1, "write_frame").value;
     const auto c = context(L);
-    const std::string folder = c->out_dir.empty() ? "." : c->out_dir;
+    const std::string folder = c->output.folder.empty() ? "." : c->output.folder;
     prepare_folder(*c, folder + "/frames/");
-    auto& frames = c->frames;
+    auto& frames = c->output.frames;
     char file[48], error[512] = "";
     std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
     must_work(picture_function<hinge_write_snapshot>(*c, "hinge_write_snapshot")((folder + "/" + file).c_str(),

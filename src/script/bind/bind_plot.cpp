@@ -344,7 +344,7 @@ int write_plot(lua_State* L) {
 }
 
 /// core.sandboxed(): whether the script is not trusted.
-int sandboxed(lua_State* L) { return lua_pushboolean(L, context(L)->sandbox), 1; }
+int sandboxed(lua_State* L) { return lua_pushboolean(L, context(L)->mode.sandbox), 1; }
 
 }  // namespace
 

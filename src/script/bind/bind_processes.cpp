@@ -63,16 +63,17 @@ void settle_in(pid_t parent, const char* output, double memory) {
 
 /// What a new process starts with: nothing of the runs that were made before.
 void forget_runs(Context& c) {
-    c.record = nullptr, c.writer = nullptr;
-    c.runs = c.histories = c.begun = c.warnings_told = c.looked_over = 0;
-    c.failed.clear(), c.frames.clear(), c.warned.clear(), c.checkpoints.clear(), c.lost.clear();
-    c.asked_how.clear();
-    c.progress = false, c.events = nullptr;
-    c.out_dir.clear(), c.owner.clear();
-    c.owner_written = false;
+    c.runs.last = nullptr, c.runs.writer = nullptr;
+    c.runs.made = c.runs.histories = c.runs.begun = c.messages.warnings_told = c.messages.looked_over = 0;
+    c.runs.failed.clear(), c.output.frames.clear(), c.messages.warned.clear(), c.output.checkpoints.clear(),
+        c.output.lost.clear();
+    c.runs.asked.clear();
+    c.messages.progress = false, c.messages.events = nullptr;
+    c.output.folder.clear(), c.output.owner.clear();
+    c.output.owner_written = false;
     asked_to_end = 0;
-    c.interrupted = 0;
-    if (c.observer) c.observer->forked(), c.observer = nullptr;
+    c.signals.interrupted = 0;
+    if (c.messages.observer) c.messages.observer->forked(), c.messages.observer = nullptr;
 }
 
 /// core.start(f, output, memory, resume): calls f() in a process of its own, which ends with what f returns as its
@@ -90,7 +91,7 @@ int start(lua_State* L) {
     if (child > 0) return children.push_back(child), lua_pushinteger(L, child), 1;
     settle_in(parent, output, memory);
     forget_runs(*context(L));
-    context(L)->resume = resume;
+    context(L)->mode.resume = resume;
     lua_settop(L, 1);
     int status = 2;
     if (lua_pcall(L, 0, 1, 0) == LUA_OK) status = int(lua_tointeger(L, -1));
@@ -126,7 +127,7 @@ int wait(lua_State* L) {
             lua_pushnumber(L, 1024.0 * double(used.ru_maxrss));
             return 4;
         }
-        if (context(L)->interrupted && !lua_toboolean(L, 2)) return lua_pushstring(L, "interrupted"), 1;
+        if (context(L)->signals.interrupted && !lua_toboolean(L, 2)) return lua_pushstring(L, "interrupted"), 1;
         const double left = std::chrono::duration<double>(until - std::chrono::steady_clock::now()).count();
         if (left <= 0) return 0;
         const timespec most = {time_t(left), long((left - double(time_t(left))) * 1e9)};
@@ -145,7 +146,7 @@ int end_process(lua_State* L) {
 
 /// core.drop_checkpoints(): removes the files that this script's runs have named; they are not needed any more.
 int drop_checkpoints(lua_State* L) {
-    for (const std::string& file : context(L)->checkpoints) unlink(file.c_str());
+    for (const std::string& file : context(L)->output.checkpoints) unlink(file.c_str());
     return 0;
 }
 

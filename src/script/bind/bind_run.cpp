@@ -11,6 +11,8 @@
 #include "script/record/probe_list.h"
 #include "script/record/recording.h"
 #include "script/record/snapshot.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 
@@ -25,24 +27,24 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     record->every = every;
     record->likely_mistakes = std::move(likely_mistakes);
     const auto c = context(L);
-    if (c->record) tell_findings(*c, *c->record);
-    if (c->record && !c->record->model->closed_at.empty()) {  // kept for the summary alone
-        if (c->record->run) write_happenings(*c->record);
-        c->record->run.reset();
+    if (c->runs.last) tell_findings(*c, *c->runs.last);
+    if (c->runs.last && !c->runs.last->model->closed_at.empty()) {  // kept for the summary alone
+        if (c->runs.last->run) write_happenings(*c->runs.last);
+        c->runs.last->run.reset();
     }
-    c->record = record;
-    ++c->runs;
+    c->runs.last = record;
+    ++c->runs.made;
     record->asked_at = where(L);
-    if (c->planning)
-        if (const std::string plan = c->checking ? checked_run(*record) : plan_of(*record);
-            c->described.find(plan) == std::string::npos) {
-            c->described += plan;
+    if (c->mode.planning)
+        if (const std::string plan = c->mode.checking ? checked_run(*record) : plan_of(*record);
+            c->messages.described.find(plan) == std::string::npos) {
+            c->messages.described += plan;
             std::printf("%s", plan.c_str());
-            if (!c->checking) {
+            if (!c->mode.checking) {
                 std::printf("\n");
             } else {
                 const std::string model = checked_model(*record);
-                const auto [known, fresh] = c->described_at.try_emplace(model, record->asked_at);
+                const auto [known, fresh] = c->messages.described_at.try_emplace(model, record->asked_at);
                 if (fresh) std::printf("%s\n", model.c_str());
                 else
                     std::printf("  the same model as that of the run made at %s, with the same warnings\n\n",
@@ -259,7 +261,7 @@ int fields(lua_State* L) {
     const std::string key = key_argument(L);
     const auto& r = *self<RunBox>(L, "run." + key).value;
     const Run& run = *r.run;
-    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->asked_how.insert(r.number);
+    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->runs.asked.insert(r.number);
     if (key == "time") lua_pushnumber(L, run.state().time);
     else if (key == "factor") lua_pushnumber(L, run.state().factor);
     else if (key == "index") lua_pushinteger(L, run.steps_done());

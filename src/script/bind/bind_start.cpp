@@ -31,7 +31,7 @@ const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
             o.complain("from", "a run in the middle of a step", "make this run when the step is done");
         const Run& run = *record->run;
         const bool is_static = std::string_view(run.kind()) == "static";
-        if (run.verdict() == Verdict::running && !context(L)->planning && (is_static || run.steps_done() == 0))
+        if (run.verdict() == Verdict::running && !context(L)->mode.planning && (is_static || run.steps_done() == 0))
             o.complain("from",
                        "a " + std::string(run.kind()) + " run that has done " + std::to_string(run.steps_done()) +
                            " of " + std::to_string(run.planned_steps()) + " steps (made at " + record->asked_at + ")",
@@ -50,7 +50,7 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadCho
     decide_elements(*copy);
     tell_size(*context(L), *copy);
     copy->choose(choice);
-    if (const std::string& effect = context(L)->left_out; !effect.empty()) copy->leave_out(effect);
+    if (const std::string& effect = context(L)->mode.left_out; !effect.empty()) copy->leave_out(effect);
     look_over(*context(L), *copy);
     return copy;
 }

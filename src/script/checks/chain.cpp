@@ -2,6 +2,7 @@
 
 #include "core/text.h"
 #include "script/checks/check.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 namespace {
@@ -60,8 +61,8 @@ std::string reason_of(const RunRecord& r) {
 std::string unasked_failure(const Context& c) {
     std::string first;
     int more = 0;
-    for (const auto& [number, text] : c.failed) {
-        if ((c.record && number == c.record->number) || c.asked_how.count(number) > 0) continue;
+    for (const auto& [number, text] : c.runs.failed) {
+        if ((c.runs.last && number == c.runs.last->number) || c.runs.asked.count(number) > 0) continue;
         if (first.empty()) first = text;
         else ++more;
     }
@@ -75,10 +76,10 @@ Chain::Chain(Options& o, const RunRecord* before) : allowed_(o.flag("allow_faile
         o.complain("allow_failed", allowed_ ? "true" : "false",
                    "has no meaning without from =, the run that this one goes on from; leave it out");
     Context& c = *context(o.L());
-    if (!before || c.planning) return;
+    if (!before || c.mode.planning) return;
     weak_ = weak_link(*before);
     if (weak_.empty()) return;
-    if (allowed_) c.asked_how.insert(before->number);
+    if (allowed_) c.runs.asked.insert(before->number);
     Warning w;
     w.what = "this run goes on from " + weak_;
     w.advice = allowed_

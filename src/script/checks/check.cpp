@@ -9,6 +9,8 @@
 #include "script/checks/damping_check.h"
 #include "script/checks/load_warnings.h"
 #include "script/checks/plan.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 #include "state/bodies.h"
 #include "algebra/modes.h"
 

@@ -9,6 +9,7 @@
 #include "effects/damping.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
+#include "run/statics.h"
 #include "state/breaking.h"
 
 namespace hinge::script {

@@ -25,11 +25,13 @@ std::vector<std::pair<int, int>> joined_by_connectors(const Model& model) {
 
 void tell(Context& c, const Warning& w) {
     const std::string text = warning_text(w);
-    if (c.warned.size() >= most_kept || std::find(c.warned.begin(), c.warned.end(), text) != c.warned.end()) return;
-    c.warned.push_back(text);
+    if (c.messages.warned.size() >= most_kept ||
+        std::find(c.messages.warned.begin(), c.messages.warned.end(), text) != c.messages.warned.end())
+        return;
+    c.messages.warned.push_back(text);
     write_event(c, "warning", {{"text", w.what}, {"advice", w.advice}, {"line", w.asked_at}, {"more", w.more}});
-    if (!c.warns || c.warnings_told >= most_lines) return;
-    if (++c.warnings_told < most_lines) std::fprintf(stderr, "warning: %s\n", text.c_str());
+    if (!c.messages.warns || c.messages.warnings_told >= most_lines) return;
+    if (++c.messages.warnings_told < most_lines) std::fprintf(stderr, "warning: %s\n", text.c_str());
     else std::fprintf(stderr, "warning: and more than these %d; hinge check tells all\n", most_lines - 1);
 }
 
@@ -39,20 +41,20 @@ void tell_findings(Context& c, const RunRecord& r) {
 }
 
 void look_over(Context& c, const Model& model) {
-    c.of_units.reset();
-    if (!c.looks_over || c.looked_over >= most_models || model.members().size() > most_members) return;
-    ++c.looked_over;
+    c.messages.of_units.reset();
+    if (!c.mode.looks_over || c.messages.looked_over >= most_models || model.members().size() > most_members) return;
+    ++c.messages.looked_over;
     const std::vector<Warning> list = warnings(model, joined_by_connectors(model));
-    c.of_units = of_units(list);
+    c.messages.of_units = of_units(list);
     for (const Warning& w : list) tell(c, w);
 }
 
 void look_over(Context& c, RunRecord& record) {
-    record.of_units = c.of_units;
-    if (!c.looks_over || c.looked_over >= most_models ||
+    record.of_units = c.messages.of_units;
+    if (!c.mode.looks_over || c.messages.looked_over >= most_models ||
         record.run->structure().model().members().size() > most_members)
         return;
-    std::vector<Warning> list = warnings_of_run(record, c.of_units ? 0 : most_solved, false, true);
+    std::vector<Warning> list = warnings_of_run(record, c.messages.of_units ? 0 : most_solved, false, true);
     const auto buckles = [](const Warning& w) { return w.what.find("Euler's load") != std::string::npos; };
     const long columns = std::count_if(list.begin(), list.end(), buckles);
     const auto first = std::find_if(list.begin(), list.end(), buckles);

@@ -22,7 +22,7 @@ constexpr double of_element = 8e3;           ///< bytes, of a run, at most (meas
 constexpr double operations_a_second = 7e8;  ///< of a factorisation, on one core of a common machine
 constexpr double long_time = 20;             ///< s, of a factorisation
 
-bool tells(const Context& c) { return c.progress || c.warns; }
+bool tells(const Context& c) { return c.messages.progress || c.messages.warns; }
 
 /// 201720 as "201,720"
 std::string grouped(std::size_t n) {
@@ -95,7 +95,7 @@ void tell_size(Context& c, const Model& model) {
 }
 
 void weigh_static(Context& c, const Structure& structure, int steps) {
-    if (c.planning) return;
+    if (c.mode.planning) return;
     const std::size_t elements = structure.elements().size();
     if (elements < 2000) return;
     std::vector<std::pair<int, int>> pairs;
@@ -116,7 +116,7 @@ void weigh_static(Context& c, const Structure& structure, int steps) {
 }
 
 void weigh_dynamic(Context& c, const Structure& structure) {
-    if (c.planning || structure.model().members().size() < large) return;
+    if (c.mode.planning || structure.model().members().size() < large) return;
     const double bytes = of_element * double(structure.elements().size()), left = memory_left();
     tell_line(c, "a dynamic run of it takes about " + bytes_text(bytes) + " of memory; " + bytes_text(left) +
                      " are left" + (bytes > left ? ": that is too little, and the system may end the program" : ""));

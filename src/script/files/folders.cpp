@@ -125,21 +125,21 @@ std::string free_folder(const std::string& wanted, const std::string& owner) {
 }
 
 void take_folder(Context& c) {
-    if (c.out_dir.empty()) return;
-    make_folder(c.out_dir);
-    take_lock(c.out_dir);
-    if (c.owner.empty() || c.owner_written) return;
-    c.owner_written = true;
-    Json mine = Json::parse(c.owner);
-    if (const Json before = owner_of(c.out_dir); !before.is_null() && before != mine) {
-        const std::string becomes = c.resume ? "; what has a checkpoint there goes on as the run of " + whose(mine)
-                                             : ", which is replaced",
-                          text = c.out_dir + " held the run of " + whose(before) + becomes;
-        if (c.progress) std::fprintf(stderr, "%s\n", text.c_str());
+    if (c.output.folder.empty()) return;
+    make_folder(c.output.folder);
+    take_lock(c.output.folder);
+    if (c.output.owner.empty() || c.output.owner_written) return;
+    c.output.owner_written = true;
+    Json mine = Json::parse(c.output.owner);
+    if (const Json before = owner_of(c.output.folder); !before.is_null() && before != mine) {
+        const std::string becomes = c.mode.resume ? "; what has a checkpoint there goes on as the run of " + whose(mine)
+                                                  : ", which is replaced",
+                          text = c.output.folder + " held the run of " + whose(before) + becomes;
+        if (c.messages.progress) std::fprintf(stderr, "%s\n", text.c_str());
         write_event(c, "warning", {{"text", text}, {"advice", "give another --out"}});
     }
     mine["hinge"] = HINGE_VERSION;
-    write_whole(c.out_dir + "/run.json", mine.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_whole(c.output.folder + "/run.json", mine.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 bool print_history(const std::vector<std::string>& folders) {

@@ -11,8 +11,8 @@ constexpr int most_told = 10;  ///< runs that failed
 /// Where nobody asked how a run went, it says so at the end.
 void tell_failures(const Context& c) {
     int told = 0;
-    for (const auto& [number, text] : c.failed)
-        if (c.asked_how.count(number) == 0 && ++told <= most_told) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    for (const auto& [number, text] : c.runs.failed)
+        if (c.runs.asked.count(number) == 0 && ++told <= most_told) std::fprintf(stderr, "hinge: %s\n", text.c_str());
     if (told > most_told) std::fprintf(stderr, "hinge: %d more runs failed\n", told - most_told);
 }
 
@@ -21,8 +21,8 @@ struct ContextBox {
     std::shared_ptr<Context> value;
     ~ContextBox() {  // the last run's rules hold the context, which holds the run
         if (!value) return;
-        if (value->tells_failures) tell_failures(*value);
-        value->record = value->writer = nullptr;
+        if (value->messages.tells_failures) tell_failures(*value);
+        value->runs.last = value->runs.writer = nullptr;
     }
 };
 
@@ -62,7 +62,7 @@ void tell_collector(lua_State* L, std::size_t bytes) {
 }
 
 void note_error(lua_State* L, const std::string& message, const char* kind) {
-    if (const auto c = find_context(L)) c->last_error = message, c->last_error_kind = kind;
+    if (const auto c = find_context(L)) c->errors.last = message, c->errors.kind = kind;
 }
 
 }  // namespace hinge::script

@@ -52,7 +52,7 @@ void say_what() {
     char size[80] = "", text[400];
     if (now && now->size > 0) std::snprintf(size, sizeof size, " of %ld %s", now->size, now->of);
     const int n = std::snprintf(text, sizeof text, "hinge: %s: it ends after %s%s; once more ends it at once\n",
-                                its_context->interrupted == SIGTERM ? "SIGTERM" : "Ctrl-C",
+                                its_context->signals.interrupted == SIGTERM ? "SIGTERM" : "Ctrl-C",
                                 now           ? now->what
                                 : is_stepping ? "the step of the run that is under way"
                                               : "the call that the script is in, or the coroutine",
@@ -69,7 +69,7 @@ void on_second(int) {
 }
 
 void on_signal(int signal) {
-    its_context->interrupted = signal;
+    its_context->signals.interrupted = signal;
     asked_to_end = signal;
     for (const int other : {SIGINT, SIGTERM}) std::signal(other, SIG_DFL);
     if (is_script && !is_stepping) stop_at_next_line();
@@ -88,30 +88,30 @@ int set_script_runs(lua_State* L) {
 
 std::string ended_halfway(lua_State* L) {
     Context& c = *context(L);
-    if (!c.ends_on_signals) {  // the prompt goes on
+    if (!c.signals.ends_on_signals) {  // the prompt goes on
         asked_to_end = 0;
-        c.interrupted = 0;
+        c.signals.interrupted = 0;
         lua_sethook(L, nullptr, 0, 0);
         return "interrupted";
     }
-    c.exit_status = 128 + c.interrupted;
+    c.signals.exit_status = 128 + c.signals.interrupted;
     const std::string place = where(L);
     std::string text = (place.empty() ? "" : place + ": ") + interrupted_by(c);
-    const RunRecord* r = c.record.get();
+    const RunRecord* r = c.runs.last.get();
     if (!r || !r->begun || r->closed || !r->checkpoint) return text;
-    c.exit_status = 3;
+    c.signals.exit_status = 3;
     return text + "; " + r->checkpoint->file +
            " has the run up to its last checkpoint, and the same command with --resume goes on from there";
 }
 
 const char* interrupted_by(const Context& c) {
-    return c.interrupted == SIGTERM ? "interrupted by SIGTERM" : "interrupted by Ctrl-C";
+    return c.signals.interrupted == SIGTERM ? "interrupted by SIGTERM" : "interrupted by Ctrl-C";
 }
 
 void end_on_signals(lua_State* L) {
     its_lua = L;
     its_context = context(L).get();
-    its_context->ends_on_signals = true;
+    its_context->signals.ends_on_signals = true;
     struct sigaction tick = {};
     tick.sa_handler = on_second;
     tick.sa_flags = SA_RESTART;

@@ -22,10 +22,10 @@ int input_error(lua_State* L) {
 int error_kind(lua_State* L) {
     const auto c = context(L);
     const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
-    if (text && !c->last_error.empty() && c->last_error == text) lua_pushstring(L, c->last_error_kind);
+    if (text && !c->errors.last.empty() && c->errors.last == text) lua_pushstring(L, c->errors.kind);
     else lua_pushnil(L);
-    if (c->last_error_kind != std::string_view("interrupted") || lua_isnil(L, -1)) return 1;
-    lua_pushinteger(L, c->exit_status);
+    if (c->errors.kind != std::string_view("interrupted") || lua_isnil(L, -1)) return 1;
+    lua_pushinteger(L, c->signals.exit_status);
     return 2;
 }
 
@@ -89,7 +89,8 @@ std::shared_ptr<Context> prepare(lua_State* L) {
     c->running = L;
     c->library = library_folder();
     c->picture_module = picture_module();
-    c->looks_over = c->warns = c->tells_failures = std::getenv("HINGE_QUIET") == nullptr;  // the program says otherwise
+    c->mode.looks_over = c->messages.warns = c->messages.tells_failures =
+        std::getenv("HINGE_QUIET") == nullptr;  // the program says otherwise
     set_library_folder(L, c->library + "/hinge/");
     lua_getglobal(L, "package");
     lua_getfield(L, -1, "path");

@@ -13,52 +13,76 @@
 
 #include "model/warnings.h"
 #include "script/lua/model_registry.h"
-#include "run/dynamics.h"
 #include "run/energy_monitor.h"
-#include "run/statics.h"
+#include "run/run.h"
 
 namespace hinge::script {
 
 /// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
 struct Context {
+    /// Where the script writes, and what could not be written.
+    struct Output {
+        std::string folder;                                  ///< empty: nothing is written unless a path is given
+        std::string owner;                                   ///< run.json of that folder; "": none is written
+        bool owner_written = false;                          ///< run.json is there
+        std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
+        std::set<std::string> checkpoints;                   ///< files that runs have named
+        std::vector<std::string> lost;  ///< pictures, frames and checkpoints that could not be written, and why
+    };
+    /// What the program prints on stderr, and has printed.
+    struct Messages {
+        bool progress = false;                   ///< progress of runs, and their changes of state
+        bool warns = false;                      ///< likely mistakes
+        bool tells_failures = false;             ///< failures that the script did not check
+        std::FILE* events = nullptr;             ///< the same as JSON, an object a line; null: nowhere
+        struct RunObserver* observer = nullptr;  ///< watches the steps of runs (hinge run --live); null: none
+        std::vector<std::string> warned;         ///< warnings with their advice: each is printed once
+        std::optional<Warning> of_units;         ///< the first such warning of the model checked last
+        int warnings_told = 0, looked_over = 0;  ///< lines printed; models checked
+        std::string described;                   ///< all plans printed so far: a loop's runs are described once
+        std::map<std::string, std::string> described_at;  ///< line of the run, by what was printed of its model
+    };
+    /// How the program was asked to execute the script.
+    struct Mode {
+        bool looks_over = false;  ///< check the models of runs for likely mistakes
+        bool resume = false;      ///< runs go on from their checkpoints
+        bool sandbox = false;     ///< the script is not trusted: nothing is written outside the output folder
+        bool planning = false;    ///< runs are described, not stepped; nothing is written
+        bool checking = false;    ///< while planning: models are checked, and no effects are listed
+        std::string left_out;     ///< the effect that runs do without, whatever their models declare; "" for none
+    };
+    /// Ctrl-C and SIGTERM.
+    struct Signals {
+        volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
+        bool ends_on_signals = false;                ///< the program ends as well; false: the prompt goes on
+        int exit_status = 3;  ///< after such an end: 3 with a checkpoint written, else 128 and the signal
+    };
+    /// The runs that the script has made.
+    struct Runs {
+        std::shared_ptr<struct RunRecord> last;
+        std::shared_ptr<struct RunRecord>
+            writer;  ///< the run that writes history.csv; earlier ones have numbered files
+        int made = 0;
+        int begun = 0;                                    ///< runs that have taken a step
+        int histories = 0;                                ///< numbered history files so far
+        std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
+        std::set<int> asked;                              ///< runs whose verdict the script has read
+    };
+    /// The error that the engine raised last, to tell its kind from its text.
+    struct Errors {
+        std::string last;
+        const char* kind = "";  ///< "input", "outside", "interrupted", "hook"
+    };
     lua_State* running = nullptr;  ///< the thread that entered the engine last; hooks are called on it
-    std::string out_dir;           ///< empty: nothing is written unless a path is given
-    std::string owner;             ///< run.json of that folder; "": none is written
-    bool owner_written = false;
-    std::string library;                         ///< folder of the Lua library
-    std::string picture_module;                  ///< path of the output module
-    bool progress = false;                       ///< tell on stderr how runs go: progress, changes of state
-    bool warns = false;                          ///< tell there of likely mistakes
-    bool tells_failures = false;                 ///< and at the end of runs that failed, where the script never asked
-    std::FILE* events = nullptr;                 ///< the same as JSON, an object a line; null: to nobody
-    struct RunObserver* observer = nullptr;      ///< who looks on while runs go on; null: nobody
-    bool looks_over = false;                     ///< look for likely mistakes in the models that are run
-    std::vector<std::string> warned;             ///< what has been found, with its advice: each is told once
-    std::optional<Warning> of_units;             ///< the first such warning of the model looked at last
-    int warnings_told = 0, looked_over = 0;      ///< lines; models
-    volatile std::sig_atomic_t interrupted = 0;  ///< the signal that came: the run under way ends with an error
-    bool ends_on_signals = false;                ///< and so does the program; else it is the prompt, which goes on
-    int exit_status = 3;                ///< after such an end: 3 with a checkpoint written, else 128 and the signal
-    bool resume = false;                ///< runs go on from their checkpoints
-    std::set<std::string> checkpoints;  ///< files that runs have named
-    bool sandbox = false;               ///< the script is not trusted: nothing is written outside out_dir
-    bool planning = false;              ///< runs are described, not stepped; nothing is written
-    bool checking = false;              ///< while planning: what a run works on is looked over, not its effects
-    std::string left_out;               ///< an effect that runs do without, whatever their models declare; "" for none
-    std::string last_error;             ///< the message the engine raised last, to tell its kind from its text
-    const char* last_error_kind = "";   ///< "input", "outside", "interrupted", "hook"
-    std::vector<std::pair<double, std::string>> frames;  ///< written so far: time, file
-    std::shared_ptr<struct RunRecord> record;            ///< of the last run
-    std::shared_ptr<struct RunRecord> writer;  ///< whose rows go to history.csv; those before it keep theirs by number
-    int runs = 0;                              ///< made so far
-    std::string described;                     ///< all plans printed so far: a loop's runs are described once
-    std::map<std::string, std::string> described_at;  ///< lines of the runs whose models were, by what was said of them
-    int histories = 0;                                ///< kept by number so far
-    int begun = 0;                                    ///< runs that have taken a step
-    std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
-    std::set<int> asked_how;                          ///< runs of which the script has read how they went
-    std::vector<std::string> lost;  ///< pictures, frames and checkpoints that could not be written, and why
-    std::size_t unseen = 0;         ///< bytes that objects took outside Lua since all was collected
+    std::string library;           ///< folder of the Lua library
+    std::string picture_module;    ///< path of the output module
+    Output output;
+    Messages messages;
+    Mode mode;
+    Signals signals;
+    Runs runs;
+    Errors errors;
+    std::size_t unseen = 0;  ///< bytes that objects took outside Lua since the last full collection
 };
 std::shared_ptr<Context> context(lua_State* L);  ///< throws InputError while Lua is being closed
 bool has_context(lua_State* L);

@@ -150,7 +150,7 @@ void write_happenings(RunRecord& r) {
 
 void leave_happenings(const Context& c, RunRecord& r) {
     if (!r.events_path.empty()) return write_happenings(r);
-    if (r.begun || !c.writer) begin_happenings(r, c.out_dir + "/events.csv");
+    if (r.begun || !c.runs.writer) begin_happenings(r, c.output.folder + "/events.csv");
 }
 
 Json damage_by_group(const Run& run) {

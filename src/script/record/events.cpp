@@ -7,12 +7,12 @@
 namespace hinge::script {
 
 void write_event(const Context& c, const char* kind, Json fields) {
-    if (!c.events) return;
+    if (!c.messages.events) return;
     Json j = {{"event", kind}};
     j.update(fields);
     const std::string line = j.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    std::fwrite(line.data(), 1, line.size(), c.events);
-    std::fflush(c.events);
+    std::fwrite(line.data(), 1, line.size(), c.messages.events);
+    std::fflush(c.messages.events);
 }
 
 Json to_json(lua_State* L, int index, int depth) {

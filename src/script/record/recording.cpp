@@ -19,6 +19,8 @@
 #include "script/lua/interrupts.h"
 #include "script/lua/run_observer.h"
 #include "script/record/summary.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 
@@ -95,7 +97,7 @@ void sample(RunRecord& r) {
 
 /// The units of the columns of history.csv that are probes.
 void write_probes(const Context& c, const RunRecord& r) {
-    const std::string path = c.out_dir + "/probes.json";
+    const std::string path = c.output.folder + "/probes.json";
     if (r.probes.empty()) std::remove(path.c_str());
     else write_whole(path, probes_json(r).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -103,35 +105,35 @@ void write_probes(const Context& c, const RunRecord& r) {
 /// Its history is history.csv from now on; those of the runs before it are kept by number.
 void take_files(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     take_folder(*c);
-    record->history_path = c->out_dir + "/history.csv";
-    if (c->writer) {
-        write_rows(*c->writer);
-        const std::string number = "-" + std::to_string(++c->histories) + ".csv";
-        c->writer->history_path = c->out_dir + "/history" + number;
-        c->writer->events_path = c->out_dir + "/events" + number;
-        std::rename(record->history_path.c_str(), c->writer->history_path.c_str());
+    record->history_path = c->output.folder + "/history.csv";
+    if (c->runs.writer) {
+        write_rows(*c->runs.writer);
+        const std::string number = "-" + std::to_string(++c->runs.histories) + ".csv";
+        c->runs.writer->history_path = c->output.folder + "/history" + number;
+        c->runs.writer->events_path = c->output.folder + "/events" + number;
+        std::rename(record->history_path.c_str(), c->runs.writer->history_path.c_str());
         // What stands there of an earlier program: nothing has happened in this one, and there was no probe.
         const auto keep = [&](const std::string& file, const std::string& as) {
-            if (std::rename((c->out_dir + file).c_str(), as.c_str()) != 0) std::remove(as.c_str());
+            if (std::rename((c->output.folder + file).c_str(), as.c_str()) != 0) std::remove(as.c_str());
         };
-        keep("/events.csv", c->writer->events_path);
-        keep("/hinges.csv", c->out_dir + "/hinges" + number);
-        keep("/probes.json", c->out_dir + "/probes-" + std::to_string(c->histories) + ".json");
+        keep("/events.csv", c->runs.writer->events_path);
+        keep("/hinges.csv", c->output.folder + "/hinges" + number);
+        keep("/probes.json", c->output.folder + "/probes-" + std::to_string(c->runs.histories) + ".json");
     } else {  // of an earlier run: not about this one
-        for (const char* file : {"/summary.json", "/hinges.csv"}) std::remove((c->out_dir + file).c_str());
+        for (const char* file : {"/summary.json", "/hinges.csv"}) std::remove((c->output.folder + file).c_str());
     }
-    c->writer = record;
+    c->runs.writer = record;
     write_probes(*c, *record);
-    begin_happenings(*record, c->out_dir + "/events.csv");
+    begin_happenings(*record, c->output.folder + "/events.csv");
 }
 
 void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
     r.begun = true;
-    r.number = ++c->begun;
+    r.number = ++c->runs.begun;
     r.start = r.last_progress = r.last_write = Clock::now();
-    const bool keeps = !c->out_dir.empty() && r.every > 0;
-    if (!keeps && !c->observer) return;
+    const bool keeps = !c->output.folder.empty() && r.every > 0;
+    if (!keeps && !c->messages.observer) return;
     if (keeps) take_files(c, record);
     std::string header = "time,factor";
     for (const AccountInfo& account : r.run->accounts())
@@ -139,7 +141,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     header += ",remainder";
     for (const auto& p : r.probes) header += "," + p->name;
     const std::string text = r.past.empty() ? header + "\n" : r.past;
-    if (c->observer) c->observer->begun(r, text);
+    if (c->messages.observer) c->messages.observer->begun(r, text);
     if (!keeps) return;
     write_whole(r.history_path, text);
     r.past.clear();
@@ -173,10 +175,10 @@ void add_row(const Context& c, RunRecord& r) {
     if (step < r.row_of) return;  // a run that failed may have gone back to its last good step
     r.row_of = step;
     keep_row(r, lost ? lost->energy : e, lost);
-    if (r.history_path.empty() && (!c.observer || r.every == 0)) return;
+    if (r.history_path.empty() && (!c.messages.observer || r.every == 0)) return;
     const std::string row = history_row(r, lost ? lost->energy : e, lost);
     if (!r.history_path.empty()) r.rows += row;
-    if (c.observer) c.observer->row(r, row);
+    if (c.messages.observer) c.messages.observer->row(r, row);
 }
 
 /// When elements broke and nodes lost their last one. What a run starts with broken, broke before it.
@@ -208,15 +210,15 @@ std::string rate_text(double v) { return v >= 9.5 ? number_text(std::round(v)) :
 
 /// How far a run is; `trying`: a static run is within a step that is halved, and has found no equilibrium there yet.
 void show_progress(const Context& c, RunRecord& r, bool last, bool trying = false) {
-    if (!c.progress && !c.events) return;
+    if (!c.messages.progress && !c.messages.events) return;
     const double wall = seconds(Clock::now() - r.start);
-    if (last && wall < 2 && !c.events) return;
+    if (last && wall < 2 && !c.messages.events) return;
     const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
     const double share =
         std::clamp(statics ? statics->part_done() : double(done) / double(std::max(1L, all)), 0.0, 1.0);
     if (!trying && r.every == 0) weigh_error(r, r.run->energy());  // no row has done it
-    if (c.events) {
+    if (c.messages.events) {
         Json j = {{"run", r.number}, {"kind", r.run->kind()},       {"step", done},
                   {"steps", all},    {"time", r.run->state().time}, {"factor", r.run->state().factor},
                   {"part", share},   {"wall_seconds", wall},        {"energy_error", r.last_energy_share},
@@ -252,7 +254,12 @@ void show_progress(const Context& c, RunRecord& r, bool last, bool trying = fals
 
 void show_if_due(const Context& c, RunRecord& r, bool trying) {
     const auto now = Clock::now();
-    const double pause = c.events ? 1 : on_screen() ? 0.2 : 10, first = c.events ? 1 : on_screen() ? 2 : 5;
+    const double pause = c.messages.events ? 1
+                         : on_screen()     ? 0.2
+                                           : 10,
+                 first = c.messages.events ? 1
+                         : on_screen()     ? 2
+                                           : 5;
     if (seconds(now - r.start) <= first || seconds(now - r.last_progress) <= pause) return;
     show_progress(c, r, false, trying);
     r.last_progress = now;
@@ -260,7 +267,7 @@ void show_if_due(const Context& c, RunRecord& r, bool trying) {
 
 /// A run takes its first step: from now on it is told how it goes.
 void tell_of_beginning(const std::shared_ptr<Context>& c, RunRecord& r) {
-    if (c->events) {
+    if (c->messages.events) {
         const Structure& s = r.run->structure();
         write_event(*c, "run_begun",
                     {{"run", r.number},
@@ -272,7 +279,7 @@ void tell_of_beginning(const std::shared_ptr<Context>& c, RunRecord& r) {
                      {"free_dofs", s.free_dofs()},
                      {"steps", r.run->planned_steps()}});
     }
-    if (auto* statics = dynamic_cast<Statics*>(r.run.get()); statics && (c->progress || c->events))
+    if (auto* statics = dynamic_cast<Statics*>(r.run.get()); statics && (c->messages.progress || c->messages.events))
         statics->on_try = [c = std::weak_ptr(c), &r, seen = 0L, statics]() mutable {
             const auto context = c.lock();
             if (context && statics->rejected() > seen) seen = statics->rejected(), show_if_due(*context, r, true);
@@ -286,11 +293,11 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
         RunRecord::Changes& so_far = r.changes[w.effect];
         so_far.last = w.time;
         if ((w.awake ? so_far.awake : so_far.asleep)++ > 0) continue;
-        if (c.events)
+        if (c.messages.events)
             write_event(
                 c, "state",
                 {{"run", r.number}, {"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
-        else if (c.progress)
+        else if (c.messages.progress)
             std::fprintf(stderr, "%st = %s s: %s %s, %s\n", line_start(), number_text(w.time, 4).c_str(),
                          w.effect.c_str(), w.awake ? "awake" : "asleep", w.why.c_str());
     }
@@ -298,11 +305,11 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
     for (const auto& [effect, n] : r.changes) {
         if (n.awake + n.asleep < 3 && n.awake < 2 && n.asleep < 2) continue;
         const auto times = [](int n) { return n == 1 ? std::string("once") : std::to_string(n) + " times"; };
-        if (c.events)
+        if (c.messages.events)
             write_event(
                 c, "changes",
                 {{"run", r.number}, {"effect", effect}, {"awake", n.awake}, {"asleep", n.asleep}, {"last", n.last}});
-        else if (c.progress)
+        else if (c.messages.progress)
             std::fprintf(stderr, "%s%s: awake %s, asleep %s in all, the last at t = %s s (run.wakings)\n", line_start(),
                          effect.c_str(), times(n.awake).c_str(), n.asleep == 0 ? "never" : times(n.asleep).c_str(),
                          number_text(n.last, 4).c_str());
@@ -353,7 +360,7 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         throw InputError(
             "run:step: called from a function of this very run, in the middle of a step; it steps on when that is "
             "done");
-    if (c->planning) return false;
+    if (c->mode.planning) return false;
     if (!r.changed.empty() && !r.closed && r.run->verdict() == Verdict::running)
         throw InputError("run:step: " + r.changed + " came after this run was made at " + r.asked_at +
                          ", which does not know of it; declare it before, or make another run that goes on from this "
@@ -398,9 +405,9 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     r.closed = over;
     if (over) run_is_under_way(false);
     if (over && verdict_of(r) == Verdict::failed)
-        c->failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
-                                             (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
-                                             ", failed: " + reason_of(r));
+        c->runs.failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
+                                                  (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
+                                                  ", failed: " + reason_of(r));
     if (over && (r.every == 0 || r.run->steps_done() % r.every != 0 || lost_by(r))) add_row(*c, r);
     if (over || seconds(now - r.last_write) > 0.5) {
         write_rows(r);
@@ -413,12 +420,14 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
     if (statics && statics->instability() && !r.instability_shown && r.run->verdict() != Verdict::failed) {
         r.instability_shown = true;
-        if (c->events) write_event(*c, "instability", {{"run", r.number}, {"text", statics->instability_text()}});
-        else if (c->progress) std::fprintf(stderr, "%sstatic: %s\n", line_start(), statics->instability_text().c_str());
+        if (c->messages.events)
+            write_event(*c, "instability", {{"run", r.number}, {"text", statics->instability_text()}});
+        else if (c->messages.progress)
+            std::fprintf(stderr, "%sstatic: %s\n", line_start(), statics->instability_text().c_str());
     }
     if (over) show_progress(*c, r, true);
     else show_if_due(*c, r, false);
-    if (c->observer) c->observer->stepped(*c, r, over, now);
+    if (c->messages.observer) c->messages.observer->stepped(*c, r, over, now);
     return more;
 }
 

@@ -1,5 +1,6 @@
 // The energy balance over a run, kept for plots.
 #include "script/record/recording.h"
+#include "run/dynamics.h"
 
 namespace hinge::script {
 

@@ -8,6 +8,7 @@
 #include "beam/yield.h"
 #include "effects/connectors.h"
 #include "effects/ground.h"
+#include "run/statics.h"
 #include "state/configuration.h"
 #include "state/turned_ends.h"
 

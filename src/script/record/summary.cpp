@@ -7,6 +7,8 @@
 #include "script/record/element_events.h"
 #include "script/checks/plan.h"
 #include "script/record/recording.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
 
 namespace hinge::script {
 namespace {
