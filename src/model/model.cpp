@@ -257,9 +257,13 @@ bool in_any(const MemberData& member, const std::vector<int>& groups) {
 
 int Model::contact_rule(int a, int b) const {
     const MemberData &first = members_[a], &second = members_[b];
+    int general = -1;
     for (int i = int(contact_.size()) - 1; i >= 0; --i) {
         const std::vector<int>& groups = contact_[i].groups;
-        if (groups.empty()) return i;
+        if (groups.empty()) {
+            general = std::max(general, i);
+            continue;
+        }
         const auto across = [&](const MemberData& p, const MemberData& q) {
             return in_any(p, {groups[0]}) && in_any(q, {groups[1]});
         };
@@ -267,7 +271,7 @@ int Model::contact_rule(int a, int b) const {
                                 : in_any(first, groups) && in_any(second, groups))
             return i;
     }
-    return -1;
+    return general;
 }
 
 bool Model::can_collide(int member) const {
