@@ -1,11 +1,14 @@
 // No memory for Lua: at each allocation of a small script, from the loading of the library on, Lua is refused. Each
 // time the script must end in LUA_ERRMEM, the state must work again once there is memory, and nothing may be left when
-// it is closed.
+// it is closed. Each allocation of the script is refused in a state of its own. Those of the loading are refused one
+// after another in one state: modules that are loaded stay so, and loading goes on from there. In the end that state
+// must load the library and run the script.
 //
 // Run     build/tests/memory_test
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <set>
 #include <string>
 
 #include "script/lua/module.h"
@@ -107,65 +110,122 @@ for _, wrong in ipairs {
 end
 )";
 
-/// One state, in which the refused-th request of `phase` (0: loading, 1: the script) fails, and with it all that come
-/// after or only the one that Lua makes when it has collected. True if it took fewer.
-bool refused_at(int phase, long refused, bool for_good, bool& fine) {
-    const long objects_before = objects;
-    Quota quota;
-    bool whole = false;
-    const auto complain = [&](const char* what, const char* detail) {
-        if (refused < never)
-            std::printf("%s, request %ld refused: %s (%s)\n", phase ? "script" : "loading", refused, what,
-                        detail ? detail : "no text");
-        fine = false;
-    };
-    {
-        lua_State* L = lua_newstate(allocate, &quota);
-        luaL_openlibs(L);
-        lua_pushcfunction(L, luaopen_hinge);
-        lua_setglobal(L, "open");
-        luaL_dostring(L, "package.preload.hinge = open");
-        luaL_loadstring(L, load), lua_setglobal(L, "load_hinge");
-        luaL_loadbuffer(L, script, sizeof script - 1, "=script"), lua_setglobal(L, "script");
-        const auto call = [&](int which) {
-            lua_settop(L, 0);
-            lua_getglobal(L, which ? "script" : "load_hinge");
-            if (which) lua_getglobal(L, "hinge");
-            const int status = lua_pcall(L, which, 1, 0);
-            if (status == LUA_OK && !which) lua_setglobal(L, "hinge");
-            return status;
-        };
-        if (phase && call(0) != LUA_OK) complain("the library does not load", lua_tostring(L, -1));
-        quota.requests = 0, quota.refused = refused, quota.until = for_good ? never : refused + 1;
-        const int status = call(phase);
-        quota.refused = never;
-        whole = quota.requests < refused;
-        const std::string said = status != LUA_OK && lua_tostring(L, -1) ? lua_tostring(L, -1) : "";
-        // require makes a message of its own of a file for which there was no memory
-        if (!whole && status != LUA_ERRMEM && (for_good || status != LUA_OK) &&
-            !said.ends_with("\n\tnot enough memory"))
-            complain("no lack of memory", said.c_str());
-        if (!whole && call(0) != LUA_OK) complain("no loading afterwards", lua_tostring(L, -1));
-        if (!whole && call(1) != LUA_OK) complain("no going on afterwards", lua_tostring(L, -1));
-        lua_close(L);
+/// A state of Lua with a quota, in which the library is loaded (part 0) and the script is run (part 1).
+class Scene {
+public:
+    Scene(const char* name, bool& fine) : name_(name), fine_(fine), objects_before_(objects) {
+        L_ = lua_newstate(allocate, &quota_);
+        luaL_openlibs(L_);
+        lua_pushcfunction(L_, luaopen_hinge);
+        lua_setglobal(L_, "open");
+        luaL_dostring(L_, "package.preload.hinge = open");
+        luaL_loadstring(L_, load), lua_setglobal(L_, "load_hinge");
+        luaL_loadbuffer(L_, script, sizeof script - 1, "=script"), lua_setglobal(L_, "script");
     }
-    if (quota.bytes != 0) complain("Lua keeps memory", "");
-    if (objects != objects_before) complain("C++ keeps objects", std::to_string(objects - objects_before).c_str());
-    return whole;
+    ~Scene() {
+        lua_close(L_);
+        if (quota_.bytes != 0) complain("Lua keeps memory", "");
+        if (objects != objects_before_)
+            complain("C++ keeps objects", std::to_string(objects - objects_before_).c_str());
+    }
+
+    int call(int part) {
+        lua_settop(L_, 0);
+        lua_getglobal(L_, part ? "script" : "load_hinge");
+        if (part) lua_getglobal(L_, "hinge");
+        const int status = lua_pcall(L_, part, 1, 0);
+        if (status == LUA_OK && !part) lua_setglobal(L_, "hinge");
+        return status;
+    }
+    /// Calls a part, which must be in order.
+    void must(int part, const char* what) {
+        if (call(part) != LUA_OK) complain(what, lua_tostring(L_, -1));
+    }
+    /// Calls a part in which the refused-th request fails, and with it all that come after or only the one that Lua
+    /// makes when it has collected. False if it took fewer.
+    bool refuse(int part, long refused, bool for_good, int* status = nullptr) {
+        quota_.requests = 0, quota_.refused = at_ = refused, quota_.until = for_good ? never : refused + 1;
+        const int ended = call(part);
+        quota_.refused = never;
+        if (status) *status = ended;
+        if (quota_.requests < refused) return false;
+        const std::string said = ended != LUA_OK && lua_tostring(L_, -1) ? lua_tostring(L_, -1) : "";
+        // require makes a message of its own of a file for which there was no memory
+        if (ended != LUA_ERRMEM && (for_good || ended != LUA_OK) && !said.ends_with("\n\tnot enough memory"))
+            complain("no lack of memory", said.c_str());
+        return true;
+    }
+    /// The names of the modules that are loaded.
+    std::set<std::string> modules() {
+        std::set<std::string> names;
+        lua_settop(L_, 0);
+        luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+        for (lua_pushnil(L_); lua_next(L_, 1); lua_pop(L_, 1)) names.insert(lua_tostring(L_, -2));
+        return names;
+    }
+    void unload(const std::string& name) {
+        lua_settop(L_, 0);
+        luaL_getsubtable(L_, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+        lua_pushnil(L_);
+        lua_setfield(L_, 1, name.c_str());
+    }
+
+private:
+    void complain(const char* what, const char* detail) {
+        if (!name_) return;
+        std::printf("%s, request %ld refused: %s (%s)\n", name_, at_, what, detail ? detail : "no text");
+        fine_ = false;
+    }
+
+    const char* name_;  ///< null: nothing is compared
+    bool& fine_;
+    long objects_before_, at_ = 0;
+    Quota quota_;
+    lua_State* L_;
+};
+
+/// Refuses each request of the loading. Returns how many.
+long refuse_loading(bool for_good, bool& fine) {
+    Scene scene("loading", fine);
+    std::set<std::string> before = scene.modules();
+    long count = 0;
+    int status = LUA_OK;
+    for (long n = 1; scene.refuse(0, n, for_good, &status); ++n, ++count) {
+        std::set<std::string> now = scene.modules();
+        if (status != LUA_OK && now.size() > before.size()) before = std::move(now), n = 0;  // from there on
+        else
+            for (const std::string& name : now)
+                if (!before.contains(name)) scene.unload(name);  // it found memory: back to where it began
+    }
+    scene.must(0, "no loading afterwards");
+    scene.must(1, "no going on afterwards");
+    return count;
+}
+
+/// Refuses each request of the script. Returns how many.
+long refuse_script(bool for_good, bool& fine) {
+    for (long n = 1;; ++n) {
+        Scene scene("script", fine);
+        scene.must(0, "the library does not load");
+        if (!scene.refuse(1, n, for_good)) return n - 1;
+        scene.must(0, "no loading afterwards");
+        scene.must(1, "no going on afterwards");
+    }
 }
 
 }  // namespace
 
 int main() {
     bool fine = true;
-    refused_at(1, never, true, fine), fine = true;  // what is made once and kept is made now
-    for (int phase = 0; phase < 2; ++phase)
-        for (const bool for_good : {true, false}) {
-            long n = 1;
-            while (!refused_at(phase, n, for_good, fine)) ++n;
-            std::printf("%s: refused %s at each of %ld requests\n", phase ? "script" : "loading",
-                        for_good ? "for good" : "once", n - 1);
-        }
+    {  // what is made once and kept is made now
+        Scene scene(nullptr, fine);
+        scene.call(0), scene.call(1);
+    }
+    for (const bool for_good : {true, false}) {
+        const char* how = for_good ? "for good" : "once";
+        std::printf("loading: refused %s at each of %ld requests\n", how, refuse_loading(for_good, fine));
+        std::printf("script: refused %s at each of %ld requests\n", how, refuse_script(for_good, fine));
+    }
     std::puts(fine ? "memory: nothing lost" : "memory: FAILED");
     return fine ? 0 : 1;
 }
