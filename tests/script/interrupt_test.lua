@@ -64,12 +64,17 @@ status, complaint = run(signals { { 0.2, "TERM" }, { 1.6, "TERM" } }
 expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once "
   .. "more ends it at once\n", 1, true), "a coroutine: %s", complaint)
 expect(tostring(status):find "signal 15" or status == 143, "a coroutine: status %s", status)
-status, complaint = run(bar .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
-  .. "run:on_step(function() while true do end end)\n" .. signals { { 0.2, "INT" }, { 1.6, "INT" } }
-  .. "run:finish()\n")
-expect(complaint:find("hinge: Ctrl-C: it ends after the step of the run that is under way; once more ends it at "
-  .. "once\n", 1, true), "a function of a step: %s", complaint)
-expect(tostring(status):find "signal 2" or status == 130, "a function of a step: status %s", status)
+for what, text in pairs {
+  ["the step of the run that is under way"] = "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
+    .. "run:on_step(function() while true do end end)\n",
+  ["a step of the dynamic run"] = "model:fracture { where = 'all', rule = function() while true do end end }\n"
+    .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n",
+} do
+  status, complaint = run(bar .. text .. signals { { 0.2, "INT" }, { 1.4, "INT" } } .. "run:finish()\n")
+  expect(complaint:find(("hinge: Ctrl-C: it ends after %s; once more ends it at once\n"):format(what), 1, true),
+    "%s: %s", what, complaint)
+  expect(tostring(status):find "signal 2" or status == 130, "%s: status %s", what, status)
+end
 
 -- A factorisation that takes seconds: it is named, and no other one begins.
 local n = 11
