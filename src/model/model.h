@@ -110,7 +110,7 @@ struct SupportMotion {
     History displacement;
 };
 
-/// Of several rules the last one that applies to both members counts.
+/// Of several rules the last one of the groups of both members counts, else the last one for all members.
 struct ContactRule {
     contact::ContactSettings settings;
     std::vector<int> groups;  ///< both members are in one of these; empty: all members
