@@ -748,8 +748,9 @@ function model:remove(options) end
 ---energy k g^2 / 2. Only friction dissipates energy. gap (section 2.4, eqs 17-19): four gap elements tie two elements
 ---together for a while. The energy that they store is given back when the bars part. Members that share a joint, or
 ---that overlap when they are first checked, have no contact until they have parted. A run warns of members of different
----bodies that overlap where it begins. Each call adds a rule. A rule with groups or between holds for its pairs, wherever
----a rule for all members is declared. If several such rules fit the groups of both members, the last one counts.
+---bodies that overlap where it begins. Each call adds a rule. A rule with groups or between holds for its pairs,
+---wherever a rule for all members is declared. If several such rules fit the groups of both members, the last one
+---counts.
 ---```lua
 ---local bar = model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = square,
 ---  material = steel, group = "bar" }

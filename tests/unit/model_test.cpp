@@ -123,7 +123,7 @@ TEST_CASE("model: of contact rules that overlap the last one of the members' gro
     std::vector<int> of_groups;
     for (const int m : members)
         for (const int n : members) of_groups.push_back(both_ways(m, n));
-    for (const int all : {3, 4}) {  // the later one holds for all pairs without a rule of their groups, and for no other
+    for (const int all : {3, 4}) {  // the later one, for all pairs without a rule of their groups
         add({}, false);
         std::size_t pair = 0;
         for (const int m : members)
