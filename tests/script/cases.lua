@@ -22,6 +22,8 @@ local function chosen_text()
   return os.getenv "HINGE_CASE"
 end
 local chosen = chosen_text()
+--- The argument that chooses these cases in another process that runs the same test, or "case=".
+cases.argument = "case=" .. (chosen or "")
 
 -- "file.lua:12: ", with the lines that led to a check: the one in the case first, those of the test's own functions
 -- after it.

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "connectors"
-local expect, equal, near, largest_of = checks.expect, checks.equal, checks.near, support.largest_of
+local case, expect, equal, near, largest_of = checks.case, checks.expect, checks.equal, checks.near, support.largest_of
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
@@ -25,21 +25,23 @@ end
 local EA = 206e9 * 0.05 ^ 2
 
 for _, displacement in ipairs { "small", "large" } do
-  local model, left, right = sliding_bar { displacement = displacement }
-  local k, F = 3e8, 1e5
-  local c = model:connector { left, ground = true, stiffness = { x = k } }
-  model:load { node = right, force = { F, 0, 0 } }
-  local run = model:static { steps = 3 }:finish()
-  near(run:displacement(right), F / k + F / EA, 1e-7 * F / EA, displacement .. ": a spring and a bar in series")
-  near(c:force(run), F, 1e-7 * F, displacement .. ": force of the spring")
-  near(c:deformation(run), F / k, 1e-7 * F / k, displacement .. ": its deformation")
-  near(run.energy.connector_stored, F ^ 2 / (2 * k), 1e-6 * F ^ 2 / k, displacement .. ": its energy")
-  near(run.energy.connectors, run.energy.connector_stored, 0, displacement .. ": the account is the sum of its parts")
-  near(run.energy.remainder, 0, 1e-6 * run.energy.work, displacement .. ": energy balance")
+  case("springs at the end of a bar carry by their stiffness in statics: " .. displacement, function()
+    local model, left, right = sliding_bar { displacement = displacement }
+    local k, F = 3e8, 1e5
+    local c = model:connector { left, ground = true, stiffness = { x = k } }
+    model:load { node = right, force = { F, 0, 0 } }
+    local run = model:static { steps = 3 }:finish()
+    near(run:displacement(right), F / k + F / EA, 1e-7 * F / EA, displacement .. ": a spring and a bar in series")
+    near(c:force(run), F, 1e-7 * F, displacement .. ": force of the spring")
+    near(c:deformation(run), F / k, 1e-7 * F / k, displacement .. ": its deformation")
+    near(run.energy.connector_stored, F ^ 2 / (2 * k), 1e-6 * F ^ 2 / k, displacement .. ": its energy")
+    near(run.energy.connectors, run.energy.connector_stored, 0, displacement .. ": the account is the sum of its parts")
+    near(run.energy.remainder, 0, 1e-6 * run.energy.work, displacement .. ": energy balance")
+  end)
 end
 
--- The same bar as a member and as a connector with EA / L, between two bars, in axes of its own.
-do
+case("a connector of stiffness EA / L acts as a member, in axes of its own", function()
+  -- The same bar as a member and as a connector with EA / L, between two bars, in axes of its own.
   local function tip(as_member)
     local model = hinge.model { displacement = "small" }
     local a, b = model:node { 0, 0, 0 }, model:node { 0.6, 0.8, 0 }
@@ -65,22 +67,25 @@ do
   local vx, vy = tip(false)
   near(vx / ux, 1, 1e-7, "a connector as stiff as a member, ux")
   near(vy / uy, 1, 1e-7, "a connector as stiff as a member, uy")
-end
+end)
 
--- A curve with a kink: where it stands at a force, and the area under it; one that is given for both signs.
-for _, sign in ipairs { 1, -1 } do
-  local model, left, right = sliding_bar()
-  local c = model:connector { left, right, stiffness = { x = 0 }, curve = { x = { { 0, 0 }, { 1, 1 } } } }
-  local weak = model:connector { left, ground = true,
-    curve = { x = { { 0, 0 }, { 1e-3, 2e4 }, { 5e-3, 3e4 } } } }
-  model:load { node = left, force = { sign * 2.5e4, 0, 0 } }
-  local run = model:static { steps = 5 }:finish()
-  near(run:displacement(left), sign * 3e-3, 1e-9, "a curve with a kink: the place")
-  near(weak:force(run), sign * 2.5e4, 1e-2, "its force")
-  near(run.energy.connector_stored, 0.5 * 1e-3 * 2e4 + 0.5 * (2e4 + 2.5e4) * 2e-3, 1e-4, "the area under it")
-  expect(math.abs(c:force(run)) < 1e-6, "a connector that nothing stretches has no force: %s", c:force(run))
-end
-do
+case("a force law with a kink gives its force and the energy below it", function()
+  -- A curve with a kink: where it stands at a force, and the area under it; one that is given for both signs.
+  for _, sign in ipairs { 1, -1 } do
+    local model, left, right = sliding_bar()
+    local c = model:connector { left, right, stiffness = { x = 0 }, curve = { x = { { 0, 0 }, { 1, 1 } } } }
+    local weak = model:connector { left, ground = true,
+      curve = { x = { { 0, 0 }, { 1e-3, 2e4 }, { 5e-3, 3e4 } } } }
+    model:load { node = left, force = { sign * 2.5e4, 0, 0 } }
+    local run = model:static { steps = 5 }:finish()
+    near(run:displacement(left), sign * 3e-3, 1e-9, "a curve with a kink: the place")
+    near(weak:force(run), sign * 2.5e4, 1e-2, "its force")
+    near(run.energy.connector_stored, 0.5 * 1e-3 * 2e4 + 0.5 * (2e4 + 2.5e4) * 2e-3, 1e-4, "the area under it")
+    expect(math.abs(c:force(run)) < 1e-6, "a connector that nothing stretches has no force: %s", c:force(run))
+  end
+end)
+
+case("a curve given for both signs acts by its sign", function()
   local model, left = sliding_bar()
   local c = model:connector { left, ground = true,
     curve = { x = { { -1e-3, -1e3 }, { 0, 0 }, { 1e-3, 5e3 }, { 2e-3, 6e3 } } } }
@@ -93,32 +98,34 @@ do
   run = model:static { steps = 1 }:finish()
   near(c:deformation(run), 4e-3, 1e-9, "beyond its end a curve goes on as straight as it ends")
   near(run.energy.connector_stored, 2.5 + 5.5 + 14, 1e-6, "and the energy there")
-end
+end)
 
 -- A break, stretched and pressed: what was stored is released. The capacity lies between two steps of a displacement
 -- that is prescribed.
 for what, sign in pairs { stretched = 1, pressed = -1 } do
-  local model, left, right = sliding_bar()
-  local k, capacity = 1e7, 1e4
-  model:fix(left)
-  local c = model:connector { right, ground = true, stiffness = { x = k }, capacity = { x = capacity } }
-  local target = sign * capacity / k * 1.0005
-  model:load { node = right, force = { 1, 0, 0 } }
-  local run = model:static { steps = 2001, control = { node = right, "ux", to = target } }
-  run:finish()
-  equal(run.verdict, "completed", what .. ": verdict after a break")
-  expect(c:broken(run), "a connector %s past its capacity is broken", what)
-  equal(c:force(run), 0, "a broken connector has no force")
-  near(run.energy.connector_dissipated / (capacity ^ 2 / (2 * k)), 1, 2e-3, "a break releases F^2 / 2k")
-  near(run.energy.connector_stored, 0, 1e-12, "and nothing is stored any more")
-  near(run.wakings[1] and run.wakings[1].why:find "connector 1 between the ground and .* broke" or 0, 1, 0,
-    "the run tells of it")
+  case("a connector that breaks releases what it stored: " .. what, function()
+    local model, left, right = sliding_bar()
+    local k, capacity = 1e7, 1e4
+    model:fix(left)
+    local c = model:connector { right, ground = true, stiffness = { x = k }, capacity = { x = capacity } }
+    local target = sign * capacity / k * 1.0005
+    model:load { node = right, force = { 1, 0, 0 } }
+    local run = model:static { steps = 2001, control = { node = right, "ux", to = target } }
+    run:finish()
+    equal(run.verdict, "completed", what .. ": verdict after a break")
+    expect(c:broken(run), "a connector %s past its capacity is broken", what)
+    equal(c:force(run), 0, "a broken connector has no force")
+    near(run.energy.connector_dissipated / (capacity ^ 2 / (2 * k)), 1, 2e-3, "a break releases F^2 / 2k")
+    near(run.energy.connector_stored, 0, 1e-12, "and nothing is stored any more")
+    near(run.wakings[1] and run.wakings[1].why:find "connector 1 between the ground and .* broke" or 0, 1, 0,
+      "the run tells of it")
+  end)
 end
 
 -- Dynamics ------------------------------------------------------------------------------------------------------------
 
--- A short bar that slides along x on a spring and a dashpot: m u'' + c u' + k u = 0 from u'(0) = 1 m/s.
-do
+case("a bar on a spring and a dashpot swings and decays as theory has it", function()
+  -- A short bar that slides along x on a spring and a dashpot: m u'' + c u' + k u = 0 from u'(0) = 1 m/s.
   local function slide(options)
     local model = hinge.model { displacement = options.displacement or "small" }
     local a, b = model:node { 0, 0, 0 }, model:node { 0.1, 0, 0 }
@@ -155,7 +162,7 @@ do
       expect(balance < 1e-4, "%sexplicit: energy balance off by %g", what, balance)
     end
   end
-end
+end)
 
 -- Coulomb's friction by a law: 4 F u in each cycle that a moved support drags it through.
 local function rubs(F, stick)
@@ -167,21 +174,23 @@ local function rubs(F, stick)
   end
 end
 for _, integrator in ipairs { "newmark", "explicit" } do
-  local model, left = sliding_bar()
-  local F, amplitude, period = 1e3, 2e-3, 0.02
-  model:connector { left, ground = true, law = { x = rubs(F, 1e9) } }
-  model:fix(left)
-  model:move { node = left, x = function(t) return 0.5 * amplitude * (1 - math.cos(2 * pi * t / period)) end }
-  local run = model:dynamic { integrator = integrator, dt = integrator == "explicit" and 2e-6 or 1e-5,
-    duration = 3 * period }
-  local at = {}
-  for step in run:steps() do
-    local cycles = step.time / period
-    if math.abs(cycles - math.floor(cycles + 0.5)) < 1e-6 then at[#at + 1] = run.energy.connector_dissipated end
-  end
-  equal(run.verdict, "completed", integrator .. ", friction: " .. tostring(run.reason))
-  near((at[3] - at[2]) / (4 * F * amplitude / 2), 1, 3e-3, integrator .. ": friction takes 4 F u in a cycle")
-  near(run.energy.remainder / run.energy.connector_dissipated, 0, 1e-3, integrator .. ", friction: energy balance")
+  case("friction by a force law takes 4 F u a cycle: " .. integrator, function()
+    local model, left = sliding_bar()
+    local F, amplitude, period = 1e3, 2e-3, 0.02
+    model:connector { left, ground = true, law = { x = rubs(F, 1e9) } }
+    model:fix(left)
+    model:move { node = left, x = function(t) return 0.5 * amplitude * (1 - math.cos(2 * pi * t / period)) end }
+    local run = model:dynamic { integrator = integrator, dt = integrator == "explicit" and 2e-6 or 1e-5,
+      duration = 3 * period }
+    local at = {}
+    for step in run:steps() do
+      local cycles = step.time / period
+      if math.abs(cycles - math.floor(cycles + 0.5)) < 1e-6 then at[#at + 1] = run.energy.connector_dissipated end
+    end
+    equal(run.verdict, "completed", integrator .. ", friction: " .. tostring(run.reason))
+    near((at[3] - at[2]) / (4 * F * amplitude / 2), 1, 3e-3, integrator .. ": friction takes 4 F u in a cycle")
+    near(run.energy.remainder / run.energy.connector_dissipated, 0, 1e-3, integrator .. ", friction: energy balance")
+  end)
 end
 
 -- Two bars that fly and spin, joined by a connector across a gap: momentum stays, and so does energy.
@@ -199,19 +208,21 @@ local function spinning(options, declare)
 end
 local soft = { x = 2e6, y = 1e6, z = 1e6, rx = 2e4, ry = 1e4, rz = 3e4 }
 for _, integrator in ipairs { "newmark", "explicit" } do
-  local run = spinning({ integrator = integrator, dt = integrator == "explicit" and 1e-6 or 4e-6 },
-    function(model, b, c) model:connector { b, c, stiffness = soft, axes = { x = { 2, 1, 0 }, y = { 0, 1, 1 } } } end)
-  local before = run:momentum()
-  local scale, most = 0, 0
-  for i = 1, 3 do scale = scale + math.abs(before.angular[i]) end
-  for _ in run:steps() do most = largest_of(most, run.energy.connector_stored / run.energy.initial) end
-  local after = run:momentum()
-  for i = 1, 3 do
-    near(after.linear[i], before.linear[i], 1e-9 * 100, integrator .. ": linear momentum " .. i)
-    near(after.angular[i] / scale, before.angular[i] / scale, 2e-4, integrator .. ": angular momentum " .. i)
-  end
-  expect(most > 1e-3, "%s: the connector takes part: %g of the energy", integrator, most)
-  near(run.energy.remainder / run.energy.initial, 0, 1e-4, integrator .. ": energy of two bars that spin")
+  case("two spinning bars joined by a connector keep momentum and energy: " .. integrator, function()
+    local run = spinning({ integrator = integrator, dt = integrator == "explicit" and 1e-6 or 4e-6 },
+      function(model, b, c) model:connector { b, c, stiffness = soft, axes = { x = { 2, 1, 0 }, y = { 0, 1, 1 } } } end)
+    local before = run:momentum()
+    local scale, most = 0, 0
+    for i = 1, 3 do scale = scale + math.abs(before.angular[i]) end
+    for _ in run:steps() do most = largest_of(most, run.energy.connector_stored / run.energy.initial) end
+    local after = run:momentum()
+    for i = 1, 3 do
+      near(after.linear[i], before.linear[i], 1e-9 * 100, integrator .. ": linear momentum " .. i)
+      near(after.angular[i] / scale, before.angular[i] / scale, 2e-4, integrator .. ": angular momentum " .. i)
+    end
+    expect(most > 1e-3, "%s: the connector takes part: %g of the energy", integrator, most)
+    near(run.energy.remainder / run.energy.initial, 0, 1e-4, integrator .. ": energy of two bars that spin")
+  end)
 end
 
 -- Breaks in flight, laws and dashpots: a checkpoint in the middle gives the same bits, and so does undo.
@@ -220,21 +231,23 @@ local function all_of_it(model, b, c)
   model:connector { b, c, stiffness = soft, damping = { x = 200, rz = 1 }, capacity = { z = 1500 } }
   model:connector { b, c, law = { y = rubs(500, 1e6) }, curve = { z = { { 0, 0 }, { 1e-3, 1e3 }, { 1e-2, 2e3 } } } }
 end
-for _, options in ipairs { {}, { step_control = 1e-4 }, { integrator = "explicit", dt = 1e-6 } } do
-  local what = ("%s, step control %s: "):format(options.integrator or "newmark", tostring(options.step_control))
-  local whole = spinning(options, all_of_it):finish()
-  equal(whole.verdict, "completed", what .. tostring(whole.reason))
-  local half = spinning(options, all_of_it)
-  for step in half:steps() do if step.time > 0.01 then break end end
-  half:checkpoint(folder .. "/one.checkpoint")
-  local other = spinning(options, all_of_it):resume(folder .. "/one.checkpoint"):finish()
-  equal(other.hash, whole.hash, what .. "state after a checkpoint")
-  equal(other.energy.connector_dissipated, whole.energy.connector_dissipated, what .. "account after a checkpoint")
-  near(whole.energy.remainder / whole.energy.initial, 0, 2e-3, what .. "energy balance")
-end
+case("checkpoints and steps taken back change no bit of connectors", function()
+  for _, options in ipairs { {}, { step_control = 1e-4 }, { integrator = "explicit", dt = 1e-6 } } do
+    local what = ("%s, step control %s: "):format(options.integrator or "newmark", tostring(options.step_control))
+    local whole = spinning(options, all_of_it):finish()
+    equal(whole.verdict, "completed", what .. tostring(whole.reason))
+    local half = spinning(options, all_of_it)
+    for step in half:steps() do if step.time > 0.01 then break end end
+    half:checkpoint(folder .. "/one.checkpoint")
+    local other = spinning(options, all_of_it):resume(folder .. "/one.checkpoint"):finish()
+    equal(other.hash, whole.hash, what .. "state after a checkpoint")
+    equal(other.energy.connector_dissipated, whole.energy.connector_dissipated, what .. "account after a checkpoint")
+    near(whole.energy.remainder / whole.energy.initial, 0, 2e-3, what .. "energy balance")
+  end
+end)
 
--- A law that fails takes its step back, and the run can go on.
-do
+case("a force law that fails takes its step back and the run goes on", function()
+  -- A law that fails takes its step back, and the run can go on.
   local fails = false
   local function declare(model, b, c)
     model:connector { b, c, stiffness = soft, law = { y = function(u, v, state)
@@ -253,10 +266,10 @@ do
   fails = false
   run:finish()
   equal(run.hash, whole.hash, "and the run goes on as if it had not failed")
-end
+end)
 
--- Nothing to do: the same bits.
-do
+case("a connector that carries nothing changes no bit", function()
+  -- Nothing to do: the same bits.
   local function portal(declare)
     local model, left, right = sliding_bar {}
     model:load { node = right, force = { 1e4, 0, 0 } }
@@ -272,11 +285,11 @@ do
   equal(portal(function(model, left) model:connector { left, ground = true, stiffness = { y = 1e6 },
     law = { x = function() error "asked" end } } end), plain, "left out, it is not asked")
   core.leave_out(nil)
-end
+end)
 
 -- What is refused -----------------------------------------------------------------------------------------------------
 
-do
+case("wrong connectors are refused", function()
   local model, left, right = sliding_bar()
   local function refused(options, ...)
     local ok, message = pcall(model.connector, model, options)
@@ -299,8 +312,9 @@ do
   model:fix(left)
   local run = model:static { steps = 1 }
   expect(run ~= nil, "what was refused is not in the model")
-end
-do
+end)
+
+case("the explicit step limit of a stiff connector is named", function()
   local function limit(dt)
     local model, left = sliding_bar()
     model:connector { left, ground = true, stiffness = { x = 1e12 } }
@@ -313,11 +327,11 @@ do
   local longest = 2 / math.sqrt(1e12 / m + of_elements ^ 2)
   near(stable_up_to(limit(1.001 * longest)) / longest, 1, 1e-5, "too long an explicit step")
   expect(limit(0.999 * longest), "a step just below the limit")
-end
+end)
 
 -- dt = "auto" with many connectors at a node, beside one another and in a chain: no single one of them asks for so
 -- short a step. What is thrown against them swings, and does not grow.
-do
+case("explicit dt = auto with many connectors at a node is stable and not too short", function()
   local k, c, m = 1e12, 4e5, 7850 * 0.05 ^ 2 * 0.1 * 0.25
   local function bodies(n)
     local model, ends = hinge.model { displacement = "small" }, {}
@@ -379,14 +393,14 @@ do
     model:connector { ends[1], ends[2], stiffness = { x = 1e3 } }
     near(model:dynamic(options).dt / plain, 1, 1e-3, integrator .. ": the step with a soft connector")
   end
-end
+end)
 
-do -- the plan says that laws are asked
+case("the plan says that force laws are asked", function()
   local model, left = sliding_bar()
   model:connector { left, ground = true, law = { x = function() return 0 end } }
   for _, effect in ipairs(model:dynamic { dt = 1e-5, duration = 1e-4 }.effects) do
     if effect.name == "hooks" then equal(effect.active and effect.because, "a connector's law", "plan of a law") end
   end
-end
+end)
 
 checks.done()

@@ -5,7 +5,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "damping"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local largest_of = support.largest_of
 local folder = support.temporary_folder()
 
@@ -30,40 +30,44 @@ local function decay(z, w, v, t)
   return v / wd * math.exp(-z * w * t) * math.sin(wd * t)
 end
 
-for _, explicit in ipairs { false, true } do
-  for _, displacement in ipairs { "small", "large" } do
-    for _, kind in ipairs { "alpha", "beta", "both" } do
-      local w = omega_of(explicit)
-      local z = 0.05
-      local T = 2 * math.pi / w
-      local model, tip = bar { displacement = displacement }
-      model:damping { alpha = kind ~= "beta" and (kind == "both" and z * w or 2 * z * w) or 0,
-        beta = kind ~= "alpha" and (kind == "both" and z / w or 2 * z / w) or 0 }
-      local v = 1e-3
-      model:velocity(tip, { v, 0, 0 })
-      local run = model:dynamic { dt = T / 400, duration = 5 * T, record = false, rest = false,
-        integrator = explicit and "explicit" or "newmark", precision = not explicit and "double" or nil,
-        solver = not explicit and "direct" or nil }
-      local probe = run:probe { node = tip, "ux" }
-      run:finish()
-      equal(run.verdict, "completed", "one degree of freedom")
-      local worst = 0
-      for i, t in ipairs(probe.time) do
-        worst = largest_of(worst, math.abs(probe.value[i] - decay(z, w, v, t)) / (v / w))
+case("a damped oscillator decays as exp(-z w t), with Newmark and explicit steps", function()
+  for _, explicit in ipairs { false, true } do
+    for _, displacement in ipairs { "small", "large" } do
+      for _, kind in ipairs { "alpha", "beta", "both" } do
+        local w = omega_of(explicit)
+        local z = 0.05
+        local T = 2 * math.pi / w
+        local model, tip = bar { displacement = displacement }
+        model:damping { alpha = kind ~= "beta" and (kind == "both" and z * w or 2 * z * w) or 0,
+          beta = kind ~= "alpha" and (kind == "both" and z / w or 2 * z / w) or 0 }
+        local v = 1e-3
+        model:velocity(tip, { v, 0, 0 })
+        local run = model:dynamic { dt = T / 400, duration = 5 * T, record = false, rest = false,
+          integrator = explicit and "explicit" or "newmark", precision = not explicit and "double" or nil,
+          solver = not explicit and "direct" or nil }
+        local probe = run:probe { node = tip, "ux" }
+        run:finish()
+        equal(run.verdict, "completed", "one degree of freedom")
+        local worst = 0
+        for i, t in ipairs(probe.time) do
+          worst = largest_of(worst, math.abs(probe.value[i] - decay(z, w, v, t)) / (v / w))
+        end
+        local what = ("%s, %s, %s"):format(explicit and "explicit" or "implicit", displacement, kind)
+        expect(worst < 2e-3, "%s: off the closed form by %.3g of the amplitude", what, worst)
+        local e = run.energy
+        local open = math.abs(e.remainder) / e.initial
+        local lost = (e.initial - e.kinetic - e.elastic) / e.initial
+        near(e.damping / e.initial, lost, not explicit and displacement == "small" and 1e-12 or 1e-4, what
+          .. ": account")
+        expect(lost > 0.9, "%s: lost %.3g", what, lost)
+        expect(open < (not explicit and displacement == "small" and 1e-12 or 1e-4), "%s: open by %.3g", what, open)
       end
-      local what = ("%s, %s, %s"):format(explicit and "explicit" or "implicit", displacement, kind)
-      expect(worst < 2e-3, "%s: off the closed form by %.3g of the amplitude", what, worst)
-      local e = run.energy
-      local open = math.abs(e.remainder) / e.initial
-      local lost = (e.initial - e.kinetic - e.elastic) / e.initial
-      near(e.damping / e.initial, lost, not explicit and displacement == "small" and 1e-12 or 1e-4, what .. ": account")
-      expect(lost > 0.9, "%s: lost %.3g", what, lost)
-      expect(open < (not explicit and displacement == "small" and 1e-12 or 1e-4), "%s: open by %.3g", what, open)
     end
   end
-end
--- The error of explicit steps falls with their square.
-do
+end)
+
+case("the error of explicit damped steps falls with their square", function()
+  -- The error of explicit steps falls with their square.
   local open = {}
   for i, n in ipairs { 100, 200 } do
     local model, tip = bar {}
@@ -76,7 +80,7 @@ do
     open[i] = math.abs(run.energy.remainder) / run.energy.initial
   end
   expect(open[1] / open[2] > 3 and open[1] < 1e-2, "explicit balance: %.3g, %.3g at half the step", open[1], open[2])
-end
+end)
 
 -- The first two modes of a cantilever, each set off by its own velocities; by ratios at their periods. The mean over a
 -- period of the logarithm of the energy falls by 2 z w T from one period to the next.
@@ -125,9 +129,11 @@ local function mode(number, explicit)
   near(ratio / z[number], 1, explicit and 0.06 or 0.02, what .. ": ratio") -- of lumped masses, mode 2 is lower
   near(run.energy.remainder / run.energy.initial, 0, explicit and 1e-3 or 1e-6, what .. ": balance")
 end
-mode(1, false)
-mode(2, false)
-mode(2, true)
+case("the first two modes of a cantilever lose 2 z w T of energy a period", function()
+  mode(1, false)
+  mode(2, false)
+  mode(2, true)
+end)
 
 -- A bar that spins and flies freely keeps both under beta alone: it is not damped as a whole. alpha slows both.
 local function spinning(damping, duration)
@@ -146,7 +152,7 @@ local function spinning(damping, duration)
   for i = 1, 3 do momentum[i] = (a[i] + b[i]) / 2 end
   return momentum, (a[6] + b[6]) / 2, run
 end
-do
+case("a free bar that spins is slowed by alpha and not by beta", function()
   local momentum, spin, run = spinning { beta = 2e-4 }
   local _, sooner = spinning({ beta = 2e-4 }, 0.1) -- it has stretched by its spin, and stays so
   near(spin / sooner, 1, 1e-8, "spin under beta")
@@ -157,7 +163,7 @@ do
   local slower, slow_spin = spinning { alpha = 2 }
   near(slow_spin, 30 * math.exp(-0.4), 0.01, "spin under alpha")
   for i = 1, 3 do near(slower[i], i * math.exp(-0.4), 1e-5, "momentum under alpha, axis " .. i) end
-end
+end)
 
 -- What it must leave alone --------------------------------------------------------------------------------------------
 
@@ -189,16 +195,18 @@ local function ended(options)
   return run, tops, model
 end
 
-local plain = ended {}
-equal(ended { declare = function(m) m:damping { alpha = 0, beta = 0 } end }.hash, plain.hash, "nothing declared")
-equal(ended { declare = function(m)
-  m:damping { ratio = 0.1, periods = { 0.3, 0.1 } }
-  m:damping { alpha = 0 }
-end }.hash, plain.hash, "the last declaration counts")
-expect(ended { declare = function(m) m:damping { alpha = 1 } end }.hash ~= plain.hash, "the hash sees damping")
+case("damping of zero changes no bit and the last declaration counts", function()
+  local plain = ended {}
+  equal(ended { declare = function(m) m:damping { alpha = 0, beta = 0 } end }.hash, plain.hash, "nothing declared")
+  equal(ended { declare = function(m)
+    m:damping { ratio = 0.1, periods = { 0.3, 0.1 } }
+    m:damping { alpha = 0 }
+  end }.hash, plain.hash, "the last declaration counts")
+  expect(ended { declare = function(m) m:damping { alpha = 1 } end }.hash ~= plain.hash, "the hash sees damping")
+end)
 
--- A group's members alone: the other portal has the same bits as without.
-do
+case("damping of a group changes no bit of the other members", function()
+  -- A group's members alone: the other portal has the same bits as without.
   local function declare(m) m:damping { ratio = 0.1, periods = { 0.3, 0.1 }, group = "near" } end
   local run, again = ended { declare = declare, run = { solver = "direct", predictor = "displacement" } }
   local bare, bare_tops = ended { run = { solver = "direct", predictor = "displacement" } }
@@ -206,10 +214,10 @@ do
   local of_near, of_far = bare:displacement(bare_tops[1]), bare:displacement(bare_tops[2])
   expect(math.abs(damped / of_near - 1) > 0.01, "the damped portal is another: %.6g, %.6g", damped, of_near)
   near(free / of_far, 1, 1e-9, "the other portal")
-end
+end)
 
--- Statics is the same.
-do
+case("damping changes nothing in statics", function()
+  -- Statics is the same.
   local function hash(declare)
     local model, tip = bar { displacement = "large" }
     if declare then model:damping { ratio = 0.1, periods = { 1, 1 } } end
@@ -219,10 +227,10 @@ do
     return run.hash
   end
   equal(hash(true), hash(false), "statics")
-end
+end)
 
--- A body that is damped may rest.
-do
+case("a damped body may rest", function()
+  -- A body that is damped may rest.
   local model, tip = bar { displacement = "large" }
   model:damping { ratio = 0.1, periods = { 0.3, 0.1 } }
   model:load { node = tip, force = { 50, 0, 0 } }
@@ -233,7 +241,7 @@ do
   run:finish()
   expect(#run.wakings >= 1 and not run.wakings[1].awake, "a damped body rests")
   expect(before ~= nil and run.energy.damping == 0, "at rest it loses %.3g", run.energy.damping)
-end
+end)
 
 -- Yielding, strong damping, many integrators: the balance closes ------------------------------------------------------
 
@@ -245,11 +253,13 @@ for what, run_options in pairs {
   ["dt auto"] = { dt = "auto", duration = 0.01 },
   ["explicit"] = { dt = "auto", integrator = "explicit", duration = 0.001 },
 } do
-  local run = ended { yield = 100e6, speed = 20, declare = strong, run = run_options }
-  local e = run.energy
-  expect(math.abs(e.remainder) < 1e-2 * e.initial, "%s, yielding: open by %.3g", what, e.remainder / e.initial)
-  expect(e.plastic > 0 and e.damping > 0.1 * e.initial, "%s: plastic %.3g, damping %.3g of %.3g", what,
-    e.plastic, e.damping, e.initial)
+  case("strong damping keeps the energy balance of yielding portals: " .. what, function()
+    local run = ended { yield = 100e6, speed = 20, declare = strong, run = run_options }
+    local e = run.energy
+    expect(math.abs(e.remainder) < 1e-2 * e.initial, "%s, yielding: open by %.3g", what, e.remainder / e.initial)
+    expect(e.plastic > 0 and e.damping > 0.1 * e.initial, "%s: plastic %.3g, damping %.3g of %.3g", what,
+      e.plastic, e.damping, e.initial)
+  end)
 end
 
 -- Checkpoints and steps that are taken back ---------------------------------------------------------------------------
@@ -259,29 +269,31 @@ for what, options in pairs {
   ["explicit"] = { run = { dt = "auto", integrator = "explicit", duration = 0.0005 } },
   ["step control"] = { run = { dt = 2e-3, step_control = 1e-4 } },
 } do
-  options.yield, options.speed, options.declare = 250e6, 20, strong
-  local whole = ended(options)
-  local watched = portals(options)
-  for _ = 1, whole.index // 2 do watched:step() end
-  watched:checkpoint(folder .. "/one.checkpoint")
-  local other = portals(options):resume(folder .. "/one.checkpoint")
-  other:finish()
-  watched:finish()
-  for name, run in pairs { resumed = other, watched = watched } do
-    equal(run.hash, whole.hash, ("%s, %s: state"):format(what, name))
-    for _, account in ipairs { "damping", "plastic", "remainder" } do
-      equal(run.energy[account], whole.energy[account], ("%s, %s: %s"):format(what, name, account))
+  case("checkpoints and steps taken back change no bit of damped runs: " .. what, function()
+    options.yield, options.speed, options.declare = 250e6, 20, strong
+    local whole = ended(options)
+    local watched = portals(options)
+    for _ = 1, whole.index // 2 do watched:step() end
+    watched:checkpoint(folder .. "/one.checkpoint")
+    local other = portals(options):resume(folder .. "/one.checkpoint")
+    other:finish()
+    watched:finish()
+    for name, run in pairs { resumed = other, watched = watched } do
+      equal(run.hash, whole.hash, ("%s, %s: state"):format(what, name))
+      for _, account in ipairs { "damping", "plastic", "remainder" } do
+        equal(run.energy[account], whole.energy[account], ("%s, %s: %s"):format(what, name, account))
+      end
     end
-  end
-  if options.run.step_control then
-    expect(whole.counts.rejected_steps > 2, "steps taken back: %d", whole.counts.rejected_steps)
-    local e = whole.energy
-    expect(math.abs(e.remainder) <= 1e-4 * e.initial, "step control holds the balance: %.3g", e.remainder / e.initial)
-  end
+    if options.run.step_control then
+      expect(whole.counts.rejected_steps > 2, "steps taken back: %d", whole.counts.rejected_steps)
+      local e = whole.energy
+      expect(math.abs(e.remainder) <= 1e-4 * e.initial, "step control holds the balance: %.3g", e.remainder / e.initial)
+    end
+  end)
 end
 
--- A function of the script fails in the middle of a step, which is taken back.
-do
+case("a function that fails in a damped step takes it back whole", function()
+  -- A function of the script fails in the middle of a step, which is taken back.
   local function failing(fails)
     return { speed = 20, run = { dt = 2e-5, duration = 5e-3 }, declare = function(m, tops_of)
       strong(m)
@@ -300,10 +312,10 @@ do
   local whole = ended(failing(false))
   equal(run.hash, whole.hash, "after an error: state")
   equal(run.energy.damping, whole.energy.damping, "after an error: account")
-end
+end)
 
--- Members that break are damped no more, and the balance closes over it.
-do
+case("members that break are damped no more and keep the balance", function()
+  -- Members that break are damped no more, and the balance closes over it.
   local run = ended { yield = 250e6, speed = 60, declare = function(m)
     strong(m)
     m:fracture { curvature_x = 0.05, curvature_y = 0.05, axial_strain = 0.05 }
@@ -312,29 +324,31 @@ do
   expect(run:count { state = "broken" } > 0, "nothing breaks")
   local e = run.energy
   expect(math.abs(e.remainder) < 1e-2 * e.initial, "breaking: open by %.3g", e.remainder / e.initial)
-end
+end)
 
--- Contact gives impulses at the end of a step: the accelerations on both sides of it met the forces from before.
-for _, damping in ipairs { { alpha = 2000 }, { beta = 2e-5 }, { alpha = 200, beta = 1e-5 } } do
-  local model = hinge.model {}
-  local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
-  local section = hinge.section.solid { width = 0.05, depth = 0.05 }
-  model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, section = section, material = steel }
-  model:member { model:node { 0.5, -0.5, 0.052 }, model:node { 0.5, 0.5, 0.052 }, section = section, material = steel,
-    group = "missile" }
-  model:velocity("missile", { 0, 0, -20 })
-  model:contact { rule = "surface" }
-  model:damping(damping)
-  local run = model:dynamic { dt = 2e-5, duration = 2e-3, record = false }:finish()
-  expect(run.verdict == "completed" and run.contacts.bound > 2, "an impact that is damped: %s", run.reason)
-  near(run.energy.remainder / run.energy.initial, 0, 1e-5, "balance of an impact that is damped")
-  expect(run.energy.damping > 0.03 * run.energy.initial, "it takes %g J", run.energy.damping)
-end
+case("damping and contact impulses keep the energy balance", function()
+  -- Contact gives impulses at the end of a step: the accelerations on both sides of it met the forces from before.
+  for _, damping in ipairs { { alpha = 2000 }, { beta = 2e-5 }, { alpha = 200, beta = 1e-5 } } do
+    local model = hinge.model {}
+    local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+    local section = hinge.section.solid { width = 0.05, depth = 0.05 }
+    model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, section = section, material = steel }
+    model:member { model:node { 0.5, -0.5, 0.052 }, model:node { 0.5, 0.5, 0.052 }, section = section, material = steel,
+      group = "missile" }
+    model:velocity("missile", { 0, 0, -20 })
+    model:contact { rule = "surface" }
+    model:damping(damping)
+    local run = model:dynamic { dt = 2e-5, duration = 2e-3, record = false }:finish()
+    expect(run.verdict == "completed" and run.contacts.bound > 2, "an impact that is damped: %s", run.reason)
+    near(run.energy.remainder / run.energy.initial, 0, 1e-5, "balance of an impact that is damped")
+    expect(run.energy.damping > 0.03 * run.energy.initial, "it takes %g J", run.energy.damping)
+  end
+end)
 
 -- Explicit steps ------------------------------------------------------------------------------------------------------
 
--- At 0.99 of the limit that is named they stay stable, beyond it they are refused.
-do
+case("explicit damped steps are stable at 0.99 of the limit that is named and refused beyond it", function()
+  -- At 0.99 of the limit that is named they stay stable, beyond it they are refused.
   local function with_dt(dt)
     local model, tip = bar {}
     model:damping { beta = 0.02 }
@@ -349,38 +363,41 @@ do
   local run = with_dt(0.99 * limit)
   run:finish()
   expect(run.energy.kinetic + run.energy.elastic < 1e-3 * run.energy.initial, "stable at 0.99 of the limit")
-end
+end)
 
 -- Wrong input ---------------------------------------------------------------------------------------------------------
 
-local model = bar {}
-for _, case in ipairs {
-  { {}, "none of 'alpha', 'beta', 'ratio' is given" },
-  { { alpha = -1 }, "field 'alpha' is -1 1/s; must be 0 1/s or above" },
-  { { beta = "x" }, "field 'beta' is 'x'; must be a number in s" },
-  { { beta = 0 / 0 }, "field 'beta' is not a number" },
-  { { ratio = 0.02 }, "field 'periods' is missing" },
-  { { periods = { 1, 0.1 } }, "field 'ratio' is missing" },
-  { { ratio = 2, periods = { 1, 0.1 } }, "field 'ratio' is 2; must be a part of critical damping" },
-  { { ratio = -0.1, periods = { 1, 0.1 } }, "field 'ratio' is -0.1" },
-  { { ratio = 0 / 0, periods = { 1, 0.1 } }, "field 'ratio'" },
-  { { ratio = 0.02, periods = { 1 } }, "field 'periods'" },
-  { { ratio = 0.02, periods = 1 }, "field 'periods' is 1; must be two numbers in s" },
-  { { ratio = 0.02, periods = { 1, 0 } }, "field 'periods' is 0 s; must be positive" },
-  { { ratio = { 0.02, "x" }, periods = { 1, 0.1 } }, "field 'ratio'" },
-  { { ratio = { 0.02, 0.05 }, periods = { 1, 1 } }, "two ratios need two periods that differ" },
-  { { ratio = { 0.5, 0.01 }, periods = { 1, 0.1 } }, "beta = -" },
-  { { ratio = 0.02, alpha = 1, periods = { 1, 0.1 } }, "field 'alpha' is given" },
-  { { alpha = 1, group = "beam" }, "no group 'beam'" },
-  { { alpha = 1, ratios = 0.1 }, "ratios" },
-} do
-  local ok, message = pcall(model.damping, model, case[1])
-  expect(not ok and tostring(message):find(case[2], 1, true), "wrong input: %s, wanted %s", message, case[2])
-  expect(tostring(message):find("damping_test.lua:%d+: model:damping"), "it names the line: %s", message)
-end
-model:velocity("bar", { 0, 0, 0 })
-local run = model:dynamic { dt = 1e-3, duration = 1e-2, record = false }
-for _, effect in ipairs(run.effects or {}) do
-  if effect.name == "damping" then expect(not effect.active, "wrong input leaves the model as it was") end
-end
+case("wrong damping is refused and leaves no damping effect", function()
+  local model = bar {}
+  for _, row in ipairs {
+    { {}, "none of 'alpha', 'beta', 'ratio' is given" },
+    { { alpha = -1 }, "field 'alpha' is -1 1/s; must be 0 1/s or above" },
+    { { beta = "x" }, "field 'beta' is 'x'; must be a number in s" },
+    { { beta = 0 / 0 }, "field 'beta' is not a number" },
+    { { ratio = 0.02 }, "field 'periods' is missing" },
+    { { periods = { 1, 0.1 } }, "field 'ratio' is missing" },
+    { { ratio = 2, periods = { 1, 0.1 } }, "field 'ratio' is 2; must be a part of critical damping" },
+    { { ratio = -0.1, periods = { 1, 0.1 } }, "field 'ratio' is -0.1" },
+    { { ratio = 0 / 0, periods = { 1, 0.1 } }, "field 'ratio'" },
+    { { ratio = 0.02, periods = { 1 } }, "field 'periods'" },
+    { { ratio = 0.02, periods = 1 }, "field 'periods' is 1; must be two numbers in s" },
+    { { ratio = 0.02, periods = { 1, 0 } }, "field 'periods' is 0 s; must be positive" },
+    { { ratio = { 0.02, "x" }, periods = { 1, 0.1 } }, "field 'ratio'" },
+    { { ratio = { 0.02, 0.05 }, periods = { 1, 1 } }, "two ratios need two periods that differ" },
+    { { ratio = { 0.5, 0.01 }, periods = { 1, 0.1 } }, "beta = -" },
+    { { ratio = 0.02, alpha = 1, periods = { 1, 0.1 } }, "field 'alpha' is given" },
+    { { alpha = 1, group = "beam" }, "no group 'beam'" },
+    { { alpha = 1, ratios = 0.1 }, "ratios" },
+  } do
+    local ok, message = pcall(model.damping, model, row[1])
+    expect(not ok and tostring(message):find(row[2], 1, true), "wrong input: %s, wanted %s", message, row[2])
+    expect(tostring(message):find("damping_test.lua:%d+: model:damping"), "it names the line: %s", message)
+  end
+  model:velocity("bar", { 0, 0, 0 })
+  local run = model:dynamic { dt = 1e-3, duration = 1e-2, record = false }
+  for _, effect in ipairs(run.effects or {}) do
+    if effect.name == "damping" then expect(not effect.active, "wrong input leaves the model as it was") end
+  end
+end)
+
 checks.done()

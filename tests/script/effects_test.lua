@@ -4,7 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "effects"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 local hinge = require "hinge"
 
 -- Two frames side by side, one of them flying; `declare(model)` adds what should lie idle.
@@ -31,35 +31,40 @@ local function flying(options, declare, run_options)
   return run
 end
 
-local plain = flying {}
-for name, idle in pairs {
-  ["contact by surfaces"] = { {}, function(m) m:contact {} end },
-  ["contact by surfaces, friction"] = { {}, function(m) m:contact { friction = 0.3 } end },
-  ["contact by gaps"] = { {}, function(m) m:contact { rule = "gap" } end },
-  ["fracture"] = { {}, function(m) m:fracture { curvature_x = 1e9, axial_strain = 1e9 } end },
-  ["fracture by a function"] = { {}, function(m) m:fracture(function() return false end) end },
-  ["plasticity"] = { { yield = 1e20 }, function() end },
-  ["gravity of nothing"] = { {}, function(m) m:gravity { 0, 0, 0 } end },
-} do
-  local run = flying(idle[1], idle[2])
-  equal(run.hash, plain.hash, name .. ", idle: the state's hash")
-end
-expect(flying({}, function(m) m:gravity { 0, 0, -9.8 } end).hash ~= plain.hash, "the hash sees what an effect does")
+case("effects that lie idle change no bit", function()
+  local plain = flying {}
+  for name, idle in pairs {
+    ["contact by surfaces"] = { {}, function(m) m:contact {} end },
+    ["contact by surfaces, friction"] = { {}, function(m) m:contact { friction = 0.3 } end },
+    ["contact by gaps"] = { {}, function(m) m:contact { rule = "gap" } end },
+    ["fracture"] = { {}, function(m) m:fracture { curvature_x = 1e9, axial_strain = 1e9 } end },
+    ["fracture by a function"] = { {}, function(m) m:fracture(function() return false end) end },
+    ["plasticity"] = { { yield = 1e20 }, function() end },
+    ["gravity of nothing"] = { {}, function(m) m:gravity { 0, 0, 0 } end },
+  } do
+    local run = flying(idle[1], idle[2])
+    equal(run.hash, plain.hash, name .. ", idle: the state's hash")
+  end
+  expect(flying({}, function(m) m:gravity { 0, 0, -9.8 } end).hash ~= plain.hash, "the hash sees what an effect does")
+end)
 
--- A linear scene at a constant step factorises once, and so does a linear static one.
-local linear = flying({ model = { displacement = "small" } }, nil, { solver = "direct" })
-equal(linear.counts.factorisations, 1, "factorisations of an elastic dynamic scene")
-equal(linear.counts.solves, 300, "its solves")
-expect(linear.counts.element_builds <= 8, "element builds: %s for 8 elements", linear.counts.element_builds)
+case("a linear scene at a constant step is factorised once", function()
+  -- A linear scene at a constant step factorises once, and so does a linear static one.
+  local linear = flying({ model = { displacement = "small" } }, nil, { solver = "direct" })
+  equal(linear.counts.factorisations, 1, "factorisations of an elastic dynamic scene")
+  equal(linear.counts.solves, 300, "its solves")
+  expect(linear.counts.element_builds <= 8, "element builds: %s for 8 elements", linear.counts.element_builds)
 
-local model = hinge.model { displacement = "small" }
-local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-model:fix(wall)
-model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-  material = hinge.material { E = 206e9 } }
-model:load { node = tip, force = { 0, 0, -1000 } }
-local static = model:static { steps = 10 }
-static:finish()
-equal(static.verdict, "completed", "verdict of the static scene")
-equal(static.counts and static.counts.factorisations, 1, "factorisations of a linear static scene")
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9 } }
+  model:load { node = tip, force = { 0, 0, -1000 } }
+  local static = model:static { steps = 10 }
+  static:finish()
+  equal(static.verdict, "completed", "verdict of the static scene")
+  equal(static.counts and static.counts.factorisations, 1, "factorisations of a linear static scene")
+end)
+
 checks.done()

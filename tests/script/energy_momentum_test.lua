@@ -7,7 +7,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "energy-momentum"
-local expect, equal, largest_of = checks.expect, checks.equal, support.largest_of
+local case, expect, equal, largest_of = checks.case, checks.expect, checks.equal, support.largest_of
 
 local function with(options, more)
   local result = { integrator = "energy-momentum", record = false }
@@ -46,85 +46,89 @@ local function cantilever(options)
   local run = model:dynamic(with({ dt = 0.25, duration = 60 }, options.run))
   return run, run:probe { node = elbow, "uz" }, run:probe { node = tip, "uz" }
 end
---- The extreme of a probe between two times, s.
-local function extreme(probe, from, to)
-  local most = 0
-  for i, t in ipairs(probe.time) do
-    if t >= from and t <= to and math.abs(probe.value[i]) > math.abs(most) then most = probe.value[i] end
+case("a cantilever swings like that of Newmark's method, with the energy kept", function()
+  --- The extreme of a probe between two times, s.
+  local function extreme(probe, from, to)
+    local most = 0
+    for i, t in ipairs(probe.time) do
+      if t >= from and t <= to and math.abs(probe.value[i]) > math.abs(most) then most = probe.value[i] end
+    end
+    return most
   end
-  return most
-end
-for _, case in ipairs { { mass = "cubic" }, { mass = "linear" },
-  { mass = "cubic", p_delta = "chord", run = { step_control = 0 } },
-  { mass = "cubic", run = { dt = 0.5, duration = 200 } }, { mass = "cubic", slender = true },
-  { mass = "linear", slender = true } } do
-  local run, elbow, tip = cantilever(case)
-  local what = ("cantilever%s, %s mass, steps of %g s"):format(case.slender and ", slender" or "", case.mass,
-    case.run and case.run.dt or 0.25)
-  local after, worst = nil, 0
-  run:on_step(function(r)
-    if r.time < 2.001 then return end
-    local energy = r.energy.kinetic + r.energy.elastic
-    after = after or energy
-    worst = largest_of(worst, math.abs(energy / after - 1))
-  end)
-  run:finish()
-  equal(run.verdict, "completed", what .. ": " .. run.reason)
-  after = after or 0 / 0 -- where it ended before
-  expect(worst < 1e-6, "%s: energy after the push changes by %g of it", what, worst)
-  expect(math.abs(run.energy.remainder) < 1e-6 * after, "%s: energy error %g", what, run.energy.remainder)
-  if (case.run or {}).dt == nil and not case.slender then
-    checks.near(after, 114.8, 2.5, what .. ": energy after the push")
-    checks.near(extreme(elbow, 0, 5), 5.5, 0.15, what .. ": elbow, first swing")
-    checks.near(extreme(elbow, 9, 13), -4.06, 0.2, what .. ": elbow, second swing")
-    checks.near(extreme(tip, 5, 10), 8.2, 0.2, what .. ": tip, first swing")
-    checks.near(extreme(tip, 13, 18), -9.7, 0.2, what .. ": tip, second swing")
+  for _, row in ipairs { { mass = "cubic" }, { mass = "linear" },
+    { mass = "cubic", p_delta = "chord", run = { step_control = 0 } },
+    { mass = "cubic", run = { dt = 0.5, duration = 200 } }, { mass = "cubic", slender = true },
+    { mass = "linear", slender = true } } do
+    local run, elbow, tip = cantilever(row)
+    local what = ("cantilever%s, %s mass, steps of %g s"):format(row.slender and ", slender" or "", row.mass,
+      row.run and row.run.dt or 0.25)
+    local after, worst = nil, 0
+    run:on_step(function(r)
+      if r.time < 2.001 then return end
+      local energy = r.energy.kinetic + r.energy.elastic
+      after = after or energy
+      worst = largest_of(worst, math.abs(energy / after - 1))
+    end)
+    run:finish()
+    equal(run.verdict, "completed", what .. ": " .. run.reason)
+    after = after or 0 / 0 -- where it ended before
+    expect(worst < 1e-6, "%s: energy after the push changes by %g of it", what, worst)
+    expect(math.abs(run.energy.remainder) < 1e-6 * after, "%s: energy error %g", what, run.energy.remainder)
+    if (row.run or {}).dt == nil and not row.slender then
+      checks.near(after, 114.8, 2.5, what .. ": energy after the push")
+      checks.near(extreme(elbow, 0, 5), 5.5, 0.15, what .. ": elbow, first swing")
+      checks.near(extreme(elbow, 9, 13), -4.06, 0.2, what .. ": elbow, second swing")
+      checks.near(extreme(tip, 5, 10), 8.2, 0.2, what .. ": tip, first swing")
+      checks.near(extreme(tip, 13, 18), -9.7, 0.2, what .. ": tip, second swing")
+    end
   end
-end
+end)
 
--- Slender, with the rotary inertia of its own section, it is not for Newmark's method, which says what is.
-do
+case("a bar with its own rotary inertia swings at the frequency of theory", function()
+  -- Slender, with the rotary inertia of its own section, it is not for Newmark's method, which says what is.
   local run = cantilever { mass = "cubic", slender = true, run = { integrator = "newmark", dt = 0.01 } }
   run:finish()
   equal(run.verdict, "failed", "slender cantilever by Newmark's method")
   expect(run.reason:find("(energy_tolerance 1 %)", 1, true)
     and run.reason:find("step_control = 0.01 holds: tried", 1, true), "it names a remedy: %s", run.reason)
-end
+end)
 
 -- A free frame that tumbles: both momenta, and the energy -------------------------------------------------------------
 local steel = { E = 206e9, nu = 0.3, density = 7850 }
-local function tumbling(mass)
-  local model = hinge.model { elements_per_member = 2, mass = mass }
-  local section = hinge.section.solid { width = 0.05, depth = 0.1 }
-  local n = { model:node { 0, 0, 0 }, model:node { 2, 0, 0 }, model:node { 2, 1.5, 0 }, model:node { 0, 1.5, 1 } }
-  local material = hinge.material(steel)
-  for _, ends in ipairs { { 1, 2 }, { 2, 3 }, { 3, 4 }, { 4, 1 }, { 1, 3 } } do
-    model:member { n[ends[1]], n[ends[2]], section = section, material = material, group = "frame" }
+case("a free frame that tumbles keeps momenta and energy", function()
+  local function tumbling(mass)
+    local model = hinge.model { elements_per_member = 2, mass = mass }
+    local section = hinge.section.solid { width = 0.05, depth = 0.1 }
+    local n = { model:node { 0, 0, 0 }, model:node { 2, 0, 0 }, model:node { 2, 1.5, 0 }, model:node { 0, 1.5, 1 } }
+    local material = hinge.material(steel)
+    for _, ends in ipairs { { 1, 2 }, { 2, 3 }, { 3, 4 }, { 4, 1 }, { 1, 3 } } do
+      model:member { n[ends[1]], n[ends[2]], section = section, material = material, group = "frame" }
+    end
+    model:mass { node = n[3], mass = 20, inertia = { 0.5, 1, 2 } }
+    model:velocity("frame", { 3, -2, 5 }, { 4, 11, -7 }) -- rad/s: two turns in a second
+    return model
   end
-  model:mass { node = n[3], mass = 20, inertia = { 0.5, 1, 2 } }
-  model:velocity("frame", { 3, -2, 5 }, { 4, 11, -7 }) -- rad/s: two turns in a second
-  return model
-end
-for _, mass in ipairs { "linear", "cubic" } do
-  for _, dt in ipairs { 1e-3, 0.02 } do
-    local run = tumbling(mass):dynamic(with { dt = dt, duration = 1.2, tolerance = 1e-12 })
-    local before = run:momentum()
-    run:finish()
-    local what, now = ("tumbling, %s mass, steps of %g s"):format(mass, dt), run:momentum()
-    equal(run.verdict, "completed", what .. ": " .. run.reason)
-    expect(apart(before.linear, now.linear) < 1e-9, "%s: momentum changes by %g", what,
-      apart(before.linear, now.linear))
-    expect(apart(before.angular, now.angular) < 1e-9, "%s: angular momentum changes by %g", what,
-      apart(before.angular, now.angular))
-    expect(math.abs(run.energy.remainder) < 1e-9 * run.energy.initial, "%s: energy error %g", what,
-      run.energy.remainder / run.energy.initial)
-    expect(run.energy.elastic > 1e-6 * run.energy.initial, "%s: it deforms", what)
+  for _, mass in ipairs { "linear", "cubic" } do
+    for _, dt in ipairs { 1e-3, 0.02 } do
+      local run = tumbling(mass):dynamic(with { dt = dt, duration = 1.2, tolerance = 1e-12 })
+      local before = run:momentum()
+      run:finish()
+      local what, now = ("tumbling, %s mass, steps of %g s"):format(mass, dt), run:momentum()
+      equal(run.verdict, "completed", what .. ": " .. run.reason)
+      expect(apart(before.linear, now.linear) < 1e-9, "%s: momentum changes by %g", what,
+        apart(before.linear, now.linear))
+      expect(apart(before.angular, now.angular) < 1e-9, "%s: angular momentum changes by %g", what,
+        apart(before.angular, now.angular))
+      expect(math.abs(run.energy.remainder) < 1e-9 * run.energy.initial, "%s: energy error %g", what,
+        run.energy.remainder / run.energy.initial)
+      expect(run.energy.elastic > 1e-6 * run.energy.initial, "%s: it deforms", what)
+    end
   end
-end
+end)
 
--- A mass beside the end of a bar in flight. Its momentum depends on where the bar has turned to. The mean over a step
--- is of second order, so that some energy is missed: 0.004 % of it in steps of 22 mrad.
-do
+case("a mass beside the end of a bar in flight keeps momenta and energy", function()
+  -- A mass beside the end of a bar in flight. Its momentum depends on where the bar has turned to. The mean over a step
+  -- is of second order, so that some energy is missed: 0.004 % of it in steps of 22 mrad.
   local model = hinge.model { elements_per_member = 2 }
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material(steel),
@@ -142,25 +146,27 @@ do
     expect(apart(before[kind], now[kind]) < 1e-9, "a mass beside a bar: %s momentum changes by %g", kind,
       apart(before[kind], now[kind]))
   end
-end
+end)
 
 -- A bar that spins about its axis, or across it, for a hundred turns in steps of a tenth of a radian and more ---------
-for _, spin in ipairs { { 300, 0, 0 }, { 0, 0, 300 }, { 300, 5, 0 } } do
-  local model = hinge.model { elements_per_member = 2 }
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material(steel),
-    group = "bar" }
-  model:velocity("bar", { 0, 0, 0 }, spin)
-  local run = model:dynamic(with { dt = 1e-3, duration = 2.1, tolerance = 1e-12 })
-  local before = run:momentum()
-  run:finish()
-  local what, now = ("bar spinning at %g, %g, %g rad/s"):format(table.unpack(spin)), run:momentum()
-  equal(run.verdict, "completed", what .. ": " .. run.reason)
-  expect(apart(before.angular, now.angular) < 1e-8, "%s: angular momentum changes by %g", what,
-    apart(before.angular, now.angular))
-  expect(math.abs(run.energy.remainder) < 1e-8 * run.energy.initial, "%s: energy error %g", what,
-    run.energy.remainder / run.energy.initial)
-end
+case("a bar that spins a hundred turns keeps its energy", function()
+  for _, spin in ipairs { { 300, 0, 0 }, { 0, 0, 300 }, { 300, 5, 0 } } do
+    local model = hinge.model { elements_per_member = 2 }
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material(steel),
+      group = "bar" }
+    model:velocity("bar", { 0, 0, 0 }, spin)
+    local run = model:dynamic(with { dt = 1e-3, duration = 2.1, tolerance = 1e-12 })
+    local before = run:momentum()
+    run:finish()
+    local what, now = ("bar spinning at %g, %g, %g rad/s"):format(table.unpack(spin)), run:momentum()
+    equal(run.verdict, "completed", what .. ": " .. run.reason)
+    expect(apart(before.angular, now.angular) < 1e-8, "%s: angular momentum changes by %g", what,
+      apart(before.angular, now.angular))
+    expect(math.abs(run.energy.remainder) < 1e-8 * run.energy.initial, "%s: energy error %g", what,
+      run.energy.remainder / run.energy.initial)
+  end
+end)
 
 -- Order two: a soft bent bar that swings far, against steps a sixteenth as long ---------------------------------------
 local function swinging(dt, options)
@@ -178,7 +184,7 @@ local function swinging(dt, options)
   equal(run.verdict, "completed", "swinging: " .. run.reason)
   return x.last, z.last, run
 end
-do
+case("the error falls with the square of the step", function()
   local x, z = swinging(1.25e-4)
   local function error_of(dt)
     local at_x, at_z = swinging(dt)
@@ -190,7 +196,7 @@ do
   local by_newmark = { swinging(1.25e-4, { integrator = "newmark" }) }
   expect(math.abs(by_newmark[1] - x) < 2e-3 and math.abs(by_newmark[2] - z) < 2e-3,
     "Newmark's method goes to the same place: %g and %g m, %g and %g m", by_newmark[1], x, by_newmark[2], z)
-end
+end)
 
 -- What acts is counted: the balance closes to the tolerance, however long the steps -----------------------------------
 local function bent(o)
@@ -224,7 +230,7 @@ local function balance(what, model, within, options)
     end
   end
 end
-do
+case("loads, damping, contact and hinges are in the energy balance", function()
   local model, _, d = bent {}
   model:gravity { 0, 0, -9.81 }
   model:velocity(d, { 0, 20, 30 }, { 0, 0, 0 })
@@ -240,10 +246,10 @@ do
   model, _, d = bent {}
   model:load { node = d, force = { 1e3, 0, 0 }, moment = { 0, 3e3, 2e3 } }
   balance("a force and a moment", model, 1e-6)
-end
+end)
 
 -- The same bits: from a checkpoint, on several threads ----------------------------------------------------------------
-do
+case("checkpoints, threads and steps taken back change no bit of the energy-momentum method", function()
   local folder = support.temporary_folder()
   local file = folder .. "/checkpoint"
   local function run_of(threads)
@@ -269,37 +275,40 @@ do
   expect(not ok and tostring(why):find("is of another run", 1, true), "Newmark's method does not go on from it: %s",
     why)
   os.execute("rm -r " .. support.quote(folder))
-end
+end)
 
 -- What it does not go with --------------------------------------------------------------------------------------------
-local function refused(message, declare, options, of_model)
-  local model = hinge.model(of_model or {})
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material(steel) }
-  model:fix(a)
-  if declare then declare(model, b) end
-  local ok, why = pcall(function() return model:dynamic(with({ dt = 1e-3, duration = 0.1 }, options)) end)
-  expect(not ok and support.says(tostring(why), "...energy_momentum_test.lua:...: model:dynamic: " .. message),
-    "refused: %s\n    wanted %s", tostring(why), message)
-end
-local goes_not = "integrator = 'energy-momentum' does not go with %s yet; leave that out, or take 'newmark' or "
-  .. "'explicit'"
-refused(goes_not:format "contact", function(model) model:contact { rule = "gap" } end)
-refused(goes_not:format "fracture", function(model)
-  model:fracture { curvature_x = 0.1, curvature_y = 0.1, axial_strain = 0.1 }
+case("options and effects that the energy-momentum method cannot take are refused", function()
+  local function refused(message, declare, options, of_model)
+    local model = hinge.model(of_model or {})
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material =
+      hinge.material(steel) }
+    model:fix(a)
+    if declare then declare(model, b) end
+    local ok, why = pcall(function() return model:dynamic(with({ dt = 1e-3, duration = 0.1 }, options)) end)
+    expect(not ok and support.says(tostring(why), "...energy_momentum_test.lua:...: model:dynamic: " .. message),
+      "refused: %s\n    wanted %s", tostring(why), message)
+  end
+  local goes_not = "integrator = 'energy-momentum' does not go with %s yet; leave that out, or take 'newmark' or "
+    .. "'explicit'"
+  refused(goes_not:format "contact", function(model) model:contact { rule = "gap" } end)
+  refused(goes_not:format "fracture", function(model)
+    model:fracture { curvature_x = 0.1, curvature_y = 0.1, axial_strain = 0.1 }
+  end)
+  refused(goes_not:format "ground", function(model)
+    model:ground { point = { 0, 0, -1 } }
+  end)
+  refused(goes_not:format "moving supports", function(model, b)
+    model:move { node = b, z = function(t) return t end }
+  end)
+  for _, field in ipairs { "beta", "rho_infinity" } do
+    refused(("field '%s' has no meaning with integrator = 'energy-momentum'; leave it out"):format(field), nil,
+      { [field] = 0.5 })
+  end
+  refused("integrator = 'energy-momentum' is for large rotations; ...", nil, nil, { displacement = "small" })
+  refused("integrator = 'energy-momentum' needs an energy balance that closes, ...", nil, nil, { shift = "whole" })
+  refused("field 'dt' is 'auto'...; integrator = 'energy-momentum' needs a number in s...", nil, { dt = "auto" })
 end)
-refused(goes_not:format "ground", function(model)
-  model:ground { point = { 0, 0, -1 } }
-end)
-refused(goes_not:format "moving supports", function(model, b)
-  model:move { node = b, z = function(t) return t end }
-end)
-for _, field in ipairs { "beta", "rho_infinity" } do
-  refused(("field '%s' has no meaning with integrator = 'energy-momentum'; leave it out"):format(field), nil,
-    { [field] = 0.5 })
-end
-refused("integrator = 'energy-momentum' is for large rotations; ...", nil, nil, { displacement = "small" })
-refused("integrator = 'energy-momentum' needs an energy balance that closes, ...", nil, nil, { shift = "whole" })
-refused("field 'dt' is 'auto'...; integrator = 'energy-momentum' needs a number in s...", nil, { dt = "auto" })
 
 checks.done()

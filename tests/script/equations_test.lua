@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "equations"
-local expect = checks.expect
+local case, expect = checks.case, checks.expect
 
 local paper = "1, 2, 3, 4, 5, 6a-b, 7a-c, 8a-b, 9a-b, 10a-c, 11a-b, 12a-c, 13a-b, 14, 15, 16, 17, 18, 19, 20a-c"
 
@@ -71,75 +71,86 @@ end
 
 local place = "`([%w_:]+)` %(`([%w_/]+%.%l+)`%)"
 local readme = assert(support.read(support.root .. "src/README.md"))
-local rows = assert(readme:match "\n| eq | what | where |\n[|%-]+\n(.-)\n\n", "src/README.md has no table of equations")
-local listed = {}
-for row in rows:gmatch "[^\n]+" do
-  local equations, where = row:match "^| ([^|]+) | [^|]+ | (.+) |$"
-  assert(equations, "this row of the table has not three columns: " .. row)
+case("functions that a text names in a file are there", function()
+  local rows = assert(readme:match "\n| eq | what | where |\n[|%-]+\n(.-)\n\n",
+    "src/README.md has no table of equations")
+  local listed = {}
+  for row in rows:gmatch "[^\n]+" do
+    local equations, where = row:match "^| ([^|]+) | [^|]+ | (.+) |$"
+    assert(equations, "this row of the table has not three columns: " .. row)
+    local places = 0
+    for name, path in where:gmatch(place) do
+      places = places + 1
+      local comments = comments_at(name, path, "eq " .. equations)
+      for _, number in ipairs(comments and numbers(equations) or {}) do
+        expect(cites(comments, number), "src/%s: no comment at %s has eq %s", path, name, number)
+      end
+    end
+    expect(places > 0, "eq %s points to no `function` (`file`)", equations)
+    for _, number in ipairs(numbers(equations)) do listed[number] = true end
+  end
+  for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
+end)
+
+case("no folder of src includes one that comes after it", function()
+  -- The order of the folders: a file includes headers of its own folder and of those that stand before it. Folders
+  -- between two arrows include nothing of each other.
+  local order = assert(readme:match "Dependencies point one way: `([^`]*)`", "src/README.md does not order the folders")
+  local rank, at, folders = {}, 0, 0
+  for group in (order:gsub("main%.cpp", "") .. "<-"):gmatch "(.-)<%-" do
+    at = at + 1
+    for folder in group:gmatch "%l+" do rank[folder], folders = at, folders + 1 end
+  end
+  expect(folders > 9, "src/README.md orders %d folders", folders)
+  local listing = support.output("cd " .. support.quote(support.root .. "src")
+    .. " && grep -rHo --include='*.[hc]*' '#include \"[a-z]*/' .")
+  local includes = 0
+  for folder, included in listing:gmatch '%./(%l+)/[^\n]-:#include "(%l+)/' do
+    includes = includes + 1
+    expect(folder == included or (rank[included] or at) < (rank[folder] or 0),
+      "src/%s includes a header of %s: %s", folder, included, order)
+  end
+  expect(includes > 300, "%d lines that include a header", includes)
+end)
+
+case("the files that src/README.md points to are there", function()
+  -- Where else to look: the files are there, and no two rows name the same ones.
+  local seen = {}
+  for what, where in readme:match "\n## Where else to look\n(.*)$":gmatch "\n| ([^\n]-) | ([^\n]-) |%f[\n\0]" do
+    local files = {}
+    for path in where:gmatch "`([%w_]+[/%.][%w_/%.]+)`" do
+      local from = support.is_there(support.root .. path) and "" or "src/"
+      local named_alone = not path:find "/" -- in the folder of the file before it
+      expect(named_alone or support.is_there(support.root .. from .. path), "'%s': %s is not there", what, path)
+      files[#files + 1] = path
+    end
+    local first = table.concat(files, ", ", 1, math.min(2, #files))
+    expect(#files < 2 or not seen[first], "'%s' and '%s' name the same files", what, seen[first])
+    seen[first] = what
+  end
+end)
+
+case("src/theory.md has a heading for every equation, and its functions are there", function()
+  local theory = assert(support.read(support.root .. "src/theory.md"))
+  local headed, section = {}, nil
+  for heading in theory:gmatch "\n### (Eqs? [^\n]*)" do headed[#headed + 1] = heading end
+  headed = table.concat(headed, "; ")
+  for _, number in ipairs(numbers(paper)) do expect(cites(headed, number), "theory.md: no heading has eq %s",
+    number) end
+  -- `a`, `b` (`file`): both are there; a line may end between any two
+  theory = theory:gsub("(`[%w_:]+`),%s+(`[%w_:]+`)%s+(%(`[%w_/]+%.%l+`%))", "%1 %3, %2 %3"):gsub("`\n%(`", "` (`")
   local places = 0
-  for name, path in where:gmatch(place) do
-    places = places + 1
-    local comments = comments_at(name, path, "eq " .. equations)
-    for _, number in ipairs(comments and numbers(equations) or {}) do
-      expect(cites(comments, number), "src/%s: no comment at %s has eq %s", path, name, number)
+  for _, line in ipairs(lines_of(theory)) do
+    section = line:match "^##+ (.*)" or section
+    for name, path in line:gmatch(place) do
+      places = places + 1
+      comments_at(name, path, "theory.md, " .. section)
     end
   end
-  expect(places > 0, "eq %s points to no `function` (`file`)", equations)
-  for _, number in ipairs(numbers(equations)) do listed[number] = true end
-end
-for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
-
--- The order of the folders: a file includes headers of its own folder and of those that stand before it. Folders
--- between two arrows include nothing of each other.
-local order = assert(readme:match "Dependencies point one way: `([^`]*)`", "src/README.md does not order the folders")
-local rank, at, folders = {}, 0, 0
-for group in (order:gsub("main%.cpp", "") .. "<-"):gmatch "(.-)<%-" do
-  at = at + 1
-  for folder in group:gmatch "%l+" do rank[folder], folders = at, folders + 1 end
-end
-expect(folders > 9, "src/README.md orders %d folders", folders)
-local listing = support.output("cd " .. support.quote(support.root .. "src")
-  .. " && grep -rHo --include='*.[hc]*' '#include \"[a-z]*/' .")
-local includes = 0
-for folder, included in listing:gmatch '%./(%l+)/[^\n]-:#include "(%l+)/' do
-  includes = includes + 1
-  expect(folder == included or (rank[included] or at) < (rank[folder] or 0),
-    "src/%s includes a header of %s: %s", folder, included, order)
-end
-expect(includes > 300, "%d lines that include a header", includes)
-
--- Where else to look: the files are there, and no two rows name the same ones.
-local seen = {}
-for what, where in readme:match "\n## Where else to look\n(.*)$":gmatch "\n| ([^\n]-) | ([^\n]-) |%f[\n\0]" do
-  local files = {}
-  for path in where:gmatch "`([%w_]+[/%.][%w_/%.]+)`" do
-    local from = support.is_there(support.root .. path) and "" or "src/"
-    local named_alone = not path:find "/" -- in the folder of the file before it
-    expect(named_alone or support.is_there(support.root .. from .. path), "'%s': %s is not there", what, path)
-    files[#files + 1] = path
+  expect(places > 50, "theory.md points to %d functions", places)
+  for path in theory:gmatch "`(tests/[%w_/]+%.%l+)`" do
+    expect(support.is_there(support.root .. path), "theory.md points to %s, which is not there", path)
   end
-  local first = table.concat(files, ", ", 1, math.min(2, #files))
-  expect(#files < 2 or not seen[first], "'%s' and '%s' name the same files", what, seen[first])
-  seen[first] = what
-end
+end)
 
-local theory = assert(support.read(support.root .. "src/theory.md"))
-local headed, section = {}, nil
-for heading in theory:gmatch "\n### (Eqs? [^\n]*)" do headed[#headed + 1] = heading end
-headed = table.concat(headed, "; ")
-for _, number in ipairs(numbers(paper)) do expect(cites(headed, number), "theory.md: no heading has eq %s", number) end
--- `a`, `b` (`file`): both are there; a line may end between any two
-theory = theory:gsub("(`[%w_:]+`),%s+(`[%w_:]+`)%s+(%(`[%w_/]+%.%l+`%))", "%1 %3, %2 %3"):gsub("`\n%(`", "` (`")
-local places = 0
-for _, line in ipairs(lines_of(theory)) do
-  section = line:match "^##+ (.*)" or section
-  for name, path in line:gmatch(place) do
-    places = places + 1
-    comments_at(name, path, "theory.md, " .. section)
-  end
-end
-expect(places > 50, "theory.md points to %d functions", places)
-for path in theory:gmatch "`(tests/[%w_/]+%.%l+)`" do
-  expect(support.is_there(support.root .. path), "theory.md points to %s, which is not there", path)
-end
 checks.done()

@@ -4,21 +4,22 @@
 -- Run: lua5.4 tests/script/examples_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
-local checks = support.checks "examples"
-local expect, equal = checks.expect, checks.equal
 
 -- They write pictures and checkpoints where Lua was started: this file starts itself again in a folder that goes.
 if not arg[2] then
   local folder = support.temporary_folder()
+  local quote = support.quote
   local status, printed, complaint = support.run(("here=$(realpath %s) build=$(realpath %s) && cd %s && "
-    .. "LUA_CPATH=$build/?.so lua5.4 $here $build inside"):format(support.quote(support.folder .. "examples_test.lua"),
-    support.quote(arg[1]), support.quote(folder)))
+    .. "LUA_CPATH=$build/?.so lua5.4 $here $build inside %s"):format(quote(support.folder .. "examples_test.lua"),
+    quote(arg[1]), quote(folder), quote(support.case_argument)))
   io.write(printed)
   io.stderr:write(complaint)
   if status ~= 0 then os.exit(1) end
   return
 end
 
+local checks = support.checks "examples"
+local case, expect, equal = checks.case, checks.expect, checks.equal
 require "hinge"
 local reference = require "hinge.reference"
 local new_job = require "hinge.job".new
@@ -57,34 +58,39 @@ local function problem_of(example, name)
   end
 end
 
--- What would be noticed.
-for example, wanted in pairs {
-  ["model:nod { 0, 0, 0 }"] = "nod", ["tip = nil x = 1"] = "global 'x'", ["x ="] = "unexpected symbol",
-  ["model:load { node = tip, force = { 0, 0, -1e9 } } model:static():finish()"] = "a run failed",
-  ["return hinge.scenario { run = function() error 'inside' end }"] = "inside",
-} do
-  expect((problem_of(example, "planted") or "nothing"):find(wanted, 1, true), "'%s' is not noticed: %s", example,
-    tostring(problem_of(example, "planted")))
-end
-equal(problem_of("", "planted"), nil, "the lines that examples start from")
+case("an example that is wrong is noticed", function()
+  -- What would be noticed.
+  for example, wanted in pairs {
+    ["model:nod { 0, 0, 0 }"] = "nod", ["tip = nil x = 1"] = "global 'x'", ["x ="] = "unexpected symbol",
+    ["model:load { node = tip, force = { 0, 0, -1e9 } } model:static():finish()"] = "a run failed",
+    ["return hinge.scenario { run = function() error 'inside' end }"] = "inside",
+  } do
+    expect((problem_of(example, "planted") or "nothing"):find(wanted, 1, true), "'%s' is not noticed: %s", example,
+      tostring(problem_of(example, "planted")))
+  end
+  equal(problem_of("", "planted"), nil, "the lines that examples start from")
+end)
 
-local page = support.read(support.root .. "lua/hinge/reference.md")
-expect(page:find("```lua\n" .. reference.preamble .. "\n```", 1, true), "the page does not state the first lines")
-local count = 0
-for _, e in ipairs(reference.read()) do
-  if e.kind == "function" then
-    count = count + 1
-    local call = reference.signature(e):match "^[^(]*"
-    if expect(e.example, "%s: %s has no example: write Lua between ---```lua and ---``` above it", e.line, call) then
-      local own = e.example:gsub("%-%-[^\n]*", "")
-      expect(own:find("[.:]" .. e.name .. "%f[^%w_]"), "%s: the example of %s does not call it", e.line, call)
-      local problem = problem_of(e.example, call)
-      expect(not problem, "%s: the example of %s: %s", e.line, call, tostring(problem))
+case("every example of the reference runs", function()
+  local page = support.read(support.root .. "lua/hinge/reference.md")
+  expect(page:find("```lua\n" .. reference.preamble .. "\n```", 1, true), "the page does not state the first lines")
+  local count = 0
+  for _, e in ipairs(reference.read()) do
+    if e.kind == "function" then
+      count = count + 1
+      local call = reference.signature(e):match "^[^(]*"
+      if expect(e.example, "%s: %s has no example: write Lua between ---```lua and ---``` above it", e.line, call) then
+        local own = e.example:gsub("%-%-[^\n]*", "")
+        expect(own:find("[.:]" .. e.name .. "%f[^%w_]"), "%s: the example of %s does not call it", e.line, call)
+        local problem = problem_of(e.example, call)
+        expect(not problem, "%s: the example of %s: %s", e.line, call, tostring(problem))
+      end
     end
   end
-end
-expect(count > 100, "%d calls in the reference", count)
-for _, name in ipairs { "cantilever.png", "frames.pvd", "swing.checkpoint", "job/load.png" } do
-  expect(support.is_there(name) or name:find "%.p" and not has_pictures, "no example wrote %s", name)
-end
+  expect(count > 100, "%d calls in the reference", count)
+  for _, name in ipairs { "cantilever.png", "frames.pvd", "swing.checkpoint", "job/load.png" } do
+    expect(support.is_there(name) or name:find "%.p" and not has_pictures, "no example wrote %s", name)
+  end
+end)
+
 checks.done()

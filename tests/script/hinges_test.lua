@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local checks = support.checks "hinges"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local fy, L, side = 235e6, 4, 0.05
 local steel = hinge.material { E = 210e9, density = 7850, yield_stress = fy }
@@ -40,7 +40,7 @@ local d2 = 7 / 768 * P1 * L ^ 3 / EI + (P2 - P1) * L ^ 3 / (48 * EI)
 local at_wall = Mp * L / (24 * EI) + (last - d2) / (L / 2) -- rad: before and after the second hinge
 local at_middle = 2 * (last - d2) / (L / 2)
 
-do
+case("a propped cantilever has its two plastic hinges at the loads and rotations of theory", function()
   local model, middle, left, _, wall = propped()
   local run = model:static { steps = 300, loads = { push = 1 }, control = { node = middle, "uz", to = -last } }
   equal(#run:hinges(), 0, "before the first step")
@@ -96,10 +96,10 @@ do
   expect(back.rotation < 0.9 * w.rotation, "pushed back: %g of %g", back.rotation, w.rotation)
   equal(back.largest, w.largest, "pushed back: the largest")
   expect(back.work > w.work, "pushed back: work %g after %g", back.work, w.work)
-end
+end)
 
--- Where two elements of a member meet there is one hinge, that has what both have rotated.
-do
+case("where two elements of a member meet there is one hinge with the rotation of both", function()
+  -- Where two elements of a member meet there is one hinge, that has what both have rotated.
   local model = hinge.model { displacement = "small" }
   local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(a, "x,y,z,rx")
@@ -115,10 +115,10 @@ do
   near(list[1].x, L / 2, 1e-12, "at x")
   near(list[1].largest, 2 * (0.1 - elastic), 0.01, "its kink") -- shear: 1 % of the elastic part
   near(list[1].work, run.energy.plastic, 1e-9 * run.energy.plastic, "its work")
-end
+end)
 
--- The conventional element bends plastically over its length: the hinge is in its middle.
-do
+case("the conventional element has its hinge in the middle", function()
+  -- The conventional element bends plastically over its length: the hinge is in its middle.
   local model, middle = propped "conventional"
   local run = model:static { steps = 100, loads = { push = 1 }, control = { node = middle, "uz", to = -last } }:finish()
   local list, work = run:hinges(), 0
@@ -128,7 +128,7 @@ do
     work = work + h.work
   end
   near(work, run.energy.plastic, 1e-9 * work, "conventional: the sum of the work")
-end
+end)
 
 -- In time: when it first yielded, over a checkpoint and over a chain of runs.
 local function struck(from, duration)
@@ -141,7 +141,7 @@ local function struck(from, duration)
   model:velocity(tip, { 20, 3, 0 })
   return model:dynamic { dt = 1e-4, duration = duration or 0.04 }, model
 end
-do
+case("the time of first yield holds over checkpoints and chains of runs", function()
   local run = struck()
   local first
   for step in run:steps() do
@@ -185,10 +185,10 @@ do
   equal(after.before, true, "from another run: before it")
   expect(after.work > before.work, "from another run: work %g after %g", after.work, before.work)
   near(after.work, list[1].work, 1e-6 * after.work, "from another run: as in one")
-end
+end)
 
 -- Limits --------------------------------------------------------------------------------------------------------------
-do
+case("limits of hinge rotation give utilisations, and wrong ones are refused", function()
   local model, middle, left = propped()
   local run = model:static { steps = 100, loads = { push = 1 }, control = { node = middle, "uz", to = -last } }:finish()
   local bare = run:hinges()
@@ -239,7 +239,7 @@ do
     function() hinge.picture(run, { hinges = bare }) end)
   refused("hinges:write: filename is '../a.csv'; must be a plain name ending in .csv ...",
     function() bare:write "../a.csv" end)
-end
+end)
 
 -- Storeys, and the files of a program ---------------------------------------------------------------------------------
 local hinge_on, folder = support.scenes(arg[1])
@@ -287,7 +287,7 @@ local function rows_of(file)
   end
   return rows, head or {}
 end
-do
+case("run:hinges of a storey frame writes its table, its picture and hinges.csv", function()
   local status, printed, complaint = hinge_on("run -q", scene, "push=4e5 --out one")
   equal(status, 0, "the scene: " .. complaint)
   local rows, head = rows_of "one/hinges.csv"
@@ -329,6 +329,6 @@ do
   -- a run without hinges leaves none of an earlier one
   equal(hinge_on("run -q", scene, "push=1 --out two"), 0, "an elastic run")
   expect(not support.is_there(folder .. "/two/hinges.csv"), "hinges of an earlier run stay")
-end
+end)
 
 checks.done()

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "isolation"
+local case = checks.case
 
 local function keys(t)
   local list = {}
@@ -20,15 +21,17 @@ end
 
 local globals, library, loaded = keys(_G), keys(string) .. keys(table) .. keys(math), strings(package.loaded)
 local hinge = require "hinge"
-for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "job", "runner", "render" } do
-  require("hinge." .. name)
-end
-checks.equal(keys(_G), globals, "globals after require")
-checks.equal(keys(string) .. keys(table) .. keys(math), library, "Lua's own libraries after require")
-for name in pairs(package.loaded) do
-  checks.expect(loaded[name] or name == "hinge" or name:find "^hinge%.", "require loaded %s", name)
-end
-checks.expect(require "hinge" == hinge, "required twice, one module")
+case("the module sets no global and changes no library of Lua", function()
+  for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "job", "runner", "render" } do
+    require("hinge." .. name)
+  end
+  checks.equal(keys(_G), globals, "globals after require")
+  checks.equal(keys(string) .. keys(table) .. keys(math), library, "Lua's own libraries after require")
+  for name in pairs(package.loaded) do
+    checks.expect(loaded[name] or name == "hinge" or name:find "^hinge%.", "require loaded %s", name)
+  end
+  checks.expect(require "hinge" == hinge, "required twice, one module")
+end)
 
 -- Models side by side -------------------------------------------------------------------------------------------------
 
@@ -46,30 +49,35 @@ end
 local function dynamic(model) return model:dynamic { dt = 1e-5, duration = 3e-3 } end
 
 local alone = { dynamic(chain(3, -6e4)):finish(), dynamic(chain(5, 4e4)):finish() }
-local beside = { dynamic(chain(3, -6e4)), dynamic(chain(5, 4e4)) }
-while beside[1]:step() do
-  beside[2]:step()
-  collectgarbage "step"
-end
-for i = 1, 2 do
-  checks.expect(alone[i]:count { state = "yielded" } + alone[i]:count { state = "broken" } > 0,
-    "something happens in run %d", i)
-  checks.equal(beside[i]:finish().hash, alone[i].hash, "run " .. i .. " beside another")
-end
-local model = chain(2, 1)
-local run, before = dynamic(model), chain(2, 1):counts().members
-model:member { model:node { 9, 0, 0 }, model:node { 9, 1, 0 }, section = bar, material = steel }
-checks.equal(run:count { state = "elastic" }, before, "members of a run, after the model grew")
+case("runs stepped in turn have the bits of each alone", function()
+  local beside = { dynamic(chain(3, -6e4)), dynamic(chain(5, 4e4)) }
+  while beside[1]:step() do
+    beside[2]:step()
+    collectgarbage "step"
+  end
+  for i = 1, 2 do
+    checks.expect(alone[i]:count { state = "yielded" } + alone[i]:count { state = "broken" } > 0,
+      "something happens in run %d", i)
+    checks.equal(beside[i]:finish().hash, alone[i].hash, "run " .. i .. " beside another")
+  end
+end)
 
--- An object collected by hand, and more than once, is one that nothing takes any more.
-local steps = run:steps()
-for name, object in pairs { run = run, model = model, section = hinge.section.solid { width = 1, depth = 1 } } do
-  local collect = debug.getmetatable(object).__gc
-  for _ = 1, 3 do collect(object) end
-  checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata",
-    "a collected " .. name)
-end
-checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run was collected", "its steps")
+case("a run does not see members declared after it, and objects that were collected are refused", function()
+  local model = chain(2, 1)
+  local run, before = dynamic(model), chain(2, 1):counts().members
+  model:member { model:node { 9, 0, 0 }, model:node { 9, 1, 0 }, section = bar, material = steel }
+  checks.equal(run:count { state = "elastic" }, before, "members of a run, after the model grew")
+
+  -- An object collected by hand, and more than once, is one that nothing takes any more.
+  local steps = run:steps()
+  for name, object in pairs { run = run, model = model, section = hinge.section.solid { width = 1, depth = 1 } } do
+    local collect = debug.getmetatable(object).__gc
+    for _ = 1, 3 do collect(object) end
+    checks.equal(select(2, pcall(function() return object.x end)):match "index a userdata", "index a userdata",
+      "a collected " .. name)
+  end
+  checks.equal(select(2, pcall(steps)):match "run:steps: .*", "run:steps: the run was collected", "its steps")
+end)
 
 -- Memory --------------------------------------------------------------------------------------------------------------
 
@@ -103,7 +111,7 @@ local function collect()
   collectgarbage()
 end
 
-do
+case("memory is bounded by what is declared, not by how often", function()
   local names = { "model", "run", "node", "member", "group" }
   local weak = setmetatable({ entangled(2, 2, -6e4) }, { __mode = "v" })
   collect()
@@ -143,34 +151,37 @@ do
     return n
   end
   checks.equal(count_kept(), 0, "functions kept of loads that were refused")
-end
+end)
 
--- A thousand models, each run for a step and dropped. Lua may keep 10 kB in all once everything is collected, the
--- process 16 MB, as much as may lie about uncollected meanwhile (a thousand are 80 to 160 MB).
--- And while nobody asks Lua to collect, models of 10 MB each, of which Lua sees a kilobyte, may
--- take 150 MB at a time, not 1 GB.
-local function make(n, what)
-  for _ = 1, n do what() end
-  collect()
-  return collectgarbage "count", resident()
-end
-for what, one in pairs {
-  ["limits"] = function()
-    local m = chain(20, 1)
-    m:load { node = m:nodes()[21], force = { 0, 0, 1 } }
-    m:static { steps = 1 }:finish()
-    m:dynamic { dt = 1e-5, duration = 1e-4 }:step()
-  end,
-  ["functions that refer to their model and run"] = function() entangled(20, 2, -6e4) end,
-} do
-  make(200, one)
-  local count, size = make(100, one)
-  local count_after, size_after = make(1000, one)
-  print(("1000 models with %s: Lua %+.1f kB, process %+d kB"):format(what, count_after - count, size_after - size))
-  checks.expect(count_after - count < 10, "Lua keeps %.1f kB of 1000 models with %s", count_after - count, what)
-  checks.expect(size_after - size < 16e3, "the process keeps %d kB of 1000 models with %s", size_after - size, what)
-end
-do
+case("a thousand models, each run for a step and dropped, leave no memory behind", function()
+  -- A thousand models, each run for a step and dropped. Lua may keep 10 kB in all once everything is collected, the
+  -- process 16 MB, as much as may lie about uncollected meanwhile (a thousand are 80 to 160 MB).
+  -- And while nobody asks Lua to collect, models of 10 MB each, of which Lua sees a kilobyte, may
+  -- take 150 MB at a time, not 1 GB.
+  local function make(n, what)
+    for _ = 1, n do what() end
+    collect()
+    return collectgarbage "count", resident()
+  end
+  for what, one in pairs {
+    ["limits"] = function()
+      local m = chain(20, 1)
+      m:load { node = m:nodes()[21], force = { 0, 0, 1 } }
+      m:static { steps = 1 }:finish()
+      m:dynamic { dt = 1e-5, duration = 1e-4 }:step()
+    end,
+    ["functions that refer to their model and run"] = function() entangled(20, 2, -6e4) end,
+  } do
+    make(200, one)
+    local count, size = make(100, one)
+    local count_after, size_after = make(1000, one)
+    print(("1000 models with %s: Lua %+.1f kB, process %+d kB"):format(what, count_after - count, size_after - size))
+    checks.expect(count_after - count < 10, "Lua keeps %.1f kB of 1000 models with %s", count_after - count, what)
+    checks.expect(size_after - size < 16e3, "the process keeps %d kB of 1000 models with %s", size_after - size, what)
+  end
+end)
+
+case("a hundred large models one after the other take the memory of one", function()
   collect()
   local size, most = resident(), 0
   for _ = 1, 100 do
@@ -179,6 +190,6 @@ do
   end
   print(("100 models of 4000 elements: at most %d kB at a time"):format(most))
   checks.expect(most < 150e3, "100 models of 4000 elements take %d kB at a time", most)
-end
+end)
 
 checks.done()

@@ -7,7 +7,7 @@ local support = require "support"
 local hinge = require "hinge"
 local reference = require "hinge.reference"
 local checks = support.checks "reference"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 
 local classes, functions, modules, own = {}, {}, {}, {}
 do
@@ -63,14 +63,16 @@ local function agrees_with_table(class, value, name)
   local extra = ("%s declares %s.%%s, which there is not: take it out, or export it"):format(file_of(class), name)
   same(declared, there, missing, extra)
 end
-agrees_with_table("hinge", hinge, "hinge")
-agrees_with_table("hinge.sections", hinge.section, "hinge.section")
-local count = 0
-for module, class in pairs(modules) do
-  count = count + 1
-  agrees_with_table(class, require(module), module)
-end
-equal(count, 6, "modules with functions of their own in library.d.lua")
+case("every module of the library is declared", function()
+  agrees_with_table("hinge", hinge, "hinge")
+  agrees_with_table("hinge.sections", hinge.section, "hinge.section")
+  local count = 0
+  for module, class in pairs(modules) do
+    count = count + 1
+    agrees_with_table(class, require(module), module)
+  end
+  equal(count, 6, "modules with functions of their own in library.d.lua")
+end)
 
 -- Objects: methods and fields -----------------------------------------------------------------------------------------
 
@@ -98,67 +100,72 @@ local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hin
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
   ["hinge.connector"] = s.connector }
 
--- A value has the fields that its declared type names; { ... }[] and lists of a class are
--- looked at by their first item.
-local function agrees(value, kind, what)
-  if kind:find "%[%]$" then value, kind = type(value) == "table" and value[1], kind:sub(1, -3) end
-  local declared = reference.fields(kind)
-  if not declared and classes[kind] and type(value) == "table" then declared = classes[kind].fields end
-  if not declared or type(value) ~= "table" then return end
-  local names, there = {}, {}
-  for _, field in ipairs(declared) do names[field.name] = true end
-  for key in pairs(value) do there[key] = true end
-  same(names, there, what .. " has '%s', which its type does not name",
-    what .. " is declared with '%s', which it has not")
-end
+case("every object has the fields and methods that its declared type names", function()
+  -- A value has the fields that its declared type names; { ... }[] and lists of a class are
+  -- looked at by their first item.
+  local function agrees(value, kind, what)
+    if kind:find "%[%]$" then value, kind = type(value) == "table" and value[1], kind:sub(1, -3) end
+    local declared = reference.fields(kind)
+    if not declared and classes[kind] and type(value) == "table" then declared = classes[kind].fields end
+    if not declared or type(value) ~= "table" then return end
+    local names, there = {}, {}
+    for _, field in ipairs(declared) do names[field.name] = true end
+    for key in pairs(value) do there[key] = true end
+    same(names, there, what .. " has '%s', which its type does not name",
+      what .. " is declared with '%s', which it has not")
+  end
 
-for name, meta in pairs(debug.getregistry()) do
-  if type(name) == "string" and name:find "^hinge%." and type(meta) == "table" and meta.methods then
-    local object = objects[name]
-    if expect(classes[name], "%s is not declared: add `---@class %s` to lua/hinge/hinge.d.lua", name, name)
-      and expect(object, "this test has no %s to look at: add one to `objects`", name) then
-      local short = name:match "%w+$"
-      local there = {}
-      for method in pairs(meta.methods) do there[method] = true end
-      local missing = ("%s:%%s is not declared: add `function %s:...(...) end` with its `---@param` lines under "
-        .. "`---@class %s` in %s"):format(short, short, name, file_of(name))
-      same(own[name] or {}, there, missing, ("%s declares %s:%%s, which there is not"):format(file_of(name), short))
-      local declared = fields_of(name)
-      missing = ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s")
-        :format(short, name, file_of(name))
-      local extra = ("%s declares %s.%%s, which name_fields in src/script/bind/bind_*.cpp does not name")
-        :format(file_of(name), short)
-      same(declared, set(meta.fields or {}), missing, extra)
-      for field, about in pairs(declared) do
-        local ok, value = pcall(function() return object[field] end)
-        if expect(ok, "%s.%s: %s", short, field, tostring(value)) and ok then
-          expect(value ~= nil or about.optional, "%s.%s is nil: declare it as `---@field %s? ...`", short, field, field)
-          agrees(value, about.type, short .. "." .. field)
+  for name, meta in pairs(debug.getregistry()) do
+    if type(name) == "string" and name:find "^hinge%." and type(meta) == "table" and meta.methods then
+      local object = objects[name]
+      if expect(classes[name], "%s is not declared: add `---@class %s` to lua/hinge/hinge.d.lua", name, name)
+        and expect(object, "this test has no %s to look at: add one to `objects`", name) then
+        local short = name:match "%w+$"
+        local there = {}
+        for method in pairs(meta.methods) do there[method] = true end
+        local missing = ("%s:%%s is not declared: add `function %s:...(...) end` with its `---@param` lines under "
+          .. "`---@class %s` in %s"):format(short, short, name, file_of(name))
+        same(own[name] or {}, there, missing, ("%s declares %s:%%s, which there is not"):format(file_of(name), short))
+        local declared = fields_of(name)
+        missing = ("%s.%%s is not declared: add `---@field <name> <type> ...` to `---@class %s` in %s")
+          :format(short, name, file_of(name))
+        local extra = ("%s declares %s.%%s, which name_fields in src/script/bind/bind_*.cpp does not name")
+          :format(file_of(name), short)
+        same(declared, set(meta.fields or {}), missing, extra)
+        for field, about in pairs(declared) do
+          local ok, value = pcall(function() return object[field] end)
+          if expect(ok, "%s.%s: %s", short, field, tostring(value)) and ok then
+            expect(value ~= nil or about.optional, "%s.%s is nil: declare it as `---@field %s? ...`", short, field,
+              field)
+            agrees(value, about.type, short .. "." .. field)
+          end
         end
-      end
-      if meta.fields then
-        local ok, message = pcall(function() return object["no such field"] end)
-        expect(not ok and message:find "no such field", "%s gives a field that there is not", short)
+        if meta.fields then
+          local ok, message = pcall(function() return object["no such field"] end)
+          expect(not ok and message:find "no such field", "%s gives a field that there is not", short)
+        end
       end
     end
   end
-end
-for name, value in pairs { ["hinge.model counts"] = s.model:counts(), ["hinge.run momentum"] = s.run:momentum() } do
-  local f = own[name:match "%S+"][name:match "%a+$"]
-  if f then agrees(value, f.returns[1]:match "^{.-}", reference.signature(f)) end
-end
+  for name, value in pairs { ["hinge.model counts"] = s.model:counts(), ["hinge.run momentum"] = s.run:momentum() } do
+    local f = own[name:match "%S+"][name:match "%a+$"]
+    if f then agrees(value, f.returns[1]:match "^{.-}", reference.signature(f)) end
+  end
+end)
 
 -- The job is a Lua object.
 local job = require "hinge.job".new("", "II")
-local methods = {}
-for method in pairs(getmetatable(job)) do
-  if not method:find "^__" then methods[method] = true end
-end
-same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua",
-  "library.d.lua declares job:%s, which there is not")
-same(fields_of "hinge.job", set { "out", "case", "notes" },
-  "job.%s is not declared: add `---@field` to `---@class hinge.job`",
-  "library.d.lua declares job.%s, which there is not")
+case("the job has the methods that are declared", function()
+  local methods = {}
+  for method in pairs(getmetatable(job)) do
+    if not method:find "^__" then methods[method] = true end
+  end
+  same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua",
+    "library.d.lua declares job:%s, which there is not")
+  same(fields_of "hinge.job", set { "out", "case", "notes" },
+    "job.%s is not declared: add `---@field` to `---@class hinge.job`",
+    "library.d.lua declares job.%s, which there is not")
+end)
 
 -- Options -------------------------------------------------------------------------------------------------------------
 
@@ -258,35 +265,41 @@ local function compare(what, fields, line)
   same(declared, there, ("%s takes '%%s', which is not declared: add it in lua/hinge/%s"):format(what, line),
     ("lua/hinge/%s declares '%%s' of %s, which it does not take"):format(line, what))
 end
-for _, f in ipairs(functions) do
-  local what = reference.signature(f):match "^[^(]*"
-  for _, param in ipairs(f.params) do
-    local fields = looks_like_options(param.type:match "^(%b{})|fun" or param.type:match "^([%w_.]+)|fun" or param.type)
-    if fields and not free[what] then compare(what, fields, param.line) end
+case("every call takes the options that are declared, and no others", function()
+  for _, f in ipairs(functions) do
+    local what = reference.signature(f):match "^[^(]*"
+    for _, param in ipairs(f.params) do
+      local fields = looks_like_options(param.type:match "^(%b{})|fun" or param.type:match "^([%w_.]+)|fun"
+        or param.type)
+      if fields and not free[what] then compare(what, fields, param.line) end
+    end
   end
-end
-used["job:strip"] = true
--- A plot is one of several kinds of table.
-local plots = {
-  ["hinge.plot"] = function(x) hinge.plot(with({ series = {} }, x), "x.png") end,
-  ["hinge.panels"] = function(x) hinge.plot(with({ panels = {} }, x), "x.png") end,
-  ["hinge.series"] = function(x) hinge.plot({ series = { x } }, "x.png") end,
-  ["hinge.plot_line"] = function(x) hinge.plot({ series = {}, lines = { x } }, "x.png") end,
-}
-for class, call in pairs(plots) do
-  calls["table " .. class] = call
-  if expect(classes[class], "no class %s", class) then
-    compare("table " .. class, classes[class].fields, classes[class].line)
+  used["job:strip"] = true
+  -- A plot is one of several kinds of table.
+  local plots = {
+    ["hinge.plot"] = function(x) hinge.plot(with({ series = {} }, x), "x.png") end,
+    ["hinge.panels"] = function(x) hinge.plot(with({ panels = {} }, x), "x.png") end,
+    ["hinge.series"] = function(x) hinge.plot({ series = { x } }, "x.png") end,
+    ["hinge.plot_line"] = function(x) hinge.plot({ series = {}, lines = { x } }, "x.png") end,
+  }
+  for class, call in pairs(plots) do
+    calls["table " .. class] = call
+    if expect(classes[class], "no class %s", class) then
+      compare("table " .. class, classes[class].fields, classes[class].line)
+    end
   end
-end
-for what in pairs(calls) do expect(used[what], "`calls` of this test has %s, which declares no options", what) end
+  for what in pairs(calls) do expect(used[what], "`calls` of this test has %s, which declares no options", what) end
+end)
 
 -- The page ------------------------------------------------------------------------------------------------------------
 
-local page = support.read(support.root .. "lua/hinge/reference.md")
-expect(page == reference.page(),
-  "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
-local program = support.quote(arg[1] .. "/hinge")
-local status, printed = support.run(program .. " reference")
-expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)
+case("the page of the reference is the one made from the declarations", function()
+  local page = support.read(support.root .. "lua/hinge/reference.md")
+  expect(page == reference.page(),
+    "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
+  local program = support.quote(arg[1] .. "/hinge")
+  local status, printed = support.run(program .. " reference")
+  expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)
+end)
+
 checks.done()

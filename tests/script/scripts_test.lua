@@ -8,6 +8,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "scripts"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 local program, lua = quote(arg[1] .. "/hinge"), ("LUA_CPATH=%s lua5.4"):format(quote(arg[1] .. "/?.so"))
 
@@ -39,38 +40,44 @@ local function as_stated(results, head)
   return next(results) ~= nil, "no number is stated"
 end
 
-local listed = assert(support.read(support.root .. "scripts/README.md"))
-local out, plain_folder = support.temporary_folder(), support.temporary_folder() -- plain Lua draws where it is started
-local root = support.output("realpath " .. quote(support.root)):gsub("\n$", "/")
-local paths = support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(root)))
-local count = 0
-for path in paths:gmatch "[^\n]+" do
-  count = count + 1
-  local head = support.read(support.root .. path):match "^(.-)\nlocal "
-  local here = "cd " .. quote(root) .. " && "
-  local status, printed, complaint = support.run(("%s%s run %s --out %s"):format(here, program, path, out))
-  if equal(status, 0, path .. ": exit status; " .. complaint) then
-    local summary = support.json(support.read(out .. "/summary.json"))
-    expect(as_stated(summary.results, head))
-    -- What the head states is what is compared: every number in it, changed, is noticed.
-    for name, wanted in pairs(stated(head)) do
-      local changed = wanted[1] + 2.5 * wanted[2] + (wanted[2] == 0 and 1 or 0)
-      local off = {}
-      for key, value in pairs(summary.results) do off[key] = key == name and value + changed - wanted[1] or value end
-      expect(not as_stated(off, head), "%s: %s may be another number", path, name)
+case("every scene prints, returns and plans what its head says, in the program and in plain Lua", function()
+  local listed = assert(support.read(support.root .. "scripts/README.md"))
+  -- plain Lua draws where it is started
+  local out, plain_folder = support.temporary_folder(), support.temporary_folder()
+  local root = support.output("realpath " .. quote(support.root)):gsub("\n$", "/")
+  local paths = support.output(("cd %s && ls scripts/[0-9]*.lua scripts/rules/*.lua"):format(quote(root)))
+  local count = 0
+  for path in paths:gmatch "[^\n]+" do
+    count = count + 1
+    local head = support.read(support.root .. path):match "^(.-)\nlocal "
+    local here = "cd " .. quote(root) .. " && "
+    local status, printed, complaint = support.run(("%s%s run %s --out %s"):format(here, program, path, out))
+    if equal(status, 0, path .. ": exit status; " .. complaint) then
+      local summary = support.json(support.read(out .. "/summary.json"))
+      expect(as_stated(summary.results, head))
+      -- What the head states is what is compared: every number in it, changed, is noticed.
+      for name, wanted in pairs(stated(head)) do
+        local changed = wanted[1] + 2.5 * wanted[2] + (wanted[2] == 0 and 1 or 0)
+        local off = {}
+        for key, value in pairs(summary.results) do off[key] = key == name and value + changed - wanted[1] or value end
+        expect(not as_stated(off, head), "%s: %s may be another number", path, name)
+      end
+      local plain_status, plain = support.run(("cd %s && %s %s"):format(plain_folder, lua, quote(root .. path)))
+      equal(plain_status, 0, path .. ": exit status under lua5.4")
+      equal(plain, (printed:gsub("written to [^\n]*\n", "")), path .. ": what it prints under lua5.4")
     end
-    local plain_status, plain = support.run(("cd %s && %s %s"):format(plain_folder, lua, quote(root .. path)))
-    equal(plain_status, 0, path .. ": exit status under lua5.4")
-    equal(plain, (printed:gsub("written to [^\n]*\n", "")), path .. ": what it prints under lua5.4")
+    local planned, plan = support.run(("%s%s plan %s"):format(here, program, path))
+    expect(planned == 0 and not plan:find "needs results, so it", "%s: hinge plan says: %s", path,
+      plan:match "[^\n]*\n$")
+    expect(head:find("hinge run " .. path, 1, true), "%s: the head does not say how to run it", path)
+    local _, lines = support.read(support.root .. path):gsub("\n", "")
+    expect(lines <= 70, "%s has %d lines", path, lines)
+    expect(listed:find(("](%s)"):format(path:match "^scripts/(.*)"), 1, true), "scripts/README.md does not list %s",
+      path)
   end
-  local planned, plan = support.run(("%s%s plan %s"):format(here, program, path))
-  expect(planned == 0 and not plan:find "needs results, so it", "%s: hinge plan says: %s", path, plan:match "[^\n]*\n$")
-  expect(head:find("hinge run " .. path, 1, true), "%s: the head does not say how to run it", path)
-  local _, lines = support.read(support.root .. path):gsub("\n", "")
-  expect(lines <= 70, "%s has %d lines", path, lines)
-  expect(listed:find(("](%s)"):format(path:match "^scripts/(.*)"), 1, true), "scripts/README.md does not list %s", path)
-end
-expect(count > 15, "ran %d scripts", count)
-expect(support.is_there(plain_folder .. "/lost_column.png") or not support.is_there(arg[1] .. "/libhinge_output.so"),
-  "plain Lua draws no picture where it is started")
+  expect(count > 15, "ran %d scripts", count)
+  expect(support.is_there(plain_folder .. "/lost_column.png") or not support.is_there(arg[1] .. "/libhinge_output.so"),
+    "plain Lua draws no picture where it is started")
+end)
+
 checks.done()

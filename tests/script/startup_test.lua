@@ -4,6 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "startup"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 
 local hinge = quote(arg[1] .. "/hinge")
@@ -26,26 +27,28 @@ local function cantilever()
 end
 ]]
 
--- The whole process, from the shell to its end, with its files on the disk (fsync). Beside it, in turn, two small
--- processes that start and bring a file to the disk: what the machine has to do besides costs both. Seen: 4 ms beside
--- 3 ms, and 8 to 14 ms beside three compilers on two cores. What other processes cost only adds, so that the least
--- counts, and a try that is near enough to its own measure will do; there are more while the machine looks busy.
-local small = ("{ lua5.4 -v && dd if=/dev/zero of=%s bs=1 count=1 conv=fsync; }"):format(quote(folder .. "/small"))
-for what, command in pairs {
-  ["hinge --help"] = hinge .. " --help",
-  ["a two-node script"] = hinge .. " run " .. script("two_nodes.lua", two_nodes .. "cantilever()\n"),
-} do
-  equal(support.run(command), 0, what .. ": status")
-  local least, limit
-  for try = 1, 6 do
-    if try > 1 then support.run "sleep 1" end
-    limit = support.largest_of(20, 6 * support.milliseconds(small, 5))
-    least = support.milliseconds(command, 5)
-    if least < limit then break end
+case("hinge --help and a script of two nodes start in some milliseconds", function()
+  -- The whole process, from the shell to its end, with its files on the disk (fsync). Beside it, in turn, two small
+  -- processes that start and bring a file to the disk: what the machine has to do besides costs both. Seen: 4 ms beside
+  -- 3 ms, and 8 to 14 ms beside three compilers on two cores. What other processes cost only adds, so that the least
+  -- counts, and a try that is near enough to its own measure will do; there are more while the machine looks busy.
+  local small = ("{ lua5.4 -v && dd if=/dev/zero of=%s bs=1 count=1 conv=fsync; }"):format(quote(folder .. "/small"))
+  for what, command in pairs {
+    ["hinge --help"] = hinge .. " --help",
+    ["a two-node script"] = hinge .. " run " .. script("two_nodes.lua", two_nodes .. "cantilever()\n"),
+  } do
+    equal(support.run(command), 0, what .. ": status")
+    local least, limit
+    for try = 1, 6 do
+      if try > 1 then support.run "sleep 1" end
+      limit = support.largest_of(20, 6 * support.milliseconds(small, 5))
+      least = support.milliseconds(command, 5)
+      if least < limit then break end
+    end
+    print(("%s: %.1f ms, of at most %.0f"):format(what, least, limit))
+    expect(least < limit, "%s takes %.1f ms; at most %.0f", what, least, limit)
   end
-  print(("%s: %.1f ms, of at most %.0f"):format(what, least, limit))
-  expect(least < limit, "%s takes %.1f ms; at most %.0f", what, least, limit)
-end
+end)
 
 -- What a process has loaded when its script ends.
 local loaded = [[
@@ -62,15 +65,18 @@ local function libraries(name, body)
   return printed:match "loaded: ([^\n]*)" or ""
 end
 
-local plain = libraries("plain.lua", "cantilever()\nprint('loaded: ' .. loaded())\n")
-expect(plain:find "libc%.", "the list of what is loaded: %s", plain)
-for _, name in ipairs { "vtk", "libhinge_output", "libX11", "libGL" } do
-  expect(not plain:find(name, 1, true), "a script without pictures loads %s: %s", name, plain)
-end
+case("a script without pictures does not load VTK", function()
+  local plain = libraries("plain.lua", "cantilever()\nprint('loaded: ' .. loaded())\n")
+  expect(plain:find "libc%.", "the list of what is loaded: %s", plain)
+  for _, name in ipairs { "vtk", "libhinge_output", "libX11", "libGL" } do
+    expect(not plain:find(name, 1, true), "a script without pictures loads %s: %s", name, plain)
+  end
+end)
 
--- With a frame it is there; but the picture module may not have been built.
-if support.is_there(arg[1] .. "/libhinge_output.so") then
-  local drawn = libraries("drawn.lua", [[
+case("a script that writes a frame loads VTK", function()
+  -- With a frame it is there; but the picture module may not have been built.
+  if support.is_there(arg[1] .. "/libhinge_output.so") then
+    local drawn = libraries("drawn.lua", [[
 return hinge.scenario {
   run = function(_, job)
     job:frame(cantilever())
@@ -78,9 +84,11 @@ return hinge.scenario {
   end,
 }
 ]])
-  expect(drawn:find("libvtk", 1, true) and drawn:find("libhinge_output", 1, true),
-    "a script that writes a frame has not loaded VTK: %s", drawn)
-else
-  print "the picture module was not built: what it loads is not looked at"
-end
+    expect(drawn:find("libvtk", 1, true) and drawn:find("libhinge_output", 1, true),
+      "a script that writes a frame has not loaded VTK: %s", drawn)
+  else
+    print "the picture module was not built: what it loads is not looked at"
+  end
+end)
+
 checks.done()

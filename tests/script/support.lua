@@ -1,6 +1,6 @@
 -- What the script tests share: named cases and checks, comparing messages, running commands, reading JSON.
 local cases = require "cases"
-local support = {}
+local support = { case_argument = cases.argument } -- for a test that starts itself again
 
 --- The folder of the tests, with a slash at its end; scripts may be started from anywhere.
 support.folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "twist"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 local pi, largest_of = math.pi, support.largest_of
 
 --- value against wanted, as a part of it
@@ -44,7 +44,7 @@ local function wound(options)
   static:finish()
   return model, member, b, static
 end
-do
+case("five turns in statics have the torque of theory", function()
   local _, member, _, static = wound()
   equal(static.verdict, "completed", "five turns in statics: " .. static.reason)
   close(static.energy.elastic, 0.5 * stiffness * turns ^ 2, 1e-9, "statics: strain energy")
@@ -52,7 +52,7 @@ do
   local _, at_b = member:forces(static)
   close(at_b.Mz, stiffness * turns, 1e-9, "statics: torque")
   close(static.factor, stiffness * turns, 1e-9, "statics: load")
-end
+end)
 
 -- Released: it swings to five turns the other way and back (closed form) ----------------------------------------------
 local function released(options, run_options)
@@ -63,32 +63,34 @@ local function released(options, run_options)
   if not o.integrator then o.iterations = 20 end -- it spins by 0.1 rad a step
   return model:dynamic(o), member, b
 end
-for _, case in ipairs { { "newmark", {} }, { "explicit", { integrator = "explicit", dt = "auto" } },
-  { "step control", { step_control = 0.01 } }, { "threads", { threads = 2 } } } do
-  local name, options = case[1], case[2]
-  local period = period_of(name == "explicit" and 3 / 8 or 1 / 3)
-  local run, member, b = released({}, options)
-  local start, worst, far = run.energy.initial, 0, 0
-  close(start, 0.5 * stiffness * turns ^ 2, 1e-9, name .. ": energy at the start")
-  for _ in run:steps() do
-    local torque = select(2, member:forces(run)).Mz
-    local _, _, _, spin = run:velocity(b)
-    worst = largest_of(worst, math.abs(run.energy.remainder) / start)
-    -- on the ellipse of torque and spin, and where on it by the time
-    local angle = turns * math.cos(2 * pi * run.time / period)
-    far = largest_of(far, math.abs(torque / stiffness - angle) / turns,
-      math.abs(spin * period / (2 * pi) + turns * math.sin(2 * pi * run.time / period)) / turns)
+case("a bar that is released from its twist swings back with its energy", function()
+  for _, row in ipairs { { "newmark", {} }, { "explicit", { integrator = "explicit", dt = "auto" } },
+    { "step control", { step_control = 0.01 } }, { "threads", { threads = 2 } } } do
+    local name, options = row[1], row[2]
+    local period = period_of(name == "explicit" and 3 / 8 or 1 / 3)
+    local run, member, b = released({}, options)
+    local start, worst, far = run.energy.initial, 0, 0
+    close(start, 0.5 * stiffness * turns ^ 2, 1e-9, name .. ": energy at the start")
+    for _ in run:steps() do
+      local torque = select(2, member:forces(run)).Mz
+      local _, _, _, spin = run:velocity(b)
+      worst = largest_of(worst, math.abs(run.energy.remainder) / start)
+      -- on the ellipse of torque and spin, and where on it by the time
+      local angle = turns * math.cos(2 * pi * run.time / period)
+      far = largest_of(far, math.abs(torque / stiffness - angle) / turns,
+        math.abs(spin * period / (2 * pi) + turns * math.sin(2 * pi * run.time / period)) / turns)
+    end
+    equal(run.verdict, "completed", name .. ": " .. run.reason)
+    expect(worst < 1e-5, "%s: energy error %g", name, worst)
+    expect(far < 2e-3, "%s: angle and spin against the closed form, %g of five turns", name, far)
+    if os.getenv "HINGE_FIGURES" then print(name, "energy error", worst, "against closed form", far) end
   end
-  equal(run.verdict, "completed", name .. ": " .. run.reason)
-  expect(worst < 1e-5, "%s: energy error %g", name, worst)
-  expect(far < 2e-3, "%s: angle and spin against the closed form, %g of five turns", name, far)
-  if os.getenv "HINGE_FIGURES" then print(name, "energy error", worst, "against closed form", far) end
-end
+end)
 
 -- Plastic torsion by ten turns: work = Mz0 x angle --------------------------------------------------------------------
 local Mz0, ten = 400, 10 * 2 * pi
 local yields_at = Mz0 / stiffness
-do
+case("plastic torsion by ten turns has the fully plastic torque and its work", function()
   local model, member, b = bar { Mz0 = Mz0 }
   model:load { node = b, moment = { 1, 0, 0 } }
   local static = model:static { steps = 100, control = { node = b, "rx", to = ten } }
@@ -97,29 +99,32 @@ do
   close(static.energy.plastic, Mz0 * (ten - yields_at), 1e-6, "plastic, statics: plastic work")
   close(static.energy.elastic, 0.5 * Mz0 * yields_at, 1e-6, "plastic, statics: strain energy")
   close(select(2, member:forces(static)).Mz, Mz0, 1e-9, "plastic, statics: torque")
-end
-for _, integrator in ipairs { "newmark", "explicit" } do
-  local model, member, b = bar { Mz0 = Mz0 }
-  -- of this spin the flywheel is at rest after ten turns of plastic twist
-  local spin = math.sqrt(2 * Mz0 * ten / inertia)
-  model:velocity(model:nodes()[1], { 0, 0, 0 }) -- both ends: the bar turns with the flywheel from the start
-  model:velocity(b, { 0, 0, 0 }, { spin, 0, 0 })
-  local stops = spin * inertia / Mz0
-  local run = model:dynamic { dt = integrator == "explicit" and "auto" or stops / 4000, duration = 1.5 * stops,
-    integrator = integrator, record = false }
-  run:finish()
-  local name = "plastic, " .. integrator
-  equal(run.verdict, "completed", name .. ": " .. run.reason)
-  local e = run.energy
-  expect(math.abs(e.remainder) < 1e-5 * e.initial, "%s: energy error %g", name, e.remainder / e.initial)
-  expect(e.plastic > 0.95 * Mz0 * ten and e.plastic < 1.01 * Mz0 * ten, "%s: plastic work %g of %g", name,
-    e.plastic, Mz0 * ten)
-  expect(math.abs(select(2, member:forces(run)).Mz) <= Mz0 * (1 + 1e-9), "%s: torque", name)
-  if os.getenv "HINGE_FIGURES" then print(name, "energy error", e.remainder / e.initial, e.plastic / Mz0 / ten) end
-end
+end)
+
+case("plastic torsion that goes on from another run", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local model, member, b = bar { Mz0 = Mz0 }
+    -- of this spin the flywheel is at rest after ten turns of plastic twist
+    local spin = math.sqrt(2 * Mz0 * ten / inertia)
+    model:velocity(model:nodes()[1], { 0, 0, 0 }) -- both ends: the bar turns with the flywheel from the start
+    model:velocity(b, { 0, 0, 0 }, { spin, 0, 0 })
+    local stops = spin * inertia / Mz0
+    local run = model:dynamic { dt = integrator == "explicit" and "auto" or stops / 4000, duration = 1.5 * stops,
+      integrator = integrator, record = false }
+    run:finish()
+    local name = "plastic, " .. integrator
+    equal(run.verdict, "completed", name .. ": " .. run.reason)
+    local e = run.energy
+    expect(math.abs(e.remainder) < 1e-5 * e.initial, "%s: energy error %g", name, e.remainder / e.initial)
+    expect(e.plastic > 0.95 * Mz0 * ten and e.plastic < 1.01 * Mz0 * ten, "%s: plastic work %g of %g", name,
+      e.plastic, Mz0 * ten)
+    expect(math.abs(select(2, member:forces(run)).Mz) <= Mz0 * (1 + 1e-9), "%s: torque", name)
+    if os.getenv "HINGE_FIGURES" then print(name, "energy error", e.remainder / e.initial, e.plastic / Mz0 / ten) end
+  end
+end)
 
 -- Torn while it is wound and spins: the strain energy released is that of the element's turns -------------------------
-do
+case("a bar torn while it is wound and spins keeps the energy balance", function()
   local model, member, b, static = wound { elements = 4 }
   for _, load in ipairs(model:loads()) do load:remove() end
   model:fracture { where = "all", rule = function(s) return s.element == 3 and s["end"] == 1 and s.time > 0.02 end }
@@ -136,10 +141,10 @@ do
   close(e.fracture_elastic, 0.5 * torque ^ 2 / stiffness / 4, 0.01, "torn: the energy released")
   -- of second order in dt
   expect(math.abs(e.remainder) < 2e-3 * e.initial, "torn: energy error %g", e.remainder / e.initial)
-end
+end)
 
 -- Wound and bent, with Ix unlike Iy: no jump in the energy on the way through every angle -----------------------------
-do
+case("a bar wound and bent, with Ix unlike Iy, keeps its energy", function()
   local model, _, b = bar { Ix = 2e-7, elements = 2 }
   model:velocity(b, { 0, 2, 3 }, { 250, 0, 0 })
   local run, worst = model:dynamic { dt = 4e-5, duration = 0.3, iterations = 20, record = false }, 0
@@ -148,10 +153,10 @@ do
   local most = run.energy.initial
   expect(worst < 1e-3 * most, "bent: energy error %g", worst / most)
   if os.getenv "HINGE_FIGURES" then print("bent", worst / most) end
-end
+end)
 
 -- Several turns in flight: a wound bar that rotates freely keeps its strain energy and its angular momentum -----------
-do
+case("several turns in flight keep the energy", function()
   local model = hinge.model { elements_per_member = 2 }
   local a, b = model:node { 0, 0, 0 }, model:node { 0, L, 0 }
   model:member { a, b, material = hinge.material(steel), group = "bar", section = hinge.section.general {
@@ -168,10 +173,10 @@ do
   for c = 1, 3 do
     checks.near(after[c], before[c], 1e-4 * 400 * flywheel, "flight: angular momentum " .. c)
   end
-end
+end)
 
 -- A checkpoint on the way, threads, and a step that is taken back while it winds --------------------------------------
-do
+case("a checkpoint, threads and a step taken back change no bit while a bar winds", function()
   local file = os.tmpname()
   local whole = released({}, { duration = 0.3 * newmark_period })
   for step in whole:steps() do
@@ -196,6 +201,6 @@ do
   expect(math.abs(run.energy.remainder) < 0.01 * run.energy.initial, "step control: energy error %g",
     run.energy.remainder / run.energy.initial)
   equal(controlled(0.01).hash, run.hash, "step control: the same bits")
-end
+end)
 
 checks.done()

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "viewer"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 
 local built, list = "lua/hinge/viewer.js", "src/viewer/built.sha256"
@@ -34,23 +35,29 @@ local function differences(root)
   return table.concat(wrong, "\n")
 end
 
-local wrong = differences(support.root)
-expect(wrong == "", "%s is not what src/viewer makes; run src/viewer/build.sh:\n%s", built, wrong)
+case("the viewer in the tree is the one that its sources make", function()
+  local wrong = differences(support.root)
+  expect(wrong == "", "%s is not what src/viewer makes; run src/viewer/build.sh:\n%s", built, wrong)
+end)
 
--- Each way in which the copy can differ from its sources is noticed.
-local copy = support.temporary_folder()
-local function changed(command)
-  local copying = ("rm -rf %s/* && cd %s && cp -R --parents %s %s %s %s && cd %s && "):format(quote(copy),
-    quote(support.root), sources, list, built, quote(copy), quote(copy))
-  equal(support.run(copying .. command), 0, command)
-  return differences(copy)
-end
-equal(changed "true", "", "the same files")
-equal(changed "echo >>src/viewer/src/plot.js", "src/viewer/src/plot.js: changed since the build", "a source is another")
-equal(changed("echo >>" .. built), built .. ": changed since the build", "the built file was edited")
-equal(changed "echo >src/viewer/src/more.js", "src/viewer/src/more.js: not in the list", "a new source")
-equal(changed "rm src/viewer/src/plot.js", "src/viewer/src/plot.js: is missing", "a source is gone")
-equal(changed "echo >>src/viewer/package-lock.json", "src/viewer/package-lock.json: changed since the build",
-  "another three.js")
-expect(changed("rm " .. list):find(built .. ": not in the list", 1, true), "no list")
+case("each way in which the copy can differ from its sources is noticed", function()
+  -- Each way in which the copy can differ from its sources is noticed.
+  local copy = support.temporary_folder()
+  local function changed(command)
+    local copying = ("rm -rf %s/* && cd %s && cp -R --parents %s %s %s %s && cd %s && "):format(quote(copy),
+      quote(support.root), sources, list, built, quote(copy), quote(copy))
+    equal(support.run(copying .. command), 0, command)
+    return differences(copy)
+  end
+  equal(changed "true", "", "the same files")
+  equal(changed "echo >>src/viewer/src/plot.js", "src/viewer/src/plot.js: changed since the build",
+    "a source is another")
+  equal(changed("echo >>" .. built), built .. ": changed since the build", "the built file was edited")
+  equal(changed "echo >src/viewer/src/more.js", "src/viewer/src/more.js: not in the list", "a new source")
+  equal(changed "rm src/viewer/src/plot.js", "src/viewer/src/plot.js: is missing", "a source is gone")
+  equal(changed "echo >>src/viewer/package-lock.json", "src/viewer/package-lock.json: changed since the build",
+    "another three.js")
+  expect(changed("rm " .. list):find(built .. ": not in the list", 1, true), "no list")
+end)
+
 checks.done()
