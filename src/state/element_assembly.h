@@ -99,9 +99,33 @@ private:
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
     void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
     void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
-    template <bool large, bool inertia, bool cubic, bool p_delta>
+    // the stages for eight elements, in this order (assembly_stages.cpp)
+    enum class Mass : char { none, linear, cubic };
+    using EightFrames = beam::ElementFrame<Lanes>;
+    using Stages = void (ElementAssembly::*)(int first, int end, const State&, const Configuration&,
+                                             std::vector<Vec6>& nodal, std::vector<Vec6>& force, Found&);
+    template <bool large, bool p_delta>
+    Stages choose_stages() const;
+    template <bool large, Mass mass, bool p_delta>
     void run_blocks(int first, int end, const State&, const Configuration&, std::vector<Vec6>& nodal,
                     std::vector<Vec6>& force, Found& found);
+    template <bool large>
+    unsigned deform(const Block& b, int element, const State&, const Configuration&, EightFrames& place, Lanes (&d)[6],
+                    Found& found) const;
+    static void elastic_forces(const Kind& kind, int element, const State&, Lanes (&d)[6], Lanes (&p)[6]);
+    template <bool p_delta>
+    void yield(const Block& b, int element, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    template <bool p_delta>
+    void return_lanes(const Block& b, int element, const Lanes (&f)[2], const Lanes (&d)[6], Lanes (&p)[6],
+                      Found& found) const;
+    template <bool large, bool cubic, bool p_delta>
+    static void add_inertia(const Block& b, const Configuration& pose, const EightFrames& place, unsigned wound,
+                            beam::NodalForces<Lanes>& out);
+    void scatter(const Block& b, int element, const beam::NodalForces<Lanes>& out, const Lanes (&p)[6],
+                 std::vector<Vec6>& nodal, std::vector<Vec6>& force);
+    template <bool p_delta>
+    void find_rotated(const Block& b, int block, const EightFrames& place, const Lanes (&d)[6], Found& found) const;
+
     void share_out();
     std::vector<std::uint8_t> taking_part() const;  ///< a byte a block, a bit for each of its elements
     std::vector<double> frames() const;
