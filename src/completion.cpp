@@ -78,7 +78,7 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
 std::string kind_of(const CLI::App& verb) {
     for (const CLI::Option* option : verb.get_options()) {
         if (!option->get_positional()) continue;
-        const std::string name = option->get_name(true);
+        std::string name = option->get_name(true);
         if (name == "script" || name == "folder" || name == "shell") return name;
         if (name == "folders") return "folder";
         if (name == "name" && verb.get_name() == "reference") return "call";
