@@ -7,7 +7,7 @@ local support = require "support"
 local hinge = require "hinge"
 local compare = require "hinge.cost.compare"
 local checks = support.checks "cost_effects"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local function effect(result, name)
   for _, e in ipairs(result.effects) do
@@ -45,7 +45,9 @@ local function elastica(load)
   end
   return select(2, tip(low))
 end
-near(elastica(1), 0.30172, 1e-5, "the elastica's deflection in the tables, P L^2 = EI")
+case("the elastica has the deflection of the tables", function()
+  near(elastica(1), 0.30172, 1e-5, "the elastica's deflection in the tables, P L^2 = EI")
+end)
 
 local cantilever = hinge.scenario {
   parameters = { load = 1.001 * EI / length ^ 2, density = 0.0, yield_stress = 1e12, elements_per_member = 32 },
@@ -64,77 +66,83 @@ local cantilever = hinge.scenario {
 }
 local r = hinge.cost(cantilever, { effects = true, repeats = 4 })
 local large = effect(r, "large displacement")
-local wanted = 1.001 / 3 / elastica(1.001) - 1
-near(large.change / wanted, 1, 2e-3, "what large displacement changes, over that by the elastica")
-equal(large.worst, "uz", "the answer that it changes")
-equal(large.same, false, "it is not idle")
-near(large.answers.uz / (-1.001 * length / 3), 1, 1e-3, "the deflection without it")
-local parts = {}
-for i = 1, math.min(#large.times, #r.times) do parts[i] = 1 - large.times[i] / r.times[i] end
-expect(#parts >= 4 and large.saves == compare.median(parts), "the part of the time, round by round")
-expect(large.saves > 0.2, "one linear solve a step is cheaper than several: %g", large.saves)
-local idle = effect(r, "plasticity")
-expect(idle.same and idle.change == 0, "plasticity far from yielding: the same bits, no change; %s", idle.change)
-equal(table.concat(r.absent, ", ", 1, 4), "gravity, fracture, contact, friction", "what is not in the scene, first")
-near(r.answers.uz.error, 0, 1e-3, "its own error, against 64 elements")
-expect(r.answers.uz.scatter < 1e-7 and r.finer == "elements_per_member 64", "scatter %g, twice as fine: %s",
-  r.answers.uz.scatter, r.finer)
+case("leaving out large displacement, gravity and the elastica changes the answer by what theory says", function()
+  local wanted = 1.001 / 3 / elastica(1.001) - 1
+  near(large.change / wanted, 1, 2e-3, "what large displacement changes, over that by the elastica")
+  equal(large.worst, "uz", "the answer that it changes")
+  equal(large.same, false, "it is not idle")
+  near(large.answers.uz / (-1.001 * length / 3), 1, 1e-3, "the deflection without it")
+  local parts = {}
+  for i = 1, math.min(#large.times, #r.times) do parts[i] = 1 - large.times[i] / r.times[i] end
+  expect(#parts >= 4 and large.saves == compare.median(parts), "the part of the time, round by round")
+  expect(large.saves > 0.2, "one linear solve a step is cheaper than several: %g", large.saves)
+  local idle = effect(r, "plasticity")
+  expect(idle.same and idle.change == 0, "plasticity far from yielding: the same bits, no change; %s", idle.change)
+  equal(table.concat(r.absent, ", ", 1, 4), "gravity, fracture, contact, friction", "what is not in the scene, first")
+  near(r.answers.uz.error, 0, 1e-3, "its own error, against 64 elements")
+  expect(r.answers.uz.scatter < 1e-7 and r.finer == "elements_per_member 64", "scatter %g, twice as fine: %s",
+    r.answers.uz.scatter, r.finer)
 
--- A load at the tip and the own weight in small displacement: w L^4 / 8 EI of it goes with gravity.
-local weight, load = 10 * 7850 * side ^ 2, 5.5
-r = hinge.cost(hinge.scenario {
-  parameters = { load = load, density = 7850.5, yield_stress = 1e12, elements_per_member = 32 }, run = cantilever.run },
-  { effects = true, repeats = 1, accuracy = { elements_per_member = { 32 } }, parameters = { load = load } })
-local bending = weight * 7850.5 / 7850 * length ^ 4 / (8 * EI)
-near(effect(r, "gravity").change / (bending / (load * length ^ 3 / (3 * EI) + bending)), 1, 5e-3,
-  "what gravity changes")
-expect(r.notes[1] and r.notes[1]:find "no number to refine", "nothing to refine is said: %s", r.notes[1])
+  -- A load at the tip and the own weight in small displacement: w L^4 / 8 EI of it goes with gravity.
+  local weight, load = 10 * 7850 * side ^ 2, 5.5
+  r = hinge.cost(hinge.scenario {
+    parameters = { load = load, density = 7850.5, yield_stress = 1e12, elements_per_member = 32 }, run =
+      cantilever.run },
+    { effects = true, repeats = 1, accuracy = { elements_per_member = { 32 } }, parameters = { load = load } })
+  local bending = weight * 7850.5 / 7850 * length ^ 4 / (8 * EI)
+  near(effect(r, "gravity").change / (bending / (load * length ^ 3 / (3 * EI) + bending)), 1, 5e-3,
+    "what gravity changes")
+  expect(r.notes[1] and r.notes[1]:find "no number to refine", "nothing to refine is said: %s", r.notes[1])
+end)
 
 -- Leaving out is the same as a script that never asked: every effect at once in a scene, bit by bit -------------------
 
-local function scene(p)
-  local model = hinge.model { displacement = p.without == "large displacement" and "small" or "large" }
-  local steel = hinge.material { E = E, density = 7850, yield_stress = p.without ~= "plasticity" and 2e8 or nil }
-  local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
-  local a, b = model:node { -0.5, 0, 0 }, model:node { 0.5, 0, 0 }
-  model:fix { a, b }
-  model:member { a, b, section = bar, material = steel, group = "fixed" }
-  local c, d = model:node { 0.1, -0.4, 0.052 }, model:node { 0.1, 0.45, 0.052 }
-  model:member { c, d, section = bar, material = steel, group = "flying" }
-  model:velocity("flying", { 8, 0, -60 })
-  if p.without ~= "gravity" then model:gravity { 0, 0, -9.8 } end
-  if p.without ~= "fracture" then model:fracture { curvature_x = 0.1, curvature_y = 0.1, axial_strain = 0.01 } end
-  local friction = p.without ~= "friction" and 0.3 or 0
-  if p.without ~= "contact" then
-    model:contact { friction = friction, pairs = p.pairs and function() return { friction = 2 * friction } end or nil }
-  end
-  -- in small displacement offset masses that rotate make energy, and no shorter step mends that
-  local run = model:dynamic { dt = 4e-6, duration = 6e-4, energy_tolerance = 0, step_control = 0 }
-  run:probe { node = d, "ux", name = "end" }
-  run:finish()
-  return { plastic = run.energy.plastic, slid = run.energy.contact, broken = run:count { state = "broken" },
-    hash = run.hash, low = run:momentum().linear[1] }
-end
-for _, pairs_too in ipairs { false, true } do
-  r = hinge.cost(hinge.scenario { parameters = { pairs = pairs_too }, run = scene }, { effects = true, repeats = 1,
-    accuracy = { pairs = { pairs_too } } })
-  equal(#r.effects, 6, "all effects are in the scene")
-  local all = scene { pairs = pairs_too }
-  expect(all.broken > 0 and all.slid > 0 and all.plastic > 0,
-    "what happens in it: %d broken, %g J in contact, %g J plastic", all.broken, all.slid, all.plastic)
-  for _, e in ipairs(r.effects) do
-    local by_hand = scene { pairs = pairs_too, without = e.name }
-    for name, value in pairs(by_hand) do
-      if name ~= "hash" then
-        equal(e.answers[name], value, ("%s without %s"):format(name, e.name))
-        equal(e.changes[name], compare.error(value, all[name]), ("change of %s without %s"):format(name, e.name))
-      end
+case("leaving out an effect gives the bits of a script that never asked for it", function()
+  local function scene(p)
+    local model = hinge.model { displacement = p.without == "large displacement" and "small" or "large" }
+    local steel = hinge.material { E = E, density = 7850, yield_stress = p.without ~= "plasticity" and 2e8 or nil }
+    local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+    local a, b = model:node { -0.5, 0, 0 }, model:node { 0.5, 0, 0 }
+    model:fix { a, b }
+    model:member { a, b, section = bar, material = steel, group = "fixed" }
+    local c, d = model:node { 0.1, -0.4, 0.052 }, model:node { 0.1, 0.45, 0.052 }
+    model:member { c, d, section = bar, material = steel, group = "flying" }
+    model:velocity("flying", { 8, 0, -60 })
+    if p.without ~= "gravity" then model:gravity { 0, 0, -9.8 } end
+    if p.without ~= "fracture" then model:fracture { curvature_x = 0.1, curvature_y = 0.1, axial_strain = 0.01 } end
+    local friction = p.without ~= "friction" and 0.3 or 0
+    if p.without ~= "contact" then
+      model:contact { friction = friction, pairs = p.pairs and function() return { friction = 2 * friction } end
+        or nil }
     end
-    expect(by_hand.hash ~= all.hash and not e.same, "%s is not idle", e.name)
-    expect(e.changes["end"] > 0, "the probe without %s", e.name)
+    -- in small displacement offset masses that rotate make energy, and no shorter step mends that
+    local run = model:dynamic { dt = 4e-6, duration = 6e-4, energy_tolerance = 0, step_control = 0 }
+    run:probe { node = d, "ux", name = "end" }
+    run:finish()
+    return { plastic = run.energy.plastic, slid = run.energy.contact, broken = run:count { state = "broken" },
+      hash = run.hash, low = run:momentum().linear[1] }
   end
-end
-equal(scene {}.hash, scene {}.hash, "a comparison leaves nothing behind")
+  for _, pairs_too in ipairs { false, true } do
+    r = hinge.cost(hinge.scenario { parameters = { pairs = pairs_too }, run = scene }, { effects = true, repeats = 1,
+      accuracy = { pairs = { pairs_too } } })
+    equal(#r.effects, 6, "all effects are in the scene")
+    local all = scene { pairs = pairs_too }
+    expect(all.broken > 0 and all.slid > 0 and all.plastic > 0,
+      "what happens in it: %d broken, %g J in contact, %g J plastic", all.broken, all.slid, all.plastic)
+    for _, e in ipairs(r.effects) do
+      local by_hand = scene { pairs = pairs_too, without = e.name }
+      for name, value in pairs(by_hand) do
+        if name ~= "hash" then
+          equal(e.answers[name], value, ("%s without %s"):format(name, e.name))
+          equal(e.changes[name], compare.error(value, all[name]), ("change of %s without %s"):format(name, e.name))
+        end
+      end
+      expect(by_hand.hash ~= all.hash and not e.same, "%s is not idle", e.name)
+      expect(e.changes["end"] > 0, "the probe without %s", e.name)
+    end
+  end
+  equal(scene {}.hash, scene {}.hash, "a comparison leaves nothing behind")
+end)
 
 -- Idle, chaotic, failing, chosen --------------------------------------------------------------------------------------
 
@@ -156,49 +164,55 @@ local function falling(p)
 end
 local body = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false },
   accuracy = { needs = { false, true } }, run = falling }
-r = hinge.cost(body, { effects = true, parameters = { needs = false } })
-for _, name in ipairs { "plasticity", "fracture", "contact", "friction" } do
-  expect(effect(r, name).same and effect(r, name).change == 0, "%s is idle", name)
-end
-near(effect(r, "gravity").changes.vz, 1, 1e-12, "the whole of the speed is gravity's")
-equal(effect(r, "gravity").worst, "vz", "what changes by more than it scatters comes first")
-equal(r.answers.clock, nil, "what differs from run to run is no answer")
-expect(r.answers.chaos.scatter > 0.05, "chaos scatters: %g", r.answers.chaos.scatter)
-r = hinge.cost(body, { effects = true, parameters = { needs = false }, quantity = "chaos" })
-equal(effect(r, "gravity").lost, true, "a change that drowns in scatter is said to")
-r = hinge.cost(body, { effects = true, parameters = { needs = true }, repeats = 1 })
-expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall$",
-  "a script that cannot do without: %s", effect(r, "gravity").failed)
-local _, refusal = pcall(hinge.cost, body, { effects = true, quantity = "vx" })
-expect(tostring(refusal):find "unknown quantity 'vx' %(did you mean 'vz'%?%)", "an unknown quantity: %s", refusal)
-_, refusal = pcall(hinge.cost, hinge.scenario { run = function() error "broken" end }, { effects = true })
-expect(tostring(refusal):find "hinge.cost: the scenario has no answer: .*broken", "a scenario that fails: %s", refusal)
+case("idle, chaotic, failing and chosen effects are told apart", function()
+  r = hinge.cost(body, { effects = true, parameters = { needs = false } })
+  for _, name in ipairs { "plasticity", "fracture", "contact", "friction" } do
+    expect(effect(r, name).same and effect(r, name).change == 0, "%s is idle", name)
+  end
+  near(effect(r, "gravity").changes.vz, 1, 1e-12, "the whole of the speed is gravity's")
+  equal(effect(r, "gravity").worst, "vz", "what changes by more than it scatters comes first")
+  equal(r.answers.clock, nil, "what differs from run to run is no answer")
+  expect(r.answers.chaos.scatter > 0.05, "chaos scatters: %g", r.answers.chaos.scatter)
+  r = hinge.cost(body, { effects = true, parameters = { needs = false }, quantity = "chaos" })
+  equal(effect(r, "gravity").lost, true, "a change that drowns in scatter is said to")
+  r = hinge.cost(body, { effects = true, parameters = { needs = true }, repeats = 1 })
+  expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall$",
+    "a script that cannot do without: %s", effect(r, "gravity").failed)
+  local _, refusal = pcall(hinge.cost, body, { effects = true, quantity = "vx" })
+  expect(tostring(refusal):find "unknown quantity 'vx' %(did you mean 'vz'%?%)", "an unknown quantity: %s", refusal)
+  _, refusal = pcall(hinge.cost, hinge.scenario { run = function() error "broken" end }, { effects = true })
+  expect(tostring(refusal):find "hinge.cost: the scenario has no answer: .*broken", "a scenario that fails: %s",
+    refusal)
+end)
 
--- A budget: what does not fit is named; nothing at all is an error. An answer that goes with
--- its effect has no finite change.
-local clock = require "hinge.core".clock
-local slow = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false },
-  accuracy = { needs = { false, true } }, run = function(p)
-    local start = clock()
-    while clock() - start < 0.05 do end
-    local answers = falling(p)
-    answers.falls = answers.vz ~= 0 and 1 or nil
-    return answers
-  end }
-r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
-expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s",
-  table.concat(r.left_out, ", "))
-r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
-equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
-_, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
-expect(tostring(refusal):find "hinge.cost: the budget ended before the scenario was finished; give a larger one",
-  "no time at all: %s", refusal)
+case("a budget leaves out effects and says so", function()
+  -- A budget: what does not fit is named; nothing at all is an error. An answer that goes with
+  -- its effect has no finite change.
+  local clock = require "hinge.core".clock
+  local slow = hinge.scenario { parameters = { g = 9.81, chaos = 0.3, needs = false },
+    accuracy = { needs = { false, true } }, run = function(p)
+      local start = clock()
+      while clock() - start < 0.05 do end
+      local answers = falling(p)
+      answers.falls = answers.vz ~= 0 and 1 or nil
+      return answers
+    end }
+  r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
+  expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s",
+    table.concat(r.left_out, ", "))
+  r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
+  equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
+  local _, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
+  expect(tostring(refusal):find "hinge.cost: the budget ended before the scenario was finished; give a larger one",
+    "no time at all: %s", refusal)
+end)
 
 -- The program ---------------------------------------------------------------------------------------------------------
 
-local folder, program = support.temporary_folder(), support.quote(arg[1] .. "/hinge")
-local script = folder .. "/script.lua"
-support.write(script, [[
+case("hinge cost --effects prints the table and writes effects.csv", function()
+  local folder, program = support.temporary_folder(), support.quote(arg[1] .. "/hinge")
+  local script = folder .. "/script.lua"
+  support.write(script, [[
 local hinge = require "hinge"
 return hinge.scenario {
   parameters = { g = 9.81 }, cases = { moon = { g = 1.62 } }, accuracy = { dt = { 1e-3, 5e-4 } },
@@ -214,24 +228,26 @@ return hinge.scenario {
   end,
 }
 ]])
-local command = ("%s cost %s --effects --case moon --out %s/p"):format(program, support.quote(script), folder)
-local status, printed, complaint = support.run(command)
-equal(status, 0, "status: " .. complaint)
-for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
-  "own error: difference from a setting twice as fine (dt 0.0005)",
-  "not in this scenario: plasticity, fracture, friction",
-  "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
-  expect(support.has(printed, part), "hinge cost --effects does not say '%s':\n%s", part, printed)
-end
-local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
-equal(#(summary.effects or {}), 3, "effects in summary.json")
-expect(summary.effects[1].name == "gravity" and summary.effects[1].change == 1 and summary.effects[3].same == true,
-  "summary.json")
-local csv = support.read(folder .. "/p/effects.csv") or ""
-equal(csv:match "^[^\n]*", "effect,change,worst,same,lost,saves,spread,seconds,timings,remainder,failed,change of vz",
-  "head of effects.csv")
-equal(select(2, csv:gsub("\n", "")), 4, "lines of effects.csv")
-local before = support.read(folder .. "/p/finished.lua")
-equal(support.run(command), 0, "a second call")
-equal(support.read(folder .. "/p/finished.lua"), before, "what it runs again: nothing")
+  local command = ("%s cost %s --effects --case moon --out %s/p"):format(program, support.quote(script), folder)
+  local status, printed, complaint = support.run(command)
+  equal(status, 0, "status: " .. complaint)
+  for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
+    "own error: difference from a setting twice as fine (dt 0.0005)",
+    "not in this scenario: plasticity, fracture, friction",
+    "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
+    expect(support.has(printed, part), "hinge cost --effects does not say '%s':\n%s", part, printed)
+  end
+  local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
+  equal(#(summary.effects or {}), 3, "effects in summary.json")
+  expect(summary.effects[1].name == "gravity" and summary.effects[1].change == 1 and summary.effects[3].same == true,
+    "summary.json")
+  local csv = support.read(folder .. "/p/effects.csv") or ""
+  equal(csv:match "^[^\n]*", "effect,change,worst,same,lost,saves,spread,seconds,timings,remainder,failed,change of vz",
+    "head of effects.csv")
+  equal(select(2, csv:gsub("\n", "")), 4, "lines of effects.csv")
+  local before = support.read(folder .. "/p/finished.lua")
+  equal(support.run(command), 0, "a second call")
+  equal(support.read(folder .. "/p/finished.lua"), before, "what it runs again: nothing")
+end)
+
 checks.done()

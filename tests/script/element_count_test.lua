@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "element_count"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local pi = math.pi
 
 -- A bar of 0.1 m by 0.1 m, 10 m long: Euler's load 164 kN, N0 2450 kN, plastic moment 61 kN m.
@@ -39,7 +39,8 @@ local function decided(o)
   return s.member.elements
 end
 
-do -- What "auto" goes by where the axial force acts on chords alone: the critical load of a pinned column of n
+case("with axial force on chords alone the count of elements does not follow it", function()
+  -- What "auto" goes by where the axial force acts on chords alone: the critical load of a pinned column of n
    -- elements, over Euler's.
   for n, wanted in pairs { [2] = 2.269, [4] = 1.102, [8] = 1.024, [16] = 1.006 } do
     local s = bar { material = elastic, elements = n, push = 3 * P_E }
@@ -47,9 +48,10 @@ do -- What "auto" goes by where the axial force acts on chords alone: the critic
     expect(run.limit, "%d elements: no limit", n)
     near(3 * run.factor, wanted, 2e-3, n .. " elements: critical load")
   end
-end
+end)
 
-do -- A pinned column at Euler's load gets the fewest that have its critical load to the accuracy asked for.
+case("a pinned column at Euler's load gets the fewest elements that have its critical load", function()
+  -- A pinned column at Euler's load gets the fewest that have its critical load to the accuracy asked for.
   for accuracy, wanted in pairs { [0.6] = 2, [0.1] = 4, [0.03] = 8, [0.01] = 16 } do
     local s = bar { material = elastic, push = P_E, accuracy = accuracy }
     equal(s.member.elements, "auto", "before a run")
@@ -67,17 +69,19 @@ do -- A pinned column at Euler's load gets the fewest that have its critical loa
   equal(decided { material = elastic, push = -P_E }, 2, "in tension")
   equal(decided { material = elastic, push = P_E, displacement = "small" }, 2, "small displacement")
   equal(decided { material = elastic, push = 50 * P_E }, 16, "16 is the most")
-end
+end)
 
-do -- With p_delta = "member" two elements are exact; beyond Euler's load four.
+case("with p_delta = member two elements are exact", function()
+  -- With p_delta = "member" two elements are exact; beyond Euler's load four.
   equal(decided { p_delta = "member", material = elastic, push = 0.98 * P_E }, 2, "member, below Euler's load")
   local s = bar { p_delta = "member", material = elastic, push = 5 * P_E, a = "all", b = "yz,rx,ry,rz" }
   local run = s.model:static { steps = 50, to_limit = true, record = false }:finish()
   equal(s.member.elements, 4, "clamped at both ends")
   near(5 * run.factor, 4, 0.01, "clamped at both ends: critical load")
-end
+end)
 
-do -- Yield between the ends.
+case("members that yield between their ends get elements where it happens", function()
+  -- Yield between the ends.
   local function middle(part) return { at = 0.5, force = { 0, 0, -part * 4 * M_p / L } } end
   equal(decided { load = middle(0.97) }, 2, "a load in the middle below the plastic moment")
   equal(decided { load = middle(1.03) }, 4, "a load in the middle beyond it")
@@ -98,7 +102,7 @@ do -- Yield between the ends.
   equal(decided { p_delta = "member", push = 0.5 * P_E, bend = 0.45 * M_p }, 2, "compressed and bent")
   equal(decided { p_delta = "member", push = 0.5 * P_E, bend = 0.55 * M_p }, 4, "compressed and bent more")
   equal(decided { push = -3e6, load = middle(0.01) }, 2, "yields in tension, without a hinge")
-end
+end)
 
 -- A frame with a slender column, a beam with a load and a bar that flies, in one order or the other.
 local function frame(o)
@@ -122,7 +126,8 @@ local function frame(o)
 end
 local function dynamic(model) return model:dynamic { dt = 2e-4, duration = 0.01, record = false } end
 
-do -- Counts, whatever the order, and the same bits as with the numbers given; a checkpoint goes from one to the other.
+case("counted elements have the bits of the same numbers given", function()
+  -- Counts, whatever the order, and the same bits as with the numbers given; a checkpoint goes from one to the other.
   for _, late in ipairs { false, true } do
     local model, made, parts = frame { auto = true, late = late }
     equal(model:counts().elements, 8, "before a run")
@@ -143,9 +148,10 @@ do -- Counts, whatever the order, and the same bits as with the numbers given; a
   run:checkpoint(file)
   local resumed = dynamic((frame {})):resume(file)
   equal(resumed:finish().hash, run:finish().hash, "resumed with the numbers given")
-end
+end)
 
-do -- What a run has decided stays; one that could not be made decides nothing; later members are decided later.
+case("what a run has counted stays for the runs after it", function()
+  -- What a run has decided stays; one that could not be made decides nothing; later members are decided later.
   local s = bar { push = 0.9 * P_E }
   expect(not pcall(s.model.static, s.model, { control = { node = s.b, "uy", to = 1 } }), "a fixed node is driven")
   equal(s.member.elements, "auto", "after a run that could not be made")
@@ -161,9 +167,10 @@ do -- What a run has decided stays; one that could not be made decides nothing; 
   equal(later.elements, 2, "decided later")
   equal(given.elements, 6, "given")
   equal(s.member.elements, 16, "as it was")
-end
+end)
 
-do -- What is refused.
+case("wrong numbers of elements are refused", function()
+  -- What is refused.
   local function refused(template, f, ...)
     local ok, message = pcall(f, ...)
     expect(not ok and support.says(tostring(message), "..." .. template), "wanted '%s', got: %s", template, message)
@@ -177,11 +184,12 @@ do -- What is refused.
   local s = bar {}
   refused("'elements' is 'autp'; must be a whole number, 1 or above, or 'auto' (did you mean 'auto'?)",
     s.model.member, s.model, { s.a, s.b, section = section, material = steel, elements = "autp" })
-end
+end)
 
-do -- hinge plan and summary.json
-  local folder = support.temporary_folder()
-  support.write(folder .. "/scene.lua", [[
+case("hinge plan and summary.json name the counted elements", function()
+  do -- hinge plan and summary.json
+    local folder = support.temporary_folder()
+    support.write(folder .. "/scene.lua", [[
 local hinge = require "hinge"
 local steel = hinge.material { E = 2e11, density = 7850, yield_stress = 245e6 }
 local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
@@ -201,32 +209,33 @@ column(4)
 column(5, 4)
 model:dynamic { dt = 1e-3, duration = 2e-3 }:finish()
 ]])
-  local function program(what)
-    return support.run(("cd %s && %s %s scene.lua"):format(support.quote(folder),
-      support.quote(arg[1] .. "/hinge"), what))
-  end
-  local status, printed = program "plan"
-  equal(status, 0, "status of the plan")
-  local wanted = [[
+    local function program(what)
+      return support.run(("cd %s && %s %s scene.lua"):format(support.quote(folder),
+        support.quote(arg[1] .. "/hinge"), what))
+    end
+    local status, printed = program "plan"
+    equal(status, 0, "status of the plan")
+    local wanted = [[
   elements = "auto", elements_accuracy = 0.01:
     16 in 2 members: compressed by up to 0.9 of Euler's load, member 2 (columns)
     16 in 1 member: compressed by up to 4 of Euler's load, member 6 (columns); 16 is the most that "auto" gives, ]]
-    .. [[and elements_accuracy is not reached
+      .. [[and elements_accuracy is not reached
     4 in 1 member: moments up to 1.1 times the fully plastic one under loads or between the ends, member 4 (columns)
     2 in 1 member: no yield between the ends, compressed by at most 0.001 of Euler's load
     2 in 1 member: supports do not hold the body, so it has no static solution to decide by
 ]]
-  expect(support.has(printed, wanted), "the plan:\n%s", printed)
-  expect(printed:find("6 members, 56 elements", 1, true), "elements of the plan:\n%s", printed)
-  program "run"
-  local summary = support.json(support.read(folder .. "/out/scene/summary.json") or "null")
-  if expect(summary, "no summary.json") then
-    local groups = summary.model.automatic_elements
-    equal(#groups, 5, "groups of summary.json")
-    equal(groups[1].elements, 16, "of the first")
-    equal(groups[1].members, 2, "members of the first")
-    equal(groups[1].because, "compressed by up to 0.9 of Euler's load, member 2 (columns)", "its reason")
+    expect(support.has(printed, wanted), "the plan:\n%s", printed)
+    expect(printed:find("6 members, 56 elements", 1, true), "elements of the plan:\n%s", printed)
+    program "run"
+    local summary = support.json(support.read(folder .. "/out/scene/summary.json") or "null")
+    if expect(summary, "no summary.json") then
+      local groups = summary.model.automatic_elements
+      equal(#groups, 5, "groups of summary.json")
+      equal(groups[1].elements, 16, "of the first")
+      equal(groups[1].members, 2, "members of the first")
+      equal(groups[1].because, "compressed by up to 0.9 of Euler's load, member 2 (columns)", "its reason")
+    end
   end
-end
+end)
 
 checks.done()

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "fold"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 local pi, largest_of = math.pi, support.largest_of
 
 --- value against wanted, as a part of it
@@ -26,23 +26,26 @@ local function cantilever(options)
   return model, member, b
 end
 
--- Statics: a moment turns the end by eight half turns. Each end of the two elements turns by two of them against its
--- element, and passes 180 degrees twice.
-local angle = 8 * pi
-local yields_at = M0 * L / EI -- rad, of the free end
-for _, p_delta in ipairs { "member", "chord" } do
-  local model, member, b = cantilever { p_delta = p_delta }
-  model:load { node = b, moment = { 0, 1, 0 } }
-  local run = model:static { steps = 200, control = { node = b, "ry", to = angle } }
-  run:finish()
-  local name = "statics, " .. p_delta
-  equal(run.verdict, "completed", name .. ": " .. run.reason)
-  close(run.energy.plastic, M0 * (angle - yields_at), 1e-6, name .. ": plastic work")
-  close(run.energy.elastic, 0.5 * M0 * yields_at, 1e-6, name .. ": strain energy")
-  close(run.energy.work, M0 * (angle - yields_at / 2), 2e-3, name .. ": work; in its first step the moment has a bend")
-  local _, at_b = member:forces(run)
-  close(largest_of(math.abs(at_b.Mx), math.abs(at_b.My)), M0, 1e-9, name .. ": moment")
-end
+case("a moment in statics turns the end of a cantilever by eight half turns", function()
+  -- Statics: a moment turns the end by eight half turns. Each end of the two elements turns by two of them against its
+  -- element, and passes 180 degrees twice.
+  local angle = 8 * pi
+  local yields_at = M0 * L / EI -- rad, of the free end
+  for _, p_delta in ipairs { "member", "chord" } do
+    local model, member, b = cantilever { p_delta = p_delta }
+    model:load { node = b, moment = { 0, 1, 0 } }
+    local run = model:static { steps = 200, control = { node = b, "ry", to = angle } }
+    run:finish()
+    local name = "statics, " .. p_delta
+    equal(run.verdict, "completed", name .. ": " .. run.reason)
+    close(run.energy.plastic, M0 * (angle - yields_at), 1e-6, name .. ": plastic work")
+    close(run.energy.elastic, 0.5 * M0 * yields_at, 1e-6, name .. ": strain energy")
+    close(run.energy.work, M0 * (angle - yields_at / 2), 2e-3, name
+      .. ": work; in its first step the moment has a bend")
+    local _, at_b = member:forces(run)
+    close(largest_of(math.abs(at_b.Mx), math.abs(at_b.My)), M0, 1e-9, name .. ": moment")
+  end
+end)
 
 -- Dynamics: a heavy end that spins is stopped by its hinges after several turns. Where it goes is no closed form; the
 -- balance closes, and the hinges have done nearly all of its energy.
@@ -58,27 +61,29 @@ local function spun(options, run_options)
   for k, v in pairs(run_options or {}) do o[k] = v end
   return model:dynamic(o), member, b
 end
-for _, case in ipairs {
-  { "newmark", {} }, { "chord", { p_delta = "chord" } },
-  { "explicit", {}, { integrator = "explicit", dt = "auto" } },
-  { "out of plane", { bow = true } },
-  { "out of plane, explicit", { bow = true }, { integrator = "explicit", dt = "auto" } },
-  { "energy-momentum", { bow = true }, { integrator = "energy-momentum", dt = 1e-4 } },
-  { "conventional", { formulation = "conventional" } },
-} do
-  local name = case[1]
-  local run = spun(case[2], case[3])
-  local worst = 0
-  for _ in run:steps() do worst = largest_of(worst, math.abs(run.energy.remainder)) end
-  equal(run.verdict, "completed", name .. ": " .. run.reason)
-  expect(worst < 1e-3 * run.energy.initial, "%s: energy error %g", name, worst / run.energy.initial)
-  -- five turns and more of plastic rotation
-  expect(run.energy.plastic > 0.9 * energy, "%s: plastic work %g of %g", name, run.energy.plastic, energy)
-  if os.getenv "HINGE_FIGURES" then print(name, worst / run.energy.initial, run.energy.plastic / energy) end
-end
+case("hinges stop a spinning end after several turns and take its energy", function()
+  for _, row in ipairs {
+    { "newmark", {} }, { "chord", { p_delta = "chord" } },
+    { "explicit", {}, { integrator = "explicit", dt = "auto" } },
+    { "out of plane", { bow = true } },
+    { "out of plane, explicit", { bow = true }, { integrator = "explicit", dt = "auto" } },
+    { "energy-momentum", { bow = true }, { integrator = "energy-momentum", dt = 1e-4 } },
+    { "conventional", { formulation = "conventional" } },
+  } do
+    local name = row[1]
+    local run = spun(row[2], row[3])
+    local worst = 0
+    for _ in run:steps() do worst = largest_of(worst, math.abs(run.energy.remainder)) end
+    equal(run.verdict, "completed", name .. ": " .. run.reason)
+    expect(worst < 1e-3 * run.energy.initial, "%s: energy error %g", name, worst / run.energy.initial)
+    -- five turns and more of plastic rotation
+    expect(run.energy.plastic > 0.9 * energy, "%s: plastic work %g of %g", name, run.energy.plastic, energy)
+    if os.getenv "HINGE_FIGURES" then print(name, worst / run.energy.initial, run.energy.plastic / energy) end
+  end
+end)
 
--- What a rule of the script reads as a hinge's rotation goes on growing: all hinges together have turned the end.
-do
+case("the hinge rotations that a rule reads add up to the turns of the end", function()
+  -- What a rule of the script reads as a hinge's rotation goes on growing: all hinges together have turned the end.
   local rotation = {}
   local run = spun { fracture = { batch = function(all)
     for _, name in ipairs { "hinge_rotation_x1", "hinge_rotation_x2", "hinge_rotation_y1", "hinge_rotation_y2" } do
@@ -89,10 +94,10 @@ do
   local sum = 0
   for _, r in pairs(rotation) do sum = sum + math.abs(r) end
   close(M0 * sum, run.energy.plastic, 1e-3, "sum of the hinges' rotations times M0")
-end
+end)
 
--- A checkpoint after ends were turned, and threads.
-do
+case("checkpoints and threads change no bit after ends have turned over", function()
+  -- A checkpoint after ends were turned, and threads.
   local file = os.tmpname()
   local whole = spun({ bow = true }, { duration = 0.1 })
   local half = whole.planned_steps // 2
@@ -104,6 +109,6 @@ do
   other:finish()
   equal(other.hash, whole.hash, "a run that goes on from a checkpoint")
   os.remove(file)
-end
+end)
 
 checks.done()

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "fracture readings"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local E, fy = 206e9, 235e6
 local G = E / 2.6
@@ -41,20 +41,22 @@ local M = fy * bar.Zx
 local elastic = 2 * M / length / (G * bar.shear_area_y)
 local limit = 0.1 -- 1/m, at a hinge rotation of 0.05
 local wanted = (limit * length + elastic) * length
-equal(moved_bar { curvature_x = limit }, nil, "S: the whole element hardly curves, so that eq 16 lets it hold")
-local broke = moved_bar { curvature_x = limit, reading = "section" }
-expect(broke and math.abs(broke - wanted) < 0.01 * wanted,
-  "S: by section it breaks at %s m of motion, wanted %.4g", broke, wanted)
-equal(moved_bar({ curvature_x = limit, reading = "section" }, { most = 0.95 * wanted }), nil, "S: and not before")
-equal(moved_bar({ curvature_y = limit, reading = "section" }), nil, "S: bending about x is not about y")
-local sideways = moved_bar({ curvature_y = limit, reading = "section" }, { direction = "y" })
-expect(sideways and math.abs(sideways - wanted) < 0.01 * wanted, "S about y: at %s m, wanted %.4g", sideways, wanted)
-equal(moved_bar({ curvature_x = limit, reading = "section" }, { formulation = "conventional" }), nil,
-  "the conventional element has one hinge in its middle, which does not rotate in an S")
+case("limits by section break an S-bent bar about both axes, by element none", function()
+  equal(moved_bar { curvature_x = limit }, nil, "S: the whole element hardly curves, so that eq 16 lets it hold")
+  local broke = moved_bar { curvature_x = limit, reading = "section" }
+  expect(broke and math.abs(broke - wanted) < 0.01 * wanted,
+    "S: by section it breaks at %s m of motion, wanted %.4g", broke, wanted)
+  equal(moved_bar({ curvature_x = limit, reading = "section" }, { most = 0.95 * wanted }), nil, "S: and not before")
+  equal(moved_bar({ curvature_y = limit, reading = "section" }), nil, "S: bending about x is not about y")
+  local sideways = moved_bar({ curvature_y = limit, reading = "section" }, { direction = "y" })
+  expect(sideways and math.abs(sideways - wanted) < 0.01 * wanted, "S about y: at %s m, wanted %.4g", sideways, wanted)
+  equal(moved_bar({ curvature_x = limit, reading = "section" }, { formulation = "conventional" }), nil,
+    "the conventional element has one hinge in its middle, which does not rotate in an S")
+end)
 
--- A hinge at one end has rotated and flows no more. Then the bar is bent elastically, and the limit of the section is
--- reached without flow: at end 1 and at end 2 of the element alike, when a rule that reads the section sees it.
-do
+case("a hinge that rotated and flows no more breaks by its section where it is bent on", function()
+  -- A hinge at one end has rotated and flows no more. Then the bar is bent elastically, and the limit of the section is
+  -- reached without flow: at end 1 and at end 2 of the element alike, when a rule that reads the section sees it.
   local rounds = { -- s; m, of the joint and of the far end
     { 0, 0, 0 }, { 1, 0.03, 0.075 }, { 1.2, 0.0285, 0.0735 }, { 2.2, 0.034, 0.1015 } }
   local function path(column)
@@ -100,82 +102,94 @@ do
     expect(reached and reached > 1.5 and not in_flow, "end %d: the limit is reached without flow, at %s s", at, reached)
     near(when or 0, reached or 1, 1e-9, ("end %d: breaks without flow"):format(at))
   end
-end
+end)
 
 -- What a rule reads: the rotations of the hinges, and by another route the same from curvatures.
 local seen, asked = {}, 0
-moved_bar({ where = "all", rule = function(s)
-  asked = asked + 1
-  seen[s["end"]] = { rotation = s.hinge_rotation_x, other = s.hinge_rotation_y, plastic = s.plastic_curvature_x,
-    shear = s.shear_y, zero = s.shear_x, force = s.Mx, time = s.time }
-end }, { most = 0.02 })
-expect(asked > 100, "the rule was asked %d times", asked)
-local from_motion = seen[1].time / length - elastic
-for i, s in ipairs(seen) do
-  near(math.abs(s.rotation), from_motion, 0.01 * from_motion, "rotation of the hinge at end " .. i)
-  near(s.other, 0, 1e-9, "about y, end " .. i)
-  near(math.abs(s.shear), 2 * M / length / (G * bar.shear_area_y), 1e-2 * 2 * M / length / (G * bar.shear_area_y),
-    "shear strain at end " .. i)
-  expect(s.rotation * s.force > 0, "the hinge at end %d rotates with its moment: %g rad, %g N m", i, s.rotation,
-    s.force)
-  near(s.zero, 0, 1e-12, "shear along x, end " .. i)
-end
-near((seen[1].rotation + seen[2].rotation) / length, seen[1].plastic, 1e-12, "both hinges make the plastic curvature")
-expect(seen[1].rotation * seen[2].rotation < 0, "in an S the hinges rotate against each other")
-near(seen[1].shear, (seen[2].force - seen[1].force) / length / (G * bar.shear_area_y), 1e-9, "shear is dM/dz / (G A)")
-
--- The same by a rule that is asked once for all elements.
-local batch = {}
-moved_bar({ batch = function(all)
-  for _, field in ipairs { "hinge_rotation_x1", "hinge_rotation_x2", "hinge_rotation_y1", "shear_x", "shear_y" } do
-    batch[field] = all[field][1]
+case("a rule reads the rotation, rate and shear of its section", function()
+  moved_bar({ where = "all", rule = function(s)
+    asked = asked + 1
+    seen[s["end"]] = { rotation = s.hinge_rotation_x, other = s.hinge_rotation_y, plastic = s.plastic_curvature_x,
+      shear = s.shear_y, zero = s.shear_x, force = s.Mx, time = s.time }
+  end }, { most = 0.02 })
+  expect(asked > 100, "the rule was asked %d times", asked)
+  local from_motion = seen[1].time / length - elastic
+  for i, s in ipairs(seen) do
+    near(math.abs(s.rotation), from_motion, 0.01 * from_motion, "rotation of the hinge at end " .. i)
+    near(s.other, 0, 1e-9, "about y, end " .. i)
+    near(math.abs(s.shear), 2 * M / length / (G * bar.shear_area_y), 1e-2 * 2 * M / length / (G * bar.shear_area_y),
+      "shear strain at end " .. i)
+    expect(s.rotation * s.force > 0, "the hinge at end %d rotates with its moment: %g rad, %g N m", i, s.rotation,
+      s.force)
+    near(s.zero, 0, 1e-12, "shear along x, end " .. i)
   end
-end }, { most = 0.02 })
-near(batch.hinge_rotation_x1, seen[1].rotation, 1e-12, "hinge_rotation_x1 of a batch")
-near(batch.hinge_rotation_x2, seen[2].rotation, 1e-12, "hinge_rotation_x2 of a batch")
-near(batch.shear_y, seen[1].shear, 1e-12, "shear_y of a batch")
+  near((seen[1].rotation + seen[2].rotation) / length, seen[1].plastic, 1e-12, "both hinges make the plastic curvature")
+  expect(seen[1].rotation * seen[2].rotation < 0, "in an S the hinges rotate against each other")
+  near(seen[1].shear, (seen[2].force - seen[1].force) / length / (G * bar.shear_area_y), 1e-9, "shear is dM/dz / (G A)")
+end)
 
--- Shear: Q / (G A), here 2 M_p / (L G A) when both hinges have formed.
-local most = 2 * M / length / (G * bar.shear_area_y)
-for _, direction in ipairs { "y", "z" } do
-  local by_shear = moved_bar({ shear_strain = 0.9 * most }, { dt = 1e-6, most = 1e-3, direction = direction })
-  expect(by_shear and by_shear < elastic * length, "shear, %s: breaks while elastic, at %s m", direction, by_shear)
-end
-equal(moved_bar { shear_strain = 1.1 * most }, nil, "shear: holds, the hinges let no more through")
-equal(moved_bar({ shear_strain = 0.9 * most }, { direction = "x", most = 0.01 }), nil, "stretched: no shear")
-local weak = hinge.material { E = E, nu = 0.3, density = 7850 }
-local at = 10 * most * length -- m; nothing yields here
-broke = moved_bar({ shear_strain = 10 * most }, { material = weak, dt = 1e-6, most = 1e-3 })
-expect(broke and math.abs(broke - at) < 0.02 * at, "shear, elastic bar: at %s m, wanted %.4g", broke, at)
+local weak = hinge.material { E = E, nu = 0.3, density = 7850 } -- as stiff as steel, and it never yields
 
--- Only where plastic: strains below yield break nothing, however low the limit.
-local at_yield = fy / E * length
-local early = moved_bar({ axial_strain = 0.5 * fy / E }, { direction = "x" })
-expect(early and early < 0.6 * at_yield, "axial: breaks before it yields, at %s m", early)
-local late = moved_bar({ axial_strain = 0.5 * fy / E, plastic_only = true }, { direction = "x" })
-expect(late and late > 0.9 * at_yield and late < 1.2 * at_yield, "plastic_only: breaks as it yields, at %s m of %.4g",
-  late, at_yield)
-equal(moved_bar({ axial_strain = 0.5 * fy / E, plastic_only = true }, { direction = "x", material = weak }), nil,
-  "plastic_only: a bar that cannot yield holds")
-late = moved_bar { curvature_x = limit, reading = "section", plastic_only = true }
-near(late, moved_bar { curvature_x = limit, reading = "section" }, 1e-3 * wanted, "plastic_only: a hinge is plastic")
+case("a rule asked for all elements at once reads the same", function()
+  -- The same by a rule that is asked once for all elements.
+  local batch = {}
+  moved_bar({ batch = function(all)
+    for _, field in ipairs { "hinge_rotation_x1", "hinge_rotation_x2", "hinge_rotation_y1", "shear_x", "shear_y" } do
+      batch[field] = all[field][1]
+    end
+  end }, { most = 0.02 })
+  near(batch.hinge_rotation_x1, seen[1].rotation, 1e-12, "hinge_rotation_x1 of a batch")
+  near(batch.hinge_rotation_x2, seen[2].rotation, 1e-12, "hinge_rotation_x2 of a batch")
+  near(batch.shear_y, seen[1].shear, 1e-12, "shear_y of a batch")
+end)
 
--- Bad input.
-local function refused(rule, text)
-  local ok, message = pcall(function() hinge.model {}:fracture(rule) end)
-  expect(not ok and tostring(message):find(text, 1, true), "wanted '%s', got: %s", text, tostring(message))
-end
-refused({ curvature_x = 1, reading = "hinge" }, "reading")
-refused({ curvature_x = 1, plastic_only = 1 }, "plastic_only")
-refused({ shear_strain = 0 }, "shear_strain")
-refused({ reading = "section", rule = function() end }, "belongs to limits")
-refused({ plastic_only = true, rule = function() end }, "belongs to limits")
-refused({}, "no limit is given")
-local function contact_refused(rule, text)
-  local ok, message = pcall(function() hinge.model {}:contact(rule) end)
-  expect(not ok and tostring(message):find(text, 1, true), "wanted '%s', got: %s", text, tostring(message))
-end
-contact_refused({ rule = "gap", sign_of_f = "as printed" }, "belongs to as_printed")
-contact_refused({ sign_of_f = "absolute" }, "belongs to rule 'gap'")
-contact_refused({ rule = "gap", as_printed = true, sign_of_f = "plus" }, "sign_of_f")
+case("a bar breaks by the shear strain of its load alone, elastic or with hinges", function()
+  -- Shear: Q / (G A), here 2 M_p / (L G A) when both hinges have formed.
+  local most = 2 * M / length / (G * bar.shear_area_y)
+  for _, direction in ipairs { "y", "z" } do
+    local by_shear = moved_bar({ shear_strain = 0.9 * most }, { dt = 1e-6, most = 1e-3, direction = direction })
+    expect(by_shear and by_shear < elastic * length, "shear, %s: breaks while elastic, at %s m", direction, by_shear)
+  end
+  equal(moved_bar { shear_strain = 1.1 * most }, nil, "shear: holds, the hinges let no more through")
+  equal(moved_bar({ shear_strain = 0.9 * most }, { direction = "x", most = 0.01 }), nil, "stretched: no shear")
+  local at = 10 * most * length -- m; nothing yields here
+  local broke = moved_bar({ shear_strain = 10 * most }, { material = weak, dt = 1e-6, most = 1e-3 })
+  expect(broke and math.abs(broke - at) < 0.02 * at, "shear, elastic bar: at %s m, wanted %.4g", broke, at)
+end)
+
+case("plastic_only breaks nothing before it yields", function()
+  -- Only where plastic: strains below yield break nothing, however low the limit.
+  local at_yield = fy / E * length
+  local early = moved_bar({ axial_strain = 0.5 * fy / E }, { direction = "x" })
+  expect(early and early < 0.6 * at_yield, "axial: breaks before it yields, at %s m", early)
+  local late = moved_bar({ axial_strain = 0.5 * fy / E, plastic_only = true }, { direction = "x" })
+  expect(late and late > 0.9 * at_yield and late < 1.2 * at_yield, "plastic_only: breaks as it yields, at %s m of %.4g",
+    late, at_yield)
+  equal(moved_bar({ axial_strain = 0.5 * fy / E, plastic_only = true }, { direction = "x", material = weak }), nil,
+    "plastic_only: a bar that cannot yield holds")
+  late = moved_bar { curvature_x = limit, reading = "section", plastic_only = true }
+  near(late, moved_bar { curvature_x = limit, reading = "section" }, 1e-3 * wanted, "plastic_only: a hinge is plastic")
+end)
+
+case("wrong limits are refused", function()
+  -- Bad input.
+  local function refused(rule, text)
+    local ok, message = pcall(function() hinge.model {}:fracture(rule) end)
+    expect(not ok and tostring(message):find(text, 1, true), "wanted '%s', got: %s", text, tostring(message))
+  end
+  refused({ curvature_x = 1, reading = "hinge" }, "reading")
+  refused({ curvature_x = 1, plastic_only = 1 }, "plastic_only")
+  refused({ shear_strain = 0 }, "shear_strain")
+  refused({ reading = "section", rule = function() end }, "belongs to limits")
+  refused({ plastic_only = true, rule = function() end }, "belongs to limits")
+  refused({}, "no limit is given")
+  local function contact_refused(rule, text)
+    local ok, message = pcall(function() hinge.model {}:contact(rule) end)
+    expect(not ok and tostring(message):find(text, 1, true), "wanted '%s', got: %s", text, tostring(message))
+  end
+  contact_refused({ rule = "gap", sign_of_f = "as printed" }, "belongs to as_printed")
+  contact_refused({ sign_of_f = "absolute" }, "belongs to rule 'gap'")
+  contact_refused({ rule = "gap", as_printed = true, sign_of_f = "plus" }, "sign_of_f")
+end)
+
 checks.done()

@@ -7,6 +7,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "fuzz"
+local case = checks.case
 
 local calls, seed = tonumber(arg[1]) or 30000, math.tointeger(tonumber(arg[2]) or 1)
 math.randomseed(seed)
@@ -62,72 +63,75 @@ function value(depth)
   return pick(words)
 end
 
--- Now and then something that is right, so that calls get beyond the first complaint.
-local steel, square = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 },
-  hinge.section.solid { width = 0.05, depth = 0.05 }
-local function scene()
-  local model = hinge.model { elements_per_member = 2, formulation = pick { "asi-gauss", "asi", "conventional" } }
-  local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 1, 0.2, 1 }
-  local m = model:member { a, b, section = square, material = steel, group = "frame" }
-  model:member { b, c, section = square, material = steel, up = { 1, 0, 0 } }
-  model:fix(a)
-  if random() < 0.5 then model:load { node = c, force = { 1e4 * random(), 1e3, -1e4 } } end
-  if random() < 0.3 then model:contact {} end
-  if random() < 0.3 then model:fracture(pick(functions)) end
-  local run = random() < 0.5 and model:dynamic { dt = 1e-4, duration = 1e-2, record = false }
-    or model:static { steps = 3, record = false }
-  keep(model, a, b, c, m, model:group "frame", run, steel, square)
-end
-
-local methods = {}
-local function add(receiver, list) for name in list:gmatch "%S+" do methods[#methods + 1] = { receiver, name } end end
-add("hinge", "model material")
-add("section", "box h pipe solid round general")
-add("any", "node member fix load move gravity velocity fracture contact group counts static dynamic nodes members "
-  .. "groups loads close step stop on_step probe displacement velocity acceleration reaction position forces state "
-  .. "read momentum remove count hash energy time verdict fastest stages reason contacts probes wakings counts "
-  .. "nonsense __gc __index __eq __tostring __len __pairs")
-
-local before, ran, failed = collectgarbage "count", 0, 0
-for i = 1, calls do
-  if i % 40 == 1 then scene() end
-  if i % 5000 == 0 then made = {} collectgarbage() end
-  local what, arguments = pick(methods), {}
-  local count = random(0, 3)
-  for k = 1, count do arguments[k] = value(3) end
-  if random() < 0.3 then arguments[1], count = table_of(3), math.max(1, count) end
-  if log then
-    local f = assert(io.open(log, "w"))
-    f:write(("seed %d call %d: %s %s %s\n"):format(seed, i, what[1], what[2], tostring(arguments[1])))
-    f:close()
+case("random calls return or raise a text, and nothing crashes", function()
+  -- Now and then something that is right, so that calls get beyond the first complaint.
+  local steel, square = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 },
+    hinge.section.solid { width = 0.05, depth = 0.05 }
+  local function scene()
+    local model = hinge.model { elements_per_member = 2, formulation = pick { "asi-gauss", "asi", "conventional" } }
+    local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 1, 0.2, 1 }
+    local m = model:member { a, b, section = square, material = steel, group = "frame" }
+    model:member { b, c, section = square, material = steel, up = { 1, 0, 0 } }
+    model:fix(a)
+    if random() < 0.5 then model:load { node = c, force = { 1e4 * random(), 1e3, -1e4 } } end
+    if random() < 0.3 then model:contact {} end
+    if random() < 0.3 then model:fracture(pick(functions)) end
+    local run = random() < 0.5 and model:dynamic { dt = 1e-4, duration = 1e-2, record = false }
+      or model:static { steps = 3, record = false }
+    keep(model, a, b, c, m, model:group "frame", run, steel, square)
   end
-  local ok, problem
-  if what[1] == "any" then
-    local receiver = pick(made)
-    if random() < 0.1 then ok, problem = pcall(tostring, receiver)
-    elseif random() < 0.05 then ok, problem = pcall(function() receiver[pick(fields)] = value(1) end)
-    else
-      ok, problem = pcall(function()
-        local method = receiver[what[2]]
-        if type(method) == "function" then
-          keep(method(random() < 0.9 and receiver or value(1), table.unpack(arguments, 1, count)))
-        end
-      end)
+
+  local methods = {}
+  local function add(receiver, list) for name in list:gmatch "%S+" do methods[#methods + 1] = { receiver, name } end end
+  add("hinge", "model material")
+  add("section", "box h pipe solid round general")
+  add("any", "node member fix load move gravity velocity fracture contact group counts static dynamic nodes members "
+    .. "groups loads close step stop on_step probe displacement velocity acceleration reaction position forces state "
+    .. "read momentum remove count hash energy time verdict fastest stages reason contacts probes wakings counts "
+    .. "nonsense __gc __index __eq __tostring __len __pairs")
+
+  local before, ran, failed = collectgarbage "count", 0, 0
+  for i = 1, calls do
+    if i % 40 == 1 then scene() end
+    if i % 5000 == 0 then made = {} collectgarbage() end
+    local what, arguments = pick(methods), {}
+    local count = random(0, 3)
+    for k = 1, count do arguments[k] = value(3) end
+    if random() < 0.3 then arguments[1], count = table_of(3), math.max(1, count) end
+    if log then
+      local f = assert(io.open(log, "w"))
+      f:write(("seed %d call %d: %s %s %s\n"):format(seed, i, what[1], what[2], tostring(arguments[1])))
+      f:close()
     end
-  else
-    local holder = what[1] == "hinge" and hinge or hinge.section
-    ok, problem = pcall(function() keep(holder[what[2]](table.unpack(arguments, 1, count))) end)
+    local ok, problem
+    if what[1] == "any" then
+      local receiver = pick(made)
+      if random() < 0.1 then ok, problem = pcall(tostring, receiver)
+      elseif random() < 0.05 then ok, problem = pcall(function() receiver[pick(fields)] = value(1) end)
+      else
+        ok, problem = pcall(function()
+          local method = receiver[what[2]]
+          if type(method) == "function" then
+            keep(method(random() < 0.9 and receiver or value(1), table.unpack(arguments, 1, count)))
+          end
+        end)
+      end
+    else
+      local holder = what[1] == "hinge" and hinge or hinge.section
+      ok, problem = pcall(function() keep(holder[what[2]](table.unpack(arguments, 1, count))) end)
+    end
+    ran = ran + 1
+    if not ok then
+      failed = failed + 1
+      local text = type(problem) == "string" and problem or problem ~= nil and tostring(problem)
+      checks.expect(text and #text > 0 and #text < 5000, "call %d, %s: the error is %s", i, what[2], tostring(problem))
+    end
   end
-  ran = ran + 1
-  if not ok then
-    failed = failed + 1
-    local text = type(problem) == "string" and problem or problem ~= nil and tostring(problem)
-    checks.expect(text and #text > 0 and #text < 5000, "call %d, %s: the error is %s", i, what[2], tostring(problem))
-  end
-end
-made = {}
-collectgarbage() collectgarbage()
-checks.expect(failed > 0.2 * ran and failed < ran, "%d of %d calls were refused", failed, ran)
-checks.expect(collectgarbage "count" < before + 2000,
-  "memory of Lua grew from %.0f to %.0f kB", before, collectgarbage "count")
+  made = {}
+  collectgarbage() collectgarbage()
+  checks.expect(failed > 0.2 * ran and failed < ran, "%d of %d calls were refused", failed, ran)
+  checks.expect(collectgarbage "count" < before + 2000,
+    "memory of Lua grew from %.0f to %.0f kB", before, collectgarbage "count")
+end)
+
 checks.done()

@@ -7,7 +7,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "member yield"
-local near, equal, expect = checks.near, checks.equal, checks.expect
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
 local width, sigma, L, rho = 0.05, 245e6, 2, 7850
 local Mp = width ^ 3 / 4 * sigma
@@ -48,186 +48,202 @@ local function limit(model, options)
   return run
 end
 
--- Hinges stand at nodes. In a propped beam the best place is 0.414 L from the prop, so that the limit is that of the
--- node with the least: 2 (1/x + 2/(L - x)) Mp/L, x from the prop.
-local function propped_limit(n)
-  local least = math.huge
-  for i = 1, n - 1 do least = support.smallest_of(least, 2 * (n / i + 2 * n / (n - i))) end
-  return least
-end
-
-for _, kind in ipairs { "q", "local", "weight" } do
-  for _, n in ipairs { 2, 4, 8 } do
-    local options = { elements_per_member = n }
-    local what = ("%s, %d elements: "):format(kind, n)
-    for name, case in pairs {
-      pinned = { pinned, 8 }, clamped = { clamped, 16 }, propped = { propped, propped_limit(n) },
-    } do
-      local s = beam(case[1], kind, case[2] * unit, options)
-      local model = s.model
-      -- Load beyond the limit, so that the limit stops it.
-      if kind == "weight" then model:gravity { 0, 0, -1.5 * case[2] * unit / (rho * width ^ 2) }
-      else s = beam(case[1], kind, 1.5 * case[2] * unit, options) end
-      close(1.5 * limit(s.model).factor, 1, what .. name .. ", limit load", 1e-4)
-    end
-    -- First yield: of a clamped beam at its ends with w L^2/12. A pinned one has its limit there.
-    for _, case in ipairs { { pinned, 8, 0.999 }, { clamped, 12, 0.999 }, { clamped, 12, 1.001 } } do
-      local s = beam(case[1], kind, case[3] * case[2] * unit, options)
-      local run = s.model:static { steps = 4 }
-      run:finish()
-      local state, f_y = s.member:state(run)
-      local at = ("first yield, %g of %g: "):format(case[3], case[2])
-      equal(state, case[3] < 1 and "elastic" or "yielded", what .. at .. "state")
-      close(f_y, math.min(1, case[3] ^ 2), what .. at .. "f_y", 1e-9)
-      local ends_f_y = support.largest_of(run:read("f_y_a")[1], run:read("f_y_b")[1])
-      if case[2] == 12 then close(ends_f_y, f_y, what .. at .. "f_y at the ends", 1e-9) end
-    end
+case("hinges stand at nodes, and the collapse load does not depend on where they are", function()
+  -- Hinges stand at nodes. In a propped beam the best place is 0.414 L from the prop, so that the limit is that of the
+  -- node with the least: 2 (1/x + 2/(L - x)) Mp/L, x from the prop.
+  local function propped_limit(n)
+    local least = math.huge
+    for i = 1, n - 1 do least = support.smallest_of(least, 2 * (n / i + 2 * n / (n - i))) end
+    return least
   end
-end
 
--- A portal whose beam carries q between strong columns: its own mechanism, but for what N takes of Mp.
-for _, n in ipairs { 2, 4, 8 } do
-  for _, kind in ipairs { "q", "weight" } do
-    local model = hinge.model { displacement = "small", elements_per_member = n }
-    local span, height = 4, 2
-    local p = {}
-    local corners = { { 0, 0, 0 }, { 0, 0, height }, { span, 0, height }, { span, 0, 0 } }
-    for i, at in ipairs(corners) do p[i] = model:node(at) end
-    local light = hinge.material { E = 206e9, density = 1e-6, yield_stress = sigma }
-    for i, side in ipairs { { 1, 2 }, { 3, 4 } } do
-      model:member { p[side[1]], p[side[2]], section = strong, material = light, up = { 0, 1, 0 } }
-      model:fix(p[i == 1 and 1 or 4], "all")
-    end
-    for i = 2, 3 do model:fix(p[i], "y,rx,rz") end
-    local girder = model:member { p[2], p[3], section = section, material = steel }
-    local load = 1.5 * 16 * Mp / span ^ 2
-    if kind == "q" then model:load { member = girder, q = { 0, 0, -load } }
-    else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
-    close(1.5 * limit(model).factor, 1, ("portal, %s, %d elements: limit load"):format(kind, n), 1e-3)
-  end
-end
-
--- A hanging bar: N at its support is the whole of the load along it.
-for _, kind in ipairs { "q", "local", "weight" } do
-  for _, n in ipairs { 2, 4 } do
-    local model = hinge.model { displacement = "small", elements_per_member = n }
-    local top, tip = model:node { 0, 0, 0 }, model:node { 0, 0, -L }
-    model:fix(top)
-    local bar = model:member { top, tip, section = section, material = steel }
-    local load = 1.5 * sigma * width ^ 2 / L
-    if kind == "q" then model:load { member = bar, q = { 0, 0, -load } }
-    elseif kind == "local" then model:load { member = bar, q = { 0, 0, load }, axes = "local" }
-    else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
-    local run = limit(model)
-    local what = ("hanging, %s, %d elements: "):format(kind, n)
-    close(1.5 * run.factor, 1, what .. "limit load", 1e-4)
-    near(select(2, bar:state(run)), 1, 1e-3, what .. "f_y")
-    expect(select(2, bar:state(run)) <= 1 + 1e-9, what .. "f_y on the surface")
-  end
-end
-
--- What hinges dissipate: Mp times their rotation, and the balance closes. Driven by the rotation of an end beyond the
--- limit, the pinned beam bends in the middle alone, by twice that rotation; of two members with a joint in the middle,
--- clamped, hinges rotate by 4 u / (L/2) in all. `by_member`: bending that follows N, with no N here to speak of.
-local settings = {
-  { "small", { displacement = "small" } }, { "chord", { displacement = "large", p_delta = "chord" } },
-  { "by member", { displacement = "large", p_delta = "member" } },
-}
-for _, setting in ipairs(settings) do
-  for _, kind in ipairs { "q", "weight" } do
-    local what = ("%s, %s: "):format(kind, setting[1])
-    local s = beam(pinned, kind, 1.05 * 8 * unit, setting[2]) -- 8 itself: rounding decides whether it yields at all
-    for _, control in ipairs { "displacement", setting[1] == "small" and "arc" or nil } do
-      local run = control == "displacement"
-          and s.model:static { steps = 20, control = { node = s.a, "ry", to = 0.06 } }
-        or s.model:static { steps = 25, control = "arc" }
-      local first
-      while run:step() do
-        local _, f_y = s.member:state(run)
-        if f_y > 1 - 1e-6 and not first then
-          first = { math.abs(select(5, run:displacement(s.a))), run.energy.plastic, run.energy.remainder }
-        end
+  for _, kind in ipairs { "q", "local", "weight" } do
+    for _, n in ipairs { 2, 4, 8 } do
+      local options = { elements_per_member = n }
+      local what = ("%s, %d elements: "):format(kind, n)
+      for name, row in pairs {
+        pinned = { pinned, 8 }, clamped = { clamped, 16 }, propped = { propped, propped_limit(n) },
+      } do
+        local s = beam(row[1], kind, row[2] * unit, options)
+        local model = s.model
+        -- Load beyond the limit, so that the limit stops it.
+        if kind == "weight" then model:gravity { 0, 0, -1.5 * row[2] * unit / (rho * width ^ 2) }
+        else s = beam(row[1], kind, 1.5 * row[2] * unit, options) end
+        close(1.5 * limit(s.model).factor, 1, what .. name .. ", limit load", 1e-4)
       end
-      expect(run.verdict ~= "failed", what .. control .. ": " .. run.reason)
-      local turned = 2 * (math.abs(select(5, run:displacement(s.a))) - first[1])
-      local e = run.energy
-      if expect(turned > 0.01, what .. control .. ", has a mechanism: " .. turned) then
-        close(e.plastic - first[2], Mp * turned, what .. control .. ", plastic", setting[1] == "small" and 1e-6 or 3e-3)
-        -- before it, in the step in which it begins to yield, the means of statics miss the kink
-        local part = setting[1] == "small" and 1e-9 or 1e-4
-        near(e.remainder, first[3], part * e.plastic, what .. control .. ", balance")
-        close(run:read("plastic_work")[1], e.plastic, what .. control .. ", of the member", 1e-12)
-        close(1.05 * run.factor, 1, what .. control .. ", factor", setting[1] == "small" and 1e-6 or 5e-3)
-      end
-    end
-  end
-end
-
--- A fracture rule is told the forces that member:forces tells, of loads and of weight, by section and in one call.
-for _, all in ipairs { false, true } do
-  for _, kind in ipairs { "q", "weight" } do
-    local what = ("rule, %s, %s: "):format(kind, all and "all at once" or "by section")
-    local s = beam(clamped, kind, 6 * unit)
-    local told = {}
-    s.model:fracture { group = s.group, where = not all and "all" or nil, rule = not all and function(v)
-      if v.element ~= v["end"] then return end
-      told[v.element] = { Mx = v.Mx, My = v.My, N = v.N, Mz = v.Mz, f_y = v.f_y }
-    end or nil, batch = all and function(elements)
-      for e = 1, 2 do
-        told[e] = {}
-        for _, name in ipairs { "Mx", "My", "f_y" } do told[e][name] = elements[name .. e][e] end
-        for _, name in ipairs { "N", "Mz" } do told[e][name] = elements[name][e] end
-      end
-    end or nil }
-    local run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }
-    run:finish()
-    local forces = { s.member:forces(run) }
-    for e = 1, 2 do
-      for name, value in pairs(told[e] or { f_y = 0 / 0 }) do
-        near(value, forces[e][name], 1e-6 * (name == "f_y" and 1 or Mp), what .. name .. " at end " .. e)
-      end
-    end
-    expect(math.abs(forces[1].Mx) > 0.01 * Mp, what .. "has moments")
-  end
-end
-
--- Slow dynamics: a pinned beam carries half its limit load, by weight or q, from statics, and the rest and 2 % more is
--- let on slowly. It yields where the whole is 8 Mp / L^2, within what vibration adds; f_y told stays on the surface;
--- and what its hinge dissipates is Mp times the rotation of its ends beyond the elastic one.
-local slowly = 1 -- s, 30 periods
-for _, how in ipairs {
-  { "newmark", { dt = 5e-4 } },
-  { "explicit", { dt = "auto", integrator = "explicit" } },
-  { "energy-momentum", { dt = 5e-4, integrator = "energy-momentum" }, { displacement = "large" } },
-} do
-  for _, kind in ipairs { "q", "weight" } do
-    for _, n in ipairs { 2, 4 } do
-      local what = ("%s, %s, %d elements, slowly: "):format(how[1], kind, n)
-      local s = beam(pinned, kind, 4 * unit, merged({ elements_per_member = n, p_delta = how[3] and "chord" }, how[3]))
-      local still = s.model:static { steps = 1 }
-      still:finish()
-      s.model:load { member = s.member, q = { 0, 0, -4.08 * unit },
-        history = function(t) return t < slowly and (t / slowly) ^ 2 * (3 - 2 * t / slowly) or 1 end }
-      local run = s.model:dynamic(merged({ from = still, duration = slowly, energy_tolerance = 1 }, how[2]))
-      local yields, most, slope
-      while run:step() do
+      -- First yield: of a clamped beam at its ends with w L^2/12. A pinned one has its limit there.
+      for _, row in ipairs { { pinned, 8, 0.999 }, { clamped, 12, 0.999 }, { clamped, 12, 1.001 } } do
+        local s = beam(row[1], kind, row[3] * row[2] * unit, options)
+        local run = s.model:static { steps = 4 }
+        run:finish()
         local state, f_y = s.member:state(run)
-        most = support.largest_of(most or f_y, f_y)
-        if state == "yielded" and not yields then
-          local t = run.time / slowly
-          yields, slope = 4 + 4.08 * t ^ 2 * (3 - 2 * t), math.abs(select(5, run:displacement(s.a)))
-        end
-      end
-      expect(yields, what .. "yields")
-      if yields then
-        close(yields, 8, what .. "load at first yield", 5e-3)
-        near(most, 1, 1e-6, what .. "largest f_y")
-        local e, turned = run.energy, 2 * (math.abs(select(5, run:displacement(s.a))) - slope)
-        expect(turned > 1e-2, what .. "turns by %g", turned)
-        close(e.plastic, Mp * turned, what .. "plastic", 2e-2)
-        near(e.remainder, 0, 1e-4 * e.plastic, what .. "balance")
+        local at = ("first yield, %g of %g: "):format(row[3], row[2])
+        equal(state, row[3] < 1 and "elastic" or "yielded", what .. at .. "state")
+        close(f_y, math.min(1, row[3] ^ 2), what .. at .. "f_y", 1e-9)
+        local ends_f_y = support.largest_of(run:read("f_y_a")[1], run:read("f_y_b")[1])
+        if row[2] == 12 then close(ends_f_y, f_y, what .. at .. "f_y at the ends", 1e-9) end
       end
     end
   end
-end
+end)
+
+case("a portal whose beam carries q between strong columns falls with its beam mechanism", function()
+  -- A portal whose beam carries q between strong columns: its own mechanism, but for what N takes of Mp.
+  for _, n in ipairs { 2, 4, 8 } do
+    for _, kind in ipairs { "q", "weight" } do
+      local model = hinge.model { displacement = "small", elements_per_member = n }
+      local span, height = 4, 2
+      local p = {}
+      local corners = { { 0, 0, 0 }, { 0, 0, height }, { span, 0, height }, { span, 0, 0 } }
+      for i, at in ipairs(corners) do p[i] = model:node(at) end
+      local light = hinge.material { E = 206e9, density = 1e-6, yield_stress = sigma }
+      for i, side in ipairs { { 1, 2 }, { 3, 4 } } do
+        model:member { p[side[1]], p[side[2]], section = strong, material = light, up = { 0, 1, 0 } }
+        model:fix(p[i == 1 and 1 or 4], "all")
+      end
+      for i = 2, 3 do model:fix(p[i], "y,rx,rz") end
+      local girder = model:member { p[2], p[3], section = section, material = steel }
+      local load = 1.5 * 16 * Mp / span ^ 2
+      if kind == "q" then model:load { member = girder, q = { 0, 0, -load } }
+      else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
+      close(1.5 * limit(model).factor, 1, ("portal, %s, %d elements: limit load"):format(kind, n), 1e-3)
+    end
+  end
+end)
+
+case("a hanging bar yields under its own weight at its top", function()
+  -- A hanging bar: N at its support is the whole of the load along it.
+  for _, kind in ipairs { "q", "local", "weight" } do
+    for _, n in ipairs { 2, 4 } do
+      local model = hinge.model { displacement = "small", elements_per_member = n }
+      local top, tip = model:node { 0, 0, 0 }, model:node { 0, 0, -L }
+      model:fix(top)
+      local bar = model:member { top, tip, section = section, material = steel }
+      local load = 1.5 * sigma * width ^ 2 / L
+      if kind == "q" then model:load { member = bar, q = { 0, 0, -load } }
+      elseif kind == "local" then model:load { member = bar, q = { 0, 0, load }, axes = "local" }
+      else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
+      local run = limit(model)
+      local what = ("hanging, %s, %d elements: "):format(kind, n)
+      close(1.5 * run.factor, 1, what .. "limit load", 1e-4)
+      near(select(2, bar:state(run)), 1, 1e-3, what .. "f_y")
+      expect(select(2, bar:state(run)) <= 1 + 1e-9, what .. "f_y on the surface")
+    end
+  end
+end)
+
+case("hinges dissipate what the loads do beyond the elastic energy", function()
+  -- What hinges dissipate: Mp times their rotation, and the balance closes. Driven by the rotation of an end beyond the
+  -- limit, the pinned beam bends in the middle alone, by twice that rotation; of two members with a joint in the
+  -- middle, clamped, hinges rotate by 4 u / (L/2) in all. `by_member`: bending that follows N, with no N here to speak
+  -- of.
+  local settings = {
+    { "small", { displacement = "small" } }, { "chord", { displacement = "large", p_delta = "chord" } },
+    { "by member", { displacement = "large", p_delta = "member" } },
+  }
+  for _, setting in ipairs(settings) do
+    for _, kind in ipairs { "q", "weight" } do
+      local what = ("%s, %s: "):format(kind, setting[1])
+      local s = beam(pinned, kind, 1.05 * 8 * unit, setting[2]) -- 8 itself: rounding decides whether it yields at all
+      for _, control in ipairs { "displacement", setting[1] == "small" and "arc" or nil } do
+        local run = control == "displacement"
+            and s.model:static { steps = 20, control = { node = s.a, "ry", to = 0.06 } }
+          or s.model:static { steps = 25, control = "arc" }
+        local first
+        while run:step() do
+          local _, f_y = s.member:state(run)
+          if f_y > 1 - 1e-6 and not first then
+            first = { math.abs(select(5, run:displacement(s.a))), run.energy.plastic, run.energy.remainder }
+          end
+        end
+        expect(run.verdict ~= "failed", what .. control .. ": " .. run.reason)
+        local turned = 2 * (math.abs(select(5, run:displacement(s.a))) - first[1])
+        local e = run.energy
+        if expect(turned > 0.01, what .. control .. ", has a mechanism: " .. turned) then
+          close(e.plastic - first[2], Mp * turned, what .. control .. ", plastic", setting[1] == "small" and 1e-6
+            or 3e-3)
+          -- before it, in the step in which it begins to yield, the means of statics miss the kink
+          local part = setting[1] == "small" and 1e-9 or 1e-4
+          near(e.remainder, first[3], part * e.plastic, what .. control .. ", balance")
+          close(run:read("plastic_work")[1], e.plastic, what .. control .. ", of the member", 1e-12)
+          close(1.05 * run.factor, 1, what .. control .. ", factor", setting[1] == "small" and 1e-6 or 5e-3)
+        end
+      end
+    end
+  end
+end)
+
+case("a fracture rule reads the forces that member:forces gives", function()
+  -- A fracture rule is told the forces that member:forces tells, of loads and of weight, by section and in one call.
+  for _, all in ipairs { false, true } do
+    for _, kind in ipairs { "q", "weight" } do
+      local what = ("rule, %s, %s: "):format(kind, all and "all at once" or "by section")
+      local s = beam(clamped, kind, 6 * unit)
+      local told = {}
+      s.model:fracture { group = s.group, where = not all and "all" or nil, rule = not all and function(v)
+        if v.element ~= v["end"] then return end
+        told[v.element] = { Mx = v.Mx, My = v.My, N = v.N, Mz = v.Mz, f_y = v.f_y }
+      end or nil, batch = all and function(elements)
+        for e = 1, 2 do
+          told[e] = {}
+          for _, name in ipairs { "Mx", "My", "f_y" } do told[e][name] = elements[name .. e][e] end
+          for _, name in ipairs { "N", "Mz" } do told[e][name] = elements[name][e] end
+        end
+      end or nil }
+      local run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }
+      run:finish()
+      local forces = { s.member:forces(run) }
+      for e = 1, 2 do
+        for name, value in pairs(told[e] or { f_y = 0 / 0 }) do
+          near(value, forces[e][name], 1e-6 * (name == "f_y" and 1 or Mp), what .. name .. " at end " .. e)
+        end
+      end
+      expect(math.abs(forces[1].Mx) > 0.01 * Mp, what .. "has moments")
+    end
+  end
+end)
+
+case("slow dynamics follows statics", function()
+  -- Slow dynamics: a pinned beam carries half its limit load, by weight or q, from statics, and the rest and 2 % more
+  -- is let on slowly. It yields where the whole is 8 Mp / L^2, within what vibration adds; f_y told stays on the
+  -- surface; and what its hinge dissipates is Mp times the rotation of its ends beyond the elastic one.
+  local slowly = 1 -- s, 30 periods
+  for _, how in ipairs {
+    { "newmark", { dt = 5e-4 } },
+    { "explicit", { dt = "auto", integrator = "explicit" } },
+    { "energy-momentum", { dt = 5e-4, integrator = "energy-momentum" }, { displacement = "large" } },
+  } do
+    for _, kind in ipairs { "q", "weight" } do
+      for _, n in ipairs { 2, 4 } do
+        local what = ("%s, %s, %d elements, slowly: "):format(how[1], kind, n)
+        local s = beam(pinned, kind, 4 * unit, merged({ elements_per_member = n, p_delta = how[3] and "chord" },
+          how[3]))
+        local still = s.model:static { steps = 1 }
+        still:finish()
+        s.model:load { member = s.member, q = { 0, 0, -4.08 * unit },
+          history = function(t) return t < slowly and (t / slowly) ^ 2 * (3 - 2 * t / slowly) or 1 end }
+        local run = s.model:dynamic(merged({ from = still, duration = slowly, energy_tolerance = 1 }, how[2]))
+        local yields, most, slope
+        while run:step() do
+          local state, f_y = s.member:state(run)
+          most = support.largest_of(most or f_y, f_y)
+          if state == "yielded" and not yields then
+            local t = run.time / slowly
+            yields, slope = 4 + 4.08 * t ^ 2 * (3 - 2 * t), math.abs(select(5, run:displacement(s.a)))
+          end
+        end
+        expect(yields, what .. "yields")
+        if yields then
+          close(yields, 8, what .. "load at first yield", 5e-3)
+          near(most, 1, 1e-6, what .. "largest f_y")
+          local e, turned = run.energy, 2 * (math.abs(select(5, run:displacement(s.a))) - slope)
+          expect(turned > 1e-2, what .. "turns by %g", turned)
+          close(e.plastic, Mp * turned, what .. "plastic", 2e-2)
+          near(e.remainder, 0, 1e-4 * e.plastic, what .. "balance")
+        end
+      end
+    end
+  end
+end)
+
 checks.done()

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local checks = support.checks "probes"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local bar = hinge.section.solid { width = 0.04, depth = 0.06 }
@@ -32,48 +32,50 @@ local function post(options)
   return model, foot, floor, roof
 end
 
-for _, displacement in ipairs { "large", "small" } do
-  for _, kind in ipairs { "static", "dynamic" } do
-    local what = displacement .. ", " .. kind .. ": "
-    local model, foot, floor, roof = post { displacement = displacement }
-    if kind == "dynamic" then model:velocity(roof, { 0, 2, 0 }, { 0, 0, 3 }) end
-    local run = kind == "static" and model:static { steps = 5 } or model:dynamic { dt = 1e-3, duration = 0.05 }
-    local pairs_of = {}
-    for _, name in ipairs { "ux", "uy", "uz", "vx", "vy", "vrz", "ax" } do
-      pairs_of[name] = { run:probe { node = roof, name }, run:probe { node = floor, name },
-        run:probe { node = roof, relative_to = floor, name } }
-    end
-    local drift_x = run:probe { node = roof, relative_to = floor, "drift_x" }
-    local drift_y = run:probe { node = roof, relative_to = floor, "drift_y", height = 2, name = "own" }
-    local turn = run:probe { node = roof, relative_to = floor, "rz" }
-    local same = run:probe { node = roof, relative_to = foot, "rz" }
-    local rz = run:probe { node = roof, "rz" }
-    local below = run:probe { node = floor, "rz" }
-    run:finish()
-    for name, three in pairs(pairs_of) do
-      equal(#three[3].value, run.index + 1, what .. name .. ": how many")
-      for i, value in ipairs(three[3].value) do
-        equal(value, three[1].value[i] - three[2].value[i], what .. name .. ", row " .. i)
+case("probes of a post of two storeys read what the run reads", function()
+  for _, displacement in ipairs { "large", "small" } do
+    for _, kind in ipairs { "static", "dynamic" } do
+      local what = displacement .. ", " .. kind .. ": "
+      local model, foot, floor, roof = post { displacement = displacement }
+      if kind == "dynamic" then model:velocity(roof, { 0, 2, 0 }, { 0, 0, 3 }) end
+      local run = kind == "static" and model:static { steps = 5 } or model:dynamic { dt = 1e-3, duration = 0.05 }
+      local pairs_of = {}
+      for _, name in ipairs { "ux", "uy", "uz", "vx", "vy", "vrz", "ax" } do
+        pairs_of[name] = { run:probe { node = roof, name }, run:probe { node = floor, name },
+          run:probe { node = roof, relative_to = floor, name } }
       end
-      equal(three[3].unit, three[1].unit, what .. name .. ": unit")
-      equal(three[3].name, "node3_" .. name .. "_to_node2", what .. name .. ": name")
-    end
-    for i, value in ipairs(drift_x.value) do
-      near(value, pairs_of.ux[3].value[i] / 4, 1e-16, what .. "drift over 4 m")
-      near(drift_y.value[i], pairs_of.uy[3].value[i] / 2, 1e-16, what .. "drift over 2 m")
-      near(same.value[i], rz.value[i], 1e-12, what .. "against a foot that does not turn")
-      if displacement == "small" then
-        equal(turn.value[i], rz.value[i] - below.value[i], what .. "rotation against each other")
+      local drift_x = run:probe { node = roof, relative_to = floor, "drift_x" }
+      local drift_y = run:probe { node = roof, relative_to = floor, "drift_y", height = 2, name = "own" }
+      local turn = run:probe { node = roof, relative_to = floor, "rz" }
+      local same = run:probe { node = roof, relative_to = foot, "rz" }
+      local rz = run:probe { node = roof, "rz" }
+      local below = run:probe { node = floor, "rz" }
+      run:finish()
+      for name, three in pairs(pairs_of) do
+        equal(#three[3].value, run.index + 1, what .. name .. ": how many")
+        for i, value in ipairs(three[3].value) do
+          equal(value, three[1].value[i] - three[2].value[i], what .. name .. ", row " .. i)
+        end
+        equal(three[3].unit, three[1].unit, what .. name .. ": unit")
+        equal(three[3].name, "node3_" .. name .. "_to_node2", what .. name .. ": name")
       end
+      for i, value in ipairs(drift_x.value) do
+        near(value, pairs_of.ux[3].value[i] / 4, 1e-16, what .. "drift over 4 m")
+        near(drift_y.value[i], pairs_of.uy[3].value[i] / 2, 1e-16, what .. "drift over 2 m")
+        near(same.value[i], rz.value[i], 1e-12, what .. "against a foot that does not turn")
+        if displacement == "small" then
+          equal(turn.value[i], rz.value[i] - below.value[i], what .. "rotation against each other")
+        end
+      end
+      equal(drift_x.unit, "", what .. "a drift has no unit")
+      equal(drift_x.name, "node3_drift_x_to_node2", what .. "its name")
+      expect(math.abs(drift_x.last) > 1e-5, "%sdrift %g", what, drift_x.last)
     end
-    equal(drift_x.unit, "", what .. "a drift has no unit")
-    equal(drift_x.name, "node3_drift_x_to_node2", what .. "its name")
-    expect(math.abs(drift_x.last) > 1e-5, "%sdrift %g", what, drift_x.last)
   end
-end
+end)
 
--- Rotations of a body that spins: against a node of the same body there is none, however far it has turned.
-do
+case("a probe of rotations follows a body that spins through many turns", function()
+  -- Rotations of a body that spins: against a node of the same body there is none, however far it has turned.
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = bar, material = steel, group = "bar" }
@@ -83,9 +85,9 @@ do
   run:finish()
   near(own.last, 1, 0.01, "turned")
   near(against.last, 0, 1e-3, "against the other end")
-end
+end)
 
-do
+case("a probe of a reaction, a force and an energy reads what the run has", function()
   local model, foot, floor, roof = post()
   local run = model:static { steps = 2 }
   local function probe(options)
@@ -113,10 +115,10 @@ do
   refused("run:probe: both nodes are 3 m high, so 'drift_x' has no height to divide by; give height = m",
     function() level:probe { node = q, relative_to = p, "drift_x" } end)
   equal(#run.probes, 0, "what was refused is no probe")
-end
+end)
 
--- Over a checkpoint.
-do
+case("probes go on over a checkpoint", function()
+  -- Over a checkpoint.
   local function make(height)
     local model, _, floor, roof = post()
     local run = model:dynamic { dt = 1e-3, duration = 0.02 }
@@ -133,10 +135,10 @@ do
   equal(table.concat(resumed.value, " "), table.concat(whole.value, " "), "after a resume")
   local other = make(5)
   refused("...of a run with other probes...", function() other:resume(file) end)
-end
+end)
 
 -- Lists ---------------------------------------------------------------------------------------------------------------
-do
+case("lists of probes give drifts, sums and largest values", function()
   local model, _, _, roof = post { displacement = "small" }
   local run = model:dynamic { dt = 1e-4, duration = 0.5 }
   local probe = run:probe { node = roof, "ux" }
@@ -208,10 +210,10 @@ do
   local again = model:dynamic { dt = 1e-4, duration = 1e-3, checkpoint = { file = file .. "2", keep = keep } }
   again:resume(file)
   equal(keep.list and #keep.list, n, "kept in a checkpoint")
-end
+end)
 
--- In a program: columns, results, plots.
-do
+case("probes in a program head columns of history.csv and stand in probes.json", function()
+  -- In a program: columns, results, plots.
   local hinge_on, folder = support.scenes(arg[1])
   local status, _, complaint = hinge_on("run -q", [=[
 local hinge = require "hinge"
@@ -240,5 +242,6 @@ return { drift = drift.value }
   equal(probe.relative_to, 2, "in the summary: against")
   equal(probe.height, 3, "in the summary: height")
   expect(support.is_there(folder .. "/one/drift.svg") and support.is_there(folder .. "/one/sway.svg"), "no plots")
-end
+end)
+
 checks.done()

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local checks = support.checks "removal"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local steel = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
 local elastic = hinge.material { E = 210e9, density = 7850 }
@@ -36,8 +36,8 @@ local function hanging(options)
   return model, rope, arm, mass
 end
 
--- The time, the energy and what is left.
-do
+case("removing a member keeps the time, releases its energy and leaves the rest", function()
+  -- The time, the energy and what is left.
   local model, rope, arm, mass = hanging()
   model:remove { member = rope, at = 0.005 }
   local rest = model:static { steps = 1 }:finish()
@@ -104,52 +104,56 @@ do
   local late = model:dynamic { from = run, dt = 1e-4, duration = 0.002 }
   late:step()
   equal(arm:state(late), "broken", "a time that has gone")
-end
+end)
 
--- A group, with general fracture rules declared before and after; and with every kind of step.
-for _, order in ipairs { "before", "after" } do
-  local model, rope, arm = hanging()
-  if order == "before" then model:fracture { axial_strain = 10 } end
-  model:remove { group = "ropes", at = 0.001 }
-  if order == "after" then model:fracture { axial_strain = 10 } end
-  local run = model:dynamic { dt = 1e-4, duration = 0.002 }:finish()
-  equal(rope:state(run), "broken", "a rule declared " .. order)
-  equal(arm:state(run), "elastic", "a rule declared " .. order .. ": the other one")
-end
-for name, options in pairs { auto = { dt = "auto", duration = 0.01 },
-  explicit = { integrator = "explicit", dt = "auto", duration = 0.002 } } do
-  local model, rope = hanging()
-  model:remove { member = rope, at = options.duration / 2 }
-  local run = model:dynamic(options)
-  local longest, before, gone = 0, 0, nil
-  for step in run:steps() do
-    longest, before = support.largest_of(longest, step.time - before), step.time
-    gone = gone or rope:state(run) == "broken" and step.time or nil
+case("a group is removed beside general fracture rules", function()
+  -- A group, with general fracture rules declared before and after; and with every kind of step.
+  for _, order in ipairs { "before", "after" } do
+    local model, rope, arm = hanging()
+    if order == "before" then model:fracture { axial_strain = 10 } end
+    model:remove { group = "ropes", at = 0.001 }
+    if order == "after" then model:fracture { axial_strain = 10 } end
+    local run = model:dynamic { dt = 1e-4, duration = 0.002 }:finish()
+    equal(rope:state(run), "broken", "a rule declared " .. order)
+    equal(arm:state(run), "elastic", "a rule declared " .. order .. ": the other one")
   end
-  equal(run.verdict, "completed", name .. ": verdict")
-  local at = options.duration / 2
-  expect(gone and gone >= at - 1e-9 and gone <= at + longest, "%s: goes at %s", name, tostring(gone))
-end
+  for name, options in pairs { auto = { dt = "auto", duration = 0.01 },
+    explicit = { integrator = "explicit", dt = "auto", duration = 0.002 } } do
+    local model, rope = hanging()
+    model:remove { member = rope, at = options.duration / 2 }
+    local run = model:dynamic(options)
+    local longest, before, gone = 0, 0, nil
+    for step in run:steps() do
+      longest, before = support.largest_of(longest, step.time - before), step.time
+      gone = gone or rope:state(run) == "broken" and step.time or nil
+    end
+    equal(run.verdict, "completed", name .. ": verdict")
+    local at = options.duration / 2
+    expect(gone and gone >= at - 1e-9 and gone <= at + longest, "%s: goes at %s", name, tostring(gone))
+  end
+end)
 
--- One element; four of them, of which those in the middle fall by themselves.
-for _, elements in ipairs { 1, 4 } do
-  local model = hinge.model { elements_per_member = elements, formulation = elements == 1 and "asi" or nil }
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a, "all")
-  model:fix(b, "all")
-  local beam = model:member { a, b, section = bar, material = steel }
-  model:gravity { 0, 0, -9.81 }
-  model:remove { member = beam, at = 0 }
-  local run = model:dynamic { dt = 1e-4, duration = 0.05 }:finish()
-  equal(run.verdict, "completed", elements .. " elements: verdict")
-  equal(beam:state(run), "broken", elements .. " elements: state")
-  local momentum = run:momentum()
-  local free = elements == 4 and bar.area * steel.density / 2 or 0 -- kg, that hang on no support
-  near(momentum.linear[3], -free * 9.81 * 0.05, 0.01 * free * 9.81 * 0.05 + 1e-9, elements .. " elements: momentum")
-end
+case("one element of a member is removed", function()
+  -- One element; four of them, of which those in the middle fall by themselves.
+  for _, elements in ipairs { 1, 4 } do
+    local model = hinge.model { elements_per_member = elements, formulation = elements == 1 and "asi" or nil }
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a, "all")
+    model:fix(b, "all")
+    local beam = model:member { a, b, section = bar, material = steel }
+    model:gravity { 0, 0, -9.81 }
+    model:remove { member = beam, at = 0 }
+    local run = model:dynamic { dt = 1e-4, duration = 0.05 }:finish()
+    equal(run.verdict, "completed", elements .. " elements: verdict")
+    equal(beam:state(run), "broken", elements .. " elements: state")
+    local momentum = run:momentum()
+    local free = elements == 4 and bar.area * steel.density / 2 or 0 -- kg, that hang on no support
+    near(momentum.linear[3], -free * 9.81 * 0.05, 0.01 * free * 9.81 * 0.05 + 1e-9, elements .. " elements: momentum")
+  end
+end)
 
--- What is refused.
-do
+case("wrong removals are refused", function()
+  -- What is refused.
   local model, rope = hanging()
   local function remove(options) return function() model:remove(options) end end
   refused("model:remove: field 'member' is missing; give a member, or group = a group", remove { at = 1 })
@@ -166,10 +170,10 @@ do
   end)
   local run = model:dynamic { dt = 1e-4, duration = 0.001 }:finish()
   equal(rope:state(run), "elastic", "what was refused removes nothing")
-end
+end)
 
--- In the files of a program.
-do
+case("a removal stands in events.csv, the plan and the summary of a program", function()
+  -- In the files of a program.
   local hinge_on, folder = support.scenes(arg[1])
   local status, _, complaint = hinge_on("run -q", [=[
 local hinge = require "hinge"
@@ -196,5 +200,6 @@ model:dynamic { dt = 1e-4, duration = 4e-3 }:finish()
     end
   end
   equal(n, 2, "events of both elements in\n" .. events)
-end
+end)
+
 checks.done()

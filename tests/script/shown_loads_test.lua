@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "shown_loads"
-local near, equal, expect = checks.near, checks.equal, checks.expect
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
 local L = 2
 local steel = hinge.material { E = 200e9, nu = 0.3, density = 7850 }
@@ -51,7 +51,7 @@ local function shown(run)
   end
   return sum, #pieces.loads
 end
-do
+case("the loads of a frame are those declared", function()
   local points = { { 1, 0, 0 }, { 1.5, 0.5, 2 }, { 3, 0.2, 2.4 } }
   local function same(declare, what, size_wanted)
     local s = beam(points, { "all", nil, "all" })
@@ -80,8 +80,10 @@ do
   same(function(s) s.model:load { member = s.member[2], at = 0.7, force = { 1, 2, -30 }, moment = { 1, 0, 2 } } end,
     "a load at a point")
   same(function(s) s.model:load { member = s.member[2], at = 1, force = { 0, 0, -30 } } end, "a load at an end", 30)
-end
-do -- in statics as much of it as acts
+end)
+
+case("in statics as much of a load is shown as acts", function()
+  -- in statics as much of it as acts
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" })
   s.model:load { node = s.node[2], force = { 0, 0, -40 } }
   s.model:load { member = s.member[1], q = { 0, 0, -6 } }
@@ -91,16 +93,20 @@ do -- in statics as much of it as acts
     seen = seen + 1
   end
   equal(seen, 4, "steps")
-end
-do -- in dynamics by its history
+end)
+
+case("in dynamics a load is shown by its history", function()
+  -- in dynamics by its history
   local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" })
   s.model:load { member = s.member[1], q = { 0, 0, -10 }, history = { { 0, 1 }, { 1e-3, 0.5 } } }
   s.model:load { node = s.node[2], force = { 0, 0, -8 }, history = { { 0, 0 }, { 2e-3, 1 } } }
   local run = s.model:dynamic { dt = 1e-4, duration = 1e-3 }
   run:finish()
   near(shown(run)[3], -0.5 * 10 * L - 0.5 * 8, 1e-6, "shown by the history")
-end
-do -- where a run goes on from a checkpoint, before its first step: forces with their part of the load, and the loads
+end)
+
+case("a run that goes on from a checkpoint shows its loads before its first step", function()
+  -- where a run goes on from a checkpoint, before its first step: forces with their part of the load, and the loads
   local file = os.tmpname()
   local function swaying()
     local s = beam({ { 0, 0, 0 }, { L, 0, 0 } }, { "all" })
@@ -126,6 +132,6 @@ do -- where a run goes on from a checkpoint, before its first step: forces with 
   local x, y = shown(before), shown(after)
   near(x[3], -0.6 * 1e3 * L - 0.3 * 800, 1e-6, "shown in step 6")
   for c = 1, 6 do equal(y[c], x[c], "shown right after a checkpoint, component " .. c) end
-end
+end)
 
 checks.done()

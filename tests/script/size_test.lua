@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "size"
-local expect, equal, near = checks.expect, checks.equal, checks.near
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local folder = support.temporary_folder()
 local function run(limits, arguments)
@@ -38,40 +38,46 @@ model:static { steps = 1, record = false }:finish()
 ]]
 support.write(folder .. "/scene.lua", frame)
 
--- 198,440 members with 4 GB of memory: the factors alone take 10.3 GB.
-local status, _, complaint = run("ulimit -t 60; ulimit -v 4000000;", "n=40")
-equal(status, 2, "no room: status; " .. complaint)
-local members = 40 * (41 ^ 2 + 2 * 40 * 41) // 1 | 0
-equal(members, 198440, "members")
-local lines = {}
-for line in complaint:gmatch "[^\n]+" do lines[#lines + 1] = line end
-equal(lines[1], "a large model: 100,000 members so far", "the first line")
--- free: all nodes but those of the ground; a node within each member of two elements
-local nodes = 41 ^ 3 // 1 | 0
-equal(lines[2], "a large model: 198,440 members, 396,880 elements, 267,361 nodes, at most 1,604,166 degrees of freedom",
-  "how large")
-equal(nodes + members, 267361, "nodes")
-expect((lines[3] or ""):find("^hinge: scene%.lua:20: model:static: a run of it factorises the stiffness of 1,594,080 "
-  .. "degrees of freedom: about %d+%.%d GB of memory, and %d[%d.]* [MG]B are left; make the model smaller"),
-  "it does not fit: %s", lines[3])
-equal((nodes + members - 41 ^ 2) * 6, 1594080.0, "free degrees of freedom")
-equal(#lines, 3, "lines")
+case("a model that does not fit into memory is refused before it is factorised", function()
+  -- 198,440 members with 4 GB of memory: the factors alone take 10.3 GB.
+  local status, _, complaint = run("ulimit -t 60; ulimit -v 4000000;", "n=40")
+  equal(status, 2, "no room: status; " .. complaint)
+  local members = 40 * (41 ^ 2 + 2 * 40 * 41) // 1 | 0
+  equal(members, 198440, "members")
+  local lines = {}
+  for line in complaint:gmatch "[^\n]+" do lines[#lines + 1] = line end
+  equal(lines[1], "a large model: 100,000 members so far", "the first line")
+  -- free: all nodes but those of the ground; a node within each member of two elements
+  local nodes = 41 ^ 3 // 1 | 0
+  equal(lines[2], "a large model: 198,440 members, 396,880 elements, 267,361 nodes, at most 1,604,166 degrees of "
+    .. "freedom",
+    "how large")
+  equal(nodes + members, 267361, "nodes")
+  expect((lines[3] or ""):find("^hinge: scene%.lua:20: model:static: a run of it factorises the stiffness of 1,594,080 "
+    .. "degrees of freedom: about %d+%.%d GB of memory, and %d[%d.]* [MG]B are left; make the model smaller"),
+    "it does not fit: %s", lines[3])
+  equal((nodes + members - 41 ^ 2) * 6, 1594080.0, "free degrees of freedom")
+  equal(#lines, 3, "lines")
+end)
 
--- What is foretold is near what is taken: the most memory of a run, of which the program itself has some.
-support.write(folder .. "/scene.lua", (frame:gsub("model:static", "print(require 'hinge.core'.peak())\n%0")
-  .. "print(require 'hinge.core'.peak())\n"))
-local _, printed, complaint_of_9 = run("", "n=9")
-local first, last = printed:match "(%d[%d.e+]*)\n(%d[%d.e+]*)"
-local taken = (tonumber(last) or 0) - (tonumber(first) or 0)
-expect(not complaint_of_9:find "a large model", "2,520 members are not large: %s", complaint_of_9)
-_, _, complaint = run("ulimit -v 60000;", "n=9")
-local foretold = tonumber(complaint:match "about (%d+) MB of memory, and")
-if expect(foretold, "n = 9 does not fit into 60 MB: %s", complaint) then
-  near(taken / 1e6 / foretold, 1, 0.4, ("memory taken, %.0f MB, over that foretold"):format(taken / 1e6))
-end
+case("the memory that is foretold is near what a run takes", function()
+  -- What is foretold is near what is taken: the most memory of a run, of which the program itself has some.
+  support.write(folder .. "/scene.lua", (frame:gsub("model:static", "print(require 'hinge.core'.peak())\n%0")
+    .. "print(require 'hinge.core'.peak())\n"))
+  local _, printed, complaint_of_9 = run("", "n=9")
+  local first, last = printed:match "(%d[%d.e+]*)\n(%d[%d.e+]*)"
+  local taken = (tonumber(last) or 0) - (tonumber(first) or 0)
+  expect(not complaint_of_9:find "a large model", "2,520 members are not large: %s", complaint_of_9)
+  local _, _, complaint = run("ulimit -v 60000;", "n=9")
+  local foretold = tonumber(complaint:match "about (%d+) MB of memory, and")
+  if expect(foretold, "n = 9 does not fit into 60 MB: %s", complaint) then
+    near(taken / 1e6 / foretold, 1, 0.4, ("memory taken, %.0f MB, over that foretold"):format(taken / 1e6))
+  end
+end)
 
--- Dynamics says what it takes; a line each; with --json as an event.
-support.write(folder .. "/scene.lua", [[
+case("a large dynamic run says how much memory it takes, once a model", function()
+  -- Dynamics says what it takes; a line each; with --json as an event.
+  support.write(folder .. "/scene.lua", [[
 local hinge = require "hinge"
 local model = hinge.model()
 local last = model:node { 0, 0, 0 }
@@ -84,13 +90,15 @@ for i = 1, 20000 do
 end
 for _ = 1, 2 do model:dynamic { dt = 1e-5, duration = 1e-5, integrator = "explicit", record = false } end
 ]])
-status, _, complaint = run ""
-equal(status, 0, "dynamics: status")
-expect(complaint:find "^a large model: 20,000 members, 40,000 elements, 40,001 nodes, at most 240,006 degrees of "
-  and complaint:find "\na dynamic run of it takes about %d+ MB of memory; [%d.]+ [MG]B are left\n", "dynamics: %s",
-  complaint)
-equal(select(2, complaint:gsub("a large model", "")), 1, "the same model again")
-expect(not select(3, run("", "-q")):find "large", "-q")
-local _, events = run("", "--json")
-expect(events:find '"event":"size"', "--json: %s", events)
+  local status, _, complaint = run ""
+  equal(status, 0, "dynamics: status")
+  expect(complaint:find "^a large model: 20,000 members, 40,000 elements, 40,001 nodes, at most 240,006 degrees of "
+    and complaint:find "\na dynamic run of it takes about %d+ MB of memory; [%d.]+ [MG]B are left\n", "dynamics: %s",
+    complaint)
+  equal(select(2, complaint:gsub("a large model", "")), 1, "the same model again")
+  expect(not select(3, run("", "-q")):find "large", "-q")
+  local _, events = run("", "--json")
+  expect(events:find '"event":"size"', "--json: %s", events)
+end)
+
 checks.done()

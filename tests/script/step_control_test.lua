@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "step_control"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 local bar, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.material { E = 206e9, density = 7850 }
 
 local function share(run) return math.abs(run.energy.remainder) / run.energy.initial end
@@ -25,35 +25,41 @@ local function turning(options)
 end
 local dt = 1e-4
 local run, last, told = turning { step_control = 0.01 }, 0, 0
-run:on_step(function(r)
-  local parts = dt / (r.time - last)
-  expect(math.abs(parts - math.floor(parts + 0.5)) < 1e-6 and parts <= 1024, "a step of dt / %.9g at %g s",
-    parts, r.time)
-  last, told = r.time, told + 1
+case("a bar that rotates far a step loses no more than step control allows", function()
+  run:on_step(function(r)
+    local parts = dt / (r.time - last)
+    expect(math.abs(parts - math.floor(parts + 0.5)) < 1e-6 and parts <= 1024, "a step of dt / %.9g at %g s",
+      parts, r.time)
+    last, told = r.time, told + 1
+  end)
+  run:finish()
+  equal(run.verdict, "completed", "a bar that rotates: " .. run.reason)
+  expect(share(run) <= 0.01, "energy error %g", share(run))
+  expect(run.counts.rejected_steps > 0 and run.dt < dt, "%d steps taken back, dt %g", run.counts.rejected_steps, run.dt)
+  equal(told, run.index, "steps told to the script")
+  expect(math.abs(run.time - 0.05) < 1e-15, "it ends at %.17g s", run.time)
 end)
-run:finish()
-equal(run.verdict, "completed", "a bar that rotates: " .. run.reason)
-expect(share(run) <= 0.01, "energy error %g", share(run))
-expect(run.counts.rejected_steps > 0 and run.dt < dt, "%d steps taken back, dt %g", run.counts.rejected_steps, run.dt)
-equal(told, run.index, "steps told to the script")
-expect(math.abs(run.time - 0.05) < 1e-15, "it ends at %.17g s", run.time)
 
--- Where every step may be kept, it changes no bit.
-local free, watched = turning { energy_tolerance = 0 }, turning { energy_tolerance = 0, step_control = 0.999 }
-for _ = 1, 3 do free:step() watched:step() end
-equal(watched.counts.rejected_steps, 0, "none taken back")
-equal(watched.hash, free.hash, "the bits of three steps")
+case("where every step may be kept, step control changes no bit", function()
+  -- Where every step may be kept, it changes no bit.
+  local free, watched = turning { energy_tolerance = 0 }, turning { energy_tolerance = 0, step_control = 0.999 }
+  for _ = 1, 3 do free:step() watched:step() end
+  equal(watched.counts.rejected_steps, 0, "none taken back")
+  equal(watched.hash, free.hash, "the bits of three steps")
+end)
 
--- What no step can meet ends the run by itself, in the state before.
-local never = turning { step_control = 1e-15 }
-never:finish()
-equal(never.verdict, "failed", "step_control = 1e-15")
-expect(support.says(never.reason,
-  "step ..., t = ... s: the step would lose ... % of the largest energy, its share of step_control is ... %; "
-  .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; step_control = 0.01 holds: tried "
-  .. "from t = ... s to ... s"),
-  "reason: %s", never.reason)
-expect(share(never) < 1e-3 and not never:step(), "the state before it, energy error %g", share(never))
+case("what no step can meet ends the run in the state before", function()
+  -- What no step can meet ends the run by itself, in the state before.
+  local never = turning { step_control = 1e-15 }
+  never:finish()
+  equal(never.verdict, "failed", "step_control = 1e-15")
+  expect(support.says(never.reason,
+    "step ..., t = ... s: the step would lose ... % of the largest energy, its share of step_control is ... %; "
+    .. "dt was halved down to 9.77e-08 s, and no shorter step is tried; step_control = 0.01 holds: tried "
+    .. "from t = ... s to ... s"),
+    "reason: %s", never.reason)
+  expect(share(never) < 1e-3 and not never:step(), "the state before it, energy error %g", share(never))
+end)
 
 -- Impact by surfaces at eight times the step that it needs: what the script is told of belongs to steps that were kept.
 local function crash(options)
@@ -78,21 +84,23 @@ local function crash(options)
   crashed:finish()
   return crashed, touched, released, asked, math.abs(crashed:momentum().linear[3] / before - 1)
 end
-local long = crash { dt = 4e-5, energy_tolerance = 0, step_control = 0 }
-expect(share(long) > 0.02, "without control the energy balance is off by %g", share(long))
-local held, touched, released, asked, lost = crash { dt = 4e-5, step_control = 0.01 }
-equal(held.verdict, "completed", "impact: " .. held.reason)
-expect(share(held) <= 0.01 and lost < 1e-6, "impact: energy error %g, momentum %g", share(held), lost)
-expect(held.counts.rejected_steps > 0, "impact: steps taken back")
-equal(held.contacts.bound, touched, "touches told")
-equal(held.contacts.released, released, "releases told")
-local back = 0
-for i = 2, #asked do back = back + (asked[i] < asked[i - 1] and 1 or 0) end
-expect(back >= held.counts.rejected_steps,
-  "loads are asked again where a step is tried again: %d times for %d", back, held.counts.rejected_steps)
+case("impact in steps of eight times the length keeps the energy, with the same bits on two threads", function()
+  local long = crash { dt = 4e-5, energy_tolerance = 0, step_control = 0 }
+  expect(share(long) > 0.02, "without control the energy balance is off by %g", share(long))
+  local held, touched, released, asked, lost = crash { dt = 4e-5, step_control = 0.01 }
+  equal(held.verdict, "completed", "impact: " .. held.reason)
+  expect(share(held) <= 0.01 and lost < 1e-6, "impact: energy error %g, momentum %g", share(held), lost)
+  expect(held.counts.rejected_steps > 0, "impact: steps taken back")
+  equal(held.contacts.bound, touched, "touches told")
+  equal(held.contacts.released, released, "releases told")
+  local back = 0
+  for i = 2, #asked do back = back + (asked[i] < asked[i - 1] and 1 or 0) end
+  expect(back >= held.counts.rejected_steps,
+    "loads are asked again where a step is tried again: %d times for %d", back, held.counts.rejected_steps)
+end)
 
--- A function of the script that fails in a step is undone as ever.
-do
+case("a function that fails in a step of step control is undone", function()
+  -- A function of the script that fails in a step is undone as ever.
   local model = hinge.model {}
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = bar, material = steel }
@@ -109,10 +117,10 @@ do
   fails = false
   undone:finish()
   equal(undone.verdict, "completed", "and goes on")
-end
+end)
 
--- Hinges that chatter so that Newton's method finds no end: steps that cannot be solved are halved too.
-do
+case("hinges that chatter are stepped through", function()
+  -- Hinges that chatter so that Newton's method finds no end: steps that cannot be solved are halved too.
   local function mechanism(options)
     local model = hinge.model {}
     local soft = hinge.material { E = 206e9, density = 7850, yield_stress = 1e6 }
@@ -147,10 +155,10 @@ do
   expect(support.says(kept.reason, "step ..., t = ... s: Newton did not converge in 30 iterations (last correction "
     .. "... of the first); step_control = 0.01 holds: tried from t = ... s to ... s"),
     "all steps kept: %s", kept.reason)
-end
+end)
 
--- While no step is taken back, the default changes no bit, no time and no step: hinges, contact, fracture.
-do
+case("while no step is taken back the default changes no bit, no time and no step", function()
+  -- While no step is taken back, the default changes no bit, no time and no step: hinges, contact, fracture.
   local function same(what, make)
     local default, kept = make {}, make { step_control = 0 }
     equal(default.verdict, "completed", what .. ": " .. default.reason)
@@ -177,10 +185,10 @@ do
     options.dt, options.duration, options.record = 1e-5, 0.01, false
     return model:dynamic(options):finish()
   end)
-end
+end)
 
--- A trial of what may hold calls no function of the script: where there is one, the remedy is named untried.
-do
+case("a trial of a remedy calls no function of the script", function()
+  -- A trial of what may hold calls no function of the script: where there is one, the remedy is named untried.
   local model, calls, latest = hinge.model {}, 0, -1
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:member { a, b, section = bar, material = steel, group = "bar" }
@@ -194,10 +202,10 @@ do
   expect(fails.reason:find("; step_control = 0.01 may hold (not tried: it would call functions of the script)", 1,
     true), "it says: %s", fails.reason)
   expect(calls <= seen + 6 and latest <= 1e-4 * (seen + 1.5), "%d calls up to %g s in %d steps", calls, latest, seen)
-end
+end)
 
--- dt = "auto" has it by itself, and only that.
-do
+case("dt = auto has step control by default, and a number has not", function()
+  -- dt = "auto" has it by itself, and only that.
   local text = "halved where one would lose more than its share of "
   local function said(options) return bar_in_flight():dynamic(options).effects[1].because end
   expect(said { dt = "auto", duration = 1e-3 }:find(text .. "0.1 %", 1, true), "auto: %s",
@@ -207,6 +215,6 @@ do
     { dt = "auto", duration = 1e-3, integrator = "explicit" } } do
     expect(not said(none):find(text, 1, true), "not there: %s", said(none))
   end
-end
+end)
 
 checks.done()
