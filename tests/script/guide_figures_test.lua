@@ -1,0 +1,64 @@
+-- Tables of the guide whose rows no command of the page prints: each row is run, and gives what the page says.
+--
+-- Run: lua5.4 tests/script/guide_figures_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "guide figures"
+local case, expect, equal = checks.case, checks.expect, checks.equal
+local guide = support.root .. "lua/guide/"
+local hinge_on = support.scenes(arg[1])
+
+-- The rows of the tables of a page whose first cell begins so: lists of cells.
+local function rows_of(page, beginning)
+  local rows = {}
+  for line in support.read(guide .. page):gmatch "[^\n]+" do
+    local cells = {}
+    for cell in line:gmatch "| ([^|]*) %f[|]" do cells[#cells + 1] = cell:match "^%s*(.-)%s*$" end
+    if (cells[1] or ""):find(beginning) then rows[#rows + 1] = cells end
+  end
+  return rows
+end
+
+-- impact.lua with another piece of text in the place of one that it has. Returns its steps, the energy error, %, and
+-- the plastic work of frame and body, kJ, as printed.
+local script = support.read(guide .. "impact.lua")
+local function impact(piece, other)
+  local from, to = script:find(piece, 1, true)
+  local text = script:sub(1, from - 1) .. other .. script:sub(to + 1)
+  text = text:gsub("\nhinge%.strip[^\n]*\n", "\n"):gsub("energy error %%%.2f", "energy error %%.3f")
+  local status, printed, complaint = hinge_on("run -q", text .. "\nprint('steps', run.index)\n")
+  equal(status, 0, other .. ": " .. complaint)
+  local frame, body = printed:match "plastic work: frame ([%d.]+) kJ, body ([%d.]+) kJ"
+  return printed:match "steps%s+(%d+)", printed:match "energy error ([%d.]+) %%", frame, body
+end
+
+-- Printed figures agree to one unit of the last digit that the page has.
+local function as_written(value, written, what)
+  local digits = (written:match "%.(%d+)" or ""):len()
+  expect(value and math.abs(tonumber(value) - tonumber(written)) <= 1.001 * 10.0 ^ -digits, "%s: %s, the page has %s",
+    what, value, written)
+end
+
+case("impact.md: steps, energy error and plastic work for the longer steps", function()
+  local rows = 0
+  for _, cells in ipairs(rows_of("impact.md", "^%d+ µs$")) do
+    local dt, steps = cells[1]:match "%d+", tonumber(cells[2])
+    if steps <= 2500 then
+      rows = rows + 1
+      local n, percent, frame, body = impact("dt = 2e-5", "dt = " .. dt .. "e-6")
+      expect(math.abs(tonumber(n) / steps - 1) < 0.02, "%s: %s steps, the page has %d", cells[1], n, steps)
+      as_written(percent, cells[3]:match "[%d.]+", cells[1] .. ": energy error, %")
+      as_written(frame, cells[4]:match "[%d.]+", cells[1] .. ": plastic work of the frame, kJ")
+      as_written(body, cells[5]:match "[%d.]+", cells[1] .. ": plastic work of the body, kJ")
+    end
+  end
+  equal(rows, 2, "rows of the table that are short enough")
+end)
+
+case("impact.md: plastic work of the frame by gap elements", function()
+  local written = support.read(guide .. "impact.md"):match 'With `rule = "gap"` the frame has some (%d+) kJ'
+  local _, _, frame = impact('model:contact { between', 'model:contact { rule = "gap", between')
+  as_written(frame, written or "0", "plastic work of the frame, kJ")
+end)
+
+checks.done()
