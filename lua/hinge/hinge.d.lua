@@ -1674,7 +1674,7 @@ function hinge.strip(snapshots, columns, filename) end
 ---@overload fun(what: hinge.plot|hinge.panels|hinge.run|string, filename: string)
 ---@param what hinge.plot|hinge.panels|hinge.run|string see job:plot
 ---@param choice? hinge.history only with a run or its folder: what of it
----@param filename string plain name ending in .png or .svg
+---@param filename string plain name ending in .png, .svg or .pdf
 function hinge.plot(what, choice, filename) end
 
 ---```lua

@@ -1,6 +1,7 @@
 -- A job: the pictures, frames and notes of one run of a script.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local draw_plot = require "hinge.plot.draw"
 local history = require "hinge.history"
 local hinges = require "hinge.hinges"
 local view_rules = require "hinge.view".rules
@@ -31,12 +32,13 @@ local function must_be_run(where, run)
   if type(run) ~= "userdata" then check.fail("%s: the run is %s%s", where, check.show(run), what) end
 end
 
--- The output folder's file of that name, which must be a plain one; `svg`: .svg will do as well as .png.
-local function picture_path(where, job, filename, svg)
+-- The output folder's file of that name, which must be a plain one; `plot`: .svg and .pdf will do as well as .png.
+local function picture_path(where, job, filename, plot)
   check.value(where, "filename", filename, { "string" })
-  if not (filename:match("^[%w._ -]+%.png$") or svg and filename:match("^[%w._ -]+%.svg$")) then
+  local ending = filename:match "^[%w._ -]+%.(%l+)$"
+  if not (ending == "png" or plot and (ending == "svg" or ending == "pdf")) then
     check.fail("%s: filename is '%s'; must be a plain name ending in .png%s (it goes into the output folder)",
-      where, filename, svg and " or .svg" or "")
+      where, filename, plot and ", .svg or .pdf" or "")
   end
   return job.out == "" and filename or job.out .. "/" .. filename
 end
@@ -93,7 +95,7 @@ function Job:strip(snapshots, columns, filename, ...)
     marks)
 end
 
---- Draws curves into a PNG or SVG picture in the output folder: a plot, or what a run recorded.
+--- Draws curves into a PNG, SVG or PDF picture in the output folder: a plot, or what a run recorded.
 -- job:plot(plot, filename), job:plot(run, filename), job:plot(run, what, filename)
 function Job:plot(plot, ...)
   local where = named(self, "plot")
@@ -107,7 +109,7 @@ function Job:plot(plot, ...)
   end
   check.no_more(where, select(more, ...))
   check.value(where, "what", plot, { "table" })
-  try(self, filename, core.write_plot, plot, picture_path(where, self, filename, true), where)
+  try(self, filename, draw_plot, plot, picture_path(where, self, filename, true), where)
 end
 
 --- Prints a text and keeps it in summary.json.

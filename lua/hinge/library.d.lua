@@ -80,7 +80,9 @@ function job:picture(run, view, filename) end
 ---@param filename string plain name ending in .png
 function job:strip(snapshots, columns, filename) end
 
----Draws a plot into the output folder: PNG, or SVG where the filename ends in .svg. An SVG needs no display. what is a
+---Draws a plot into the output folder by the program gnuplot: PNG, SVG or PDF by the filename's ending. It needs no
+---display. Beside NAME.png stand NAME.gp, gnuplot's commands, and NAME.dat, the values, so that the picture can be
+---restyled for a paper. what is a
 ---table of curves (hinge.plot), of panels (hinge.panels), or a run. Of a run its energies and probes are drawn over
 ---time, those of one unit in one panel. For a static run the load factor is drawn over its probes, which is the
 ---load-displacement curve, and energies are drawn over the load factor. In place of a run, the folder of one that has
@@ -97,7 +99,7 @@ function job:strip(snapshots, columns, filename) end
 ---@param what hinge.plot|hinge.panels|hinge.run|string a run, or the folder of one that has ended
 ---@param choice? hinge.history only with a run or its folder: what of it; default: its energies that are not 0
 ---  throughout and all its probes, of a static run with probes these alone
----@param filename string plain name ending in .png or .svg
+---@param filename string plain name ending in .png, .svg or .pdf
 function job:plot(what, choice, filename) end
 
 ---@class hinge.history what is plotted of a run
@@ -149,7 +151,7 @@ function job:plot(what, choice, filename) end
 ---@field colour? string|number[]
 ---texts beside the points, placed so that they hide little; those of bars stand at their ends. "" for none
 ---@field labels? string[]
----true: drawn lighter; its labels are grey, and left out where there is no room; default false
+---true: drawn lighter; its labels are left out where there is no room; default false
 ---@field faint? boolean
 
 ---@class hinge.plot_line a level or upright line, thin and grey

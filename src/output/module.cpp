@@ -12,13 +12,11 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include "output/display.h"
-#include "output/draw_plot.h"
 #include "output/draw_snapshot.h"
 #include "output/film.h"
 #include "output/frame_box.h"
 #include "output/gif.h"
 #include "output/picture.h"
-#include "output/plot.h"
 #include "output/quiet_vtk.h"
 #include "output/snapshot_file.h"
 
@@ -90,10 +88,6 @@ HINGE_EXPORT int hinge_render(const char* path, const Snapshot& snapshot, const 
 HINGE_EXPORT int hinge_render_strip(const char* path, int n, const Snapshot* const* snapshots, const View* views,
                                     int columns, char* error, int room) {
     return guarded(error, room, [&] { write_whole(given(path), draw_strip(n, snapshots, views, columns)); });
-}
-
-HINGE_EXPORT int hinge_plot(const char* path, const Plot& plot, int width, int height, char* error, int room) {
-    return guarded(error, room, [&] { write_whole(given(path), draw_plot(path, plot, width, height)); });
 }
 
 HINGE_EXPORT int hinge_frame_box(const Snapshot& snapshot, const View& view, FrameBox* box, char* error, int room) {

@@ -29,13 +29,11 @@ public:
 
     void text(double x, double y, const std::string& words, const TextStyle& style) override;
     std::array<double, 2> size_of(const std::string& words, const TextStyle& style) override;
-    void path(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) override;
+    void path(const std::vector<Pixel>& points, double width, Colour colour) override;
     void box(double x, double y, double width, double height, Colour colour, double opacity) override;
     void dot(double x, double y, double radius, Colour colour) override;
-    void strip(const std::vector<Pixel>& low, const std::vector<Pixel>& high, Colour colour, double opacity) override;
 
 private:
-    void draw_dashes(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes);
     vtkContext2D& context_;
     double drawn_size_ = 0;  ///< of what size_of was asked for last
 };
@@ -103,7 +101,6 @@ void use_text(vtkContext2D& context, const TextStyle& style) {
     property->SetFontSize(static_cast<int>(std::lround(style.size)));
     property->SetBold(style.bold);
     property->SetItalic(style.italic);
-    property->SetOrientation(style.upwards ? 90 : 0);
     property->SetColor(style.colour[0] / 255.0, style.colour[1] / 255.0, style.colour[2] / 255.0);
     property->SetJustificationToLeft();
     property->SetVerticalJustificationToBottom();
@@ -113,20 +110,11 @@ void use_text(vtkContext2D& context, const TextStyle& style) {
 void CanvasPen::text(double x, double y, const std::string& words, const TextStyle& style) {
     if (words.empty()) return;
     const auto [wide, high] = size_of(words, style);
-    const double left = style.upwards ? x + style.upright * high : x - style.across * wide;
-    const double foot = style.upwards ? y - style.across * wide : y - style.upright * high;
+    const double left = x - style.across * wide, foot = y - style.upright * high;
     TextStyle drawn = style;
     drawn.size = drawn_size_;
     use_text(context_, drawn);
     context_.DrawString(static_cast<float>(std::round(left)), static_cast<float>(std::round(foot)), words.c_str());
-    if (style.power.empty()) return;
-    TextStyle plain = style;
-    plain.power.clear();
-    plain.across = 0;
-    const double base = size_of(words, plain)[0];
-    plain.size = power_size * style.size;
-    if (style.upwards) text(x - power_height * style.size, foot + base, style.power, plain);
-    else text(left + base, y + power_height * style.size, style.power, plain);
 }
 
 // VTK draws words as a texture that repeats. Where it needs no padding, as it is a power of two wide or high, its last
@@ -134,7 +122,6 @@ void CanvasPen::text(double x, double y, const std::string& words, const TextSty
 std::array<double, 2> CanvasPen::size_of(const std::string& words, const TextStyle& style) {
     if (words.empty()) return {0, 0};
     TextStyle level = style;
-    level.upwards = false;
     float bounds[4] = {};
     double size = style.size;
     for (int more = 0; more < 3; ++more) {
@@ -144,52 +131,15 @@ std::array<double, 2> CanvasPen::size_of(const std::string& words, const TextSty
         const auto repeats = [](float side) { return std::has_single_bit(static_cast<unsigned>(std::lround(side))); };
         if (!repeats(bounds[2]) && !repeats(bounds[3])) break;
     }
-    double beside = 0;
-    if (!style.power.empty()) {
-        level.power.clear();
-        level.size = power_size * style.size;
-        beside = size_of(style.power, level)[0];
-    }
     drawn_size_ = size;
-    return {bounds[2] + beside, bounds[3]};
+    return {bounds[2], bounds[3]};
 }
 
-void CanvasPen::path(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) {
+void CanvasPen::path(const std::vector<Pixel>& points, double width, Colour colour) {
     if (points.size() < 2) return;
-    if (dashes.on > 0) return draw_dashes(points, width, colour, dashes);
     use_pen(context_, colour, width);
     // DrawPoly only reads.
     context_.DrawPoly(const_cast<float*>(points.front().data()), static_cast<int>(points.size()));
-}
-
-/// Dashes by length along the curve: even ones, however densely it was sampled.
-void CanvasPen::draw_dashes(const std::vector<Pixel>& points, double width, Colour colour, Dashes dashes) {
-    bool down = true;
-    double left = dashes.on;
-    std::vector<Pixel> piece;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        Pixel p = points[i];
-        const Pixel q = points[i + 1];
-        double rest = std::hypot(q[0] - p[0], q[1] - p[1]);
-        if (down && piece.empty()) piece.push_back(p);
-        while (rest > left) {
-            const float share = static_cast<float>(left / rest);
-            p = {p[0] + share * (q[0] - p[0]), p[1] + share * (q[1] - p[1])};
-            rest -= left;
-            if (down) {
-                piece.push_back(p);
-                path(piece, width, colour, {});
-                piece.clear();
-            } else {
-                piece = {p};
-            }
-            down = !down;
-            left = down ? dashes.on : dashes.off;
-        }
-        left -= rest;
-        if (down) piece.push_back(q);
-    }
-    if (down) path(piece, width, colour, {});
 }
 
 void CanvasPen::box(double x, double y, double width, double height, Colour colour, double opacity) {
@@ -203,14 +153,6 @@ void CanvasPen::dot(double x, double y, double radius, Colour colour) {
     use_brush(context_, colour, 1);
     context_.DrawEllipse(static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius),
                          static_cast<float>(radius));
-}
-
-void CanvasPen::strip(const std::vector<Pixel>& low, const std::vector<Pixel>& high, Colour colour, double opacity) {
-    if (low.size() < 2) return;
-    use_brush(context_, colour, opacity);
-    std::vector<Pixel> edges;
-    for (std::size_t i = 0; i < low.size(); ++i) edges.insert(edges.end(), {low[i], high[i]});
-    context_.DrawQuadStrip(edges.front().data(), static_cast<int>(edges.size()));
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ end }
 local limit = "trap '' XFSZ; ulimit -f 40;" -- blocks of 512 or 1024 bytes
 status, _, complaint = hinge("run draws.lua -q --out full", limit)
 equal(status, 1, "a full disk: status")
-expect(complaint:find "^hinge: the run failed: not all was written: plot1%.svg: cannot write full/plot1%.svg: [^\n]*; "
+expect(complaint:find "^hinge: the run failed: not all was written: plot1%.svg: cannot write full/plot1%.dat: [^\n]*; "
   .. "and 2 more\n$", "a full disk: %s", complaint)
 local s = support.json(support.read(path "full/summary.json") or "{}")
 equal(s.verdict, "failed", "a full disk: verdict")

@@ -37,23 +37,32 @@ local function lua(script)
   return text, good
 end
 
-local function svg(name)
-  local text = support.read(folder .. "/" .. name)
-  return expect(text and text:find "^<svg ", "%s is no SVG", name) and text or ""
+-- What gnuplot was told to draw, beside the picture.
+local function commands(name)
+  local text = support.read(folder .. "/" .. name .. ".gp")
+  return expect(text and text:find "^# Draws ", "%s.gp is not there", name) and text or ""
 end
 
 local function holds(text, what, wanted)
-  return expect((text:find(">" .. what .. "<", 1, true) ~= nil) == (wanted ~= false), "%s '%s' in\n%s",
-    wanted == false and "unexpected" or "no", what, text:sub(1, 2000))
+  what = "'" .. what:gsub("'", "''") .. "'"
+  return expect((text:find(what, 1, true) ~= nil) == (wanted ~= false), "%s %s in\n%s",
+    wanted == false and "unexpected" or "no", what, text)
 end
 
--- The points of the curves of an SVG.
-local function curves(text)
-  local list = {}
-  for points in text:gmatch '<polyline [^>]*points="([^"]*)"' do
-    local curve = {}
-    for x, y in points:gmatch "(-?[%d.]+),(-?[%d.]+)" do curve[#curve + 1] = { x = tonumber(x), y = tonumber(y) } end
-    list[#list + 1] = curve
+-- The series in a data file by their number, from 0: rows of numbers, and `gaps`, how many there are.
+local function rows(name)
+  local list, now = {}, nil
+  for line in (support.read(folder .. "/" .. name .. ".dat") or ""):gmatch "([^\n]*)\n" do
+    local index = tonumber(line:match "^# index (%d+):")
+    if index then
+      now = { gaps = 0, name = line:match ": (.*)$" }
+      list[index] = now
+    elseif line:find "%S" then
+      local row = {}
+      for v in line:gmatch "%S+" do row[#row + 1] = tonumber(v) end
+      if now.empty and #now > 0 then now.gaps = now.gaps + 1 end
+      now[#now + 1], now.empty = row, false
+    elseif now then now.empty = true end
   end
   return list
 end
@@ -63,47 +72,48 @@ end
 case("a plot of a dynamic run has its curves, axes and units", function()
   local said, good = lua [[
 run:finish()
-hinge.plot(run, "all.svg")
 hinge.plot(run, "all.png")
 hinge.plot(run, { "kinetic", "elastic", sag, title = "A <blow>", width = 500, height = 400 }, "some.svg")
-hinge.plot(run, { speed, x = sag }, "phase.svg")
-hinge.plot(run, { "sag" }, "sag.svg")
+hinge.plot(run, { speed, x = sag }, "phase.pdf")
 print(sag.unit, speed.unit, shear.unit, run.energy.kinetic, #sag.value)
 ]]
   expect(good, "plots of a run: %s", said)
   equal(said:match "^(.-)\n" and said:match "^(%S+\t%S+\t%S+)", "m\tm/s\tN", "units of probes")
-  local all = svg "all.svg"
+  local all = commands "all"
   for _, words in ipairs { "kinetic", "elastic", "work", "remainder", "energy, J", "sag, mm", "speed, m/s",
     "node1_fz, kN", "time, ms" } do holds(all, words) end
   for _, words in ipairs { "plastic", "fracture", "contact", "contact_stored" } do holds(all, words, false) end
-  equal(select(2, all:gsub(">time, ms<", "")), 1, "the panels share one axis of time")
-  expect((support.read(folder .. "/all.png") or ""):sub(2, 4) == "PNG", "all.png is no PNG")
-  local some = svg "some.svg"
-  for _, words in ipairs { "kinetic", "elastic", "energy, J", "sag, mm", "A &lt;blow&gt;" } do holds(some, words) end
+  equal(select(2, all:gsub("'time, ms'", "")), 1, "the panels share one axis of time")
+  local picture = support.read(folder .. "/all.png") or ""
+  expect(picture:sub(2, 4) == "PNG", "all.png is no PNG")
+  equal((">I4I4"):unpack(picture, 17), 1200, "width of a picture, pixels")
+  local some = commands "some"
+  for _, words in ipairs { "kinetic", "elastic", "energy, J", "sag, mm", "A <blow>" } do holds(some, words) end
   for _, words in ipairs { "work", "speed, m/s" } do holds(some, words, false) end
-  expect(some:find 'width="500" height="400"', "the size that was asked for")
-  local phase = svg "phase.svg"
+  local drawing = support.read(folder .. "/some.svg") or ""
+  expect(drawing:find 'width="500" height="400"' and drawing:find("<text>A &lt;blow>", 1, true),
+    "some.svg: its size and words")
+  expect((support.read(folder .. "/phase.pdf") or ""):find "^%%PDF", "phase.pdf is no PDF")
+  local phase = commands "phase"
   holds(phase, "sag, mm")
   holds(phase, "speed, m/s")
 end)
 
--- The curve of the sag is the probe: its lowest point where the probe has it.
-case("the curve of a plot is the probe", function()
-  local lowest, at, points = -math.huge, nil, curves(svg "sag.svg")[1] or {}
-  for i, p in ipairs(points) do
-    if p.y > lowest then lowest, at = p.y, i end
-  end
-  expect(#points > 100, "%d points of the sag", #points)
-  local said_at = lua [[
+case("the data of a plot are the values of the probe", function()
+  -- in the units of the axis, with 9 digits
+  local said = lua [[
 run:finish()
-local at = 1
-for i, v in ipairs(sag.value) do if v < sag.value[at] then at = i end end
-print((sag.time[at] - sag.time[1]) / (sag.time[#sag.time] - sag.time[1]))
+hinge.plot(run, { "sag" }, "sag.svg")
+for i = 1, #sag.value, 50 do print(sag.time[i], sag.value[i]) end
 ]]
-  if at then
-    near((points[at].x - points[1].x) / (points[#points].x - points[1].x), tonumber(said_at) or 0 / 0, 0.01,
-      "when the sag is largest")
+  local sag, i = rows "sag" [0] or {}, 1
+  equal(#sag, 201, "rows of the sag")
+  for time, value in said:gmatch "(%S+)\t(%S+)\n" do
+    near((sag[i] or {})[1] or 0 / 0, 1e3 * tonumber(time), 1e-8 * 20, "time of a row, ms")
+    near((sag[i] or {})[2] or 0 / 0, 1e3 * tonumber(value), 1e-8, "sag of a row, mm")
+    i = i + 50
   end
+  equal(i, 251, "rows that were compared, and 50 more")
 end)
 
 case("plotted energies are those of history.csv", function()
@@ -142,16 +152,17 @@ hinge.plot(push, "load.svg")
 hinge.plot(push, { "elastic" }, "elastic.svg")
 ]]
   expect(good, "plots of statics: %s", said)
-  local load = svg "load.svg"
+  local load = commands "load"
   holds(load, "down, mm")
   holds(load, "load factor")
   holds(load, "time, s", false)
-  local rising = curves(load)[1] or {}
+  local rising = rows "load" [0] or {}
   equal(#rising, 11, "points of the load-displacement curve")
   if #rising == 11 then
-    expect(rising[11].y < rising[1].y and rising[11].x < rising[1].x, "the load rises, the tip falls")
+    expect(rising[11][1] < rising[1][1], "the tip falls")
+    near(rising[11][2], 1, 1e-9, "the load factor at the end")
   end
-  holds(svg "elastic.svg", "elastic energy, J")
+  holds(commands "elastic", "elastic energy, J")
 end)
 
 -- ---- the folder of a run that is over -------------------------------------------------------------------------------
@@ -170,10 +181,10 @@ hinge.plot("done", { "kinetic", "roof" }, "done_some.svg")
 ]]
   expect(good, "plots of a folder: %s", said)
   for _, words in ipairs { "kinetic", "elastic", "work", "energy, kJ", "node2_uz, mm", "roof", "time, s" } do
-    holds(svg "done.svg", words)
+    holds(commands "done", words)
   end
-  holds(svg "done.svg", "remainder", false)
-  holds(svg "done_some.svg", "kinetic energy, kJ")
+  holds(commands "done", "remainder", false)
+  holds(commands "done_some", "kinetic energy, kJ")
 end)
 
 case("a plot has the units of probes as the run left them beside its history", function()
@@ -188,7 +199,7 @@ case("a plot has the units of probes as the run left them beside its history", f
     support.write(folder .. "/done/probes.json", text)
     said, good = lua 'hinge.plot("done", "units.svg")'
     expect(good, "units of %s: %s", text, said)
-    for _, words in ipairs(wanted) do holds(svg "units.svg", words) end
+    for _, words in ipairs(wanted) do holds(commands "units", words) end
   end
 end)
 
@@ -226,10 +237,14 @@ hinge.plot({ title = "both", columns = 2, panels = { { title = "left", series = 
   "panels.svg")
 ]]
   expect(good, "bars, bands and panels: %s", said)
-  for _, words in ipairs { "I", "II", "1", "two" } do holds(svg "bars.svg", words) end
-  for _, words in ipairs { "#ff0080", "#0a0b0c", "<circle", "<polygon" } do
-    expect(svg "band.svg":find(words, 1, true), "no %s in band.svg", words)
+  for _, words in ipairs { "I", "II", "1", "two" } do holds(commands "bars", words) end
+  for _, words in ipairs { "#ff0080", "#0a0b0c", " with linespoints ", " with filledcurves " } do
+    expect(commands "band":find(words, 1, true), "no %s in band.gp", words)
   end
+  local band = rows "band"
+  equal(#(band[0] or {}), 2, "rows of a band")
+  equal(table.concat((band[0] or {})[1] or {}, " "), "0 1 2", "x, low and high of a band")
+  for _, words in ipairs { "both", "left", "right", "limit" } do holds(commands "panels", words) end
 end)
 
 case("different ranges of different columns, or without share_x, are no error", function()
@@ -240,7 +255,113 @@ hinge.plot({ share_x = true, columns = 2, panels = { panel(0, 1), panel(2, 3), p
 hinge.plot({ panels = { panel(0, 1), panel(2, 3) } }, "ranges.svg")
 ]]
   expect(good, "ranges: %s", said)
-  for _, words in ipairs { "both", "left", "right", "limit" } do holds(svg "panels.svg", words) end
+end)
+
+-- ---- what a plot does with values -----------------------------------------------------------------------------------
+
+case("values that are no numbers are gaps, and long curves keep their extremes", function()
+  local said, good = lua [[
+hinge.plot({ series = {
+  { name = "gaps", x = { 0, 1, 2, 3, 4 }, y = { 1, 2, 0/0, 2, 1 } },
+  { name = "alone", x = { 0, 1, 2 }, y = { 1/0, 3, "none" } },
+  { name = "band", x = { 0, 1, 2 }, low = { 0, 1, 0 }, high = { 2, 0/0, 2 } } } }, "values.png")
+hinge.plot({ log_y = true, series = { { x = { 1, 2, 3 }, y = { 1, -5, 100 } } } }, "log.png")
+local x, y = {}, {}
+for i = 1, 300000 do x[i], y[i] = i, i == 123456 and 10 or math.sin(0.7 * i) end
+hinge.plot({ series = { { x = x, y = y } } }, "long.png")
+hinge.plot({ x_range = { 0.2, 0.8 }, series = { { x = { 0, 1 }, y = { -100, 100 } }, { x = { 0.5 }, y = { 7 } } } },
+  "cut.png")
+]]
+  expect(good, "values of plots: %s", said)
+  -- Bands are drawn beneath, so they come first in the data.
+  local values = rows "values"
+  for index, wanted in pairs { [0] = { "band", 2, 1 }, { "gaps", 4, 1 }, { "alone", 1, 0 }, { "alone", 1, 0 } } do
+    local s = values[index] or { gaps = -1 }
+    equal(("%s: %d rows, %d gaps"):format(s.name, #s, s.gaps), ("%s: %d rows, %d gaps"):format(table.unpack(wanted)),
+      "series " .. index)
+  end
+  expect(commands "values":find("data index 3 with points", 1, true), "a value without a neighbour gets a dot")
+  local log = rows "log" [0] or { gaps = -1 }
+  equal(#log + 10 * log.gaps, 12, "rows and a gap on a logarithmic axis")
+  -- A long history stays a small file with its extremes and ends.
+  local long_rows, highest, lowest = rows "long" [0] or {}, -math.huge, math.huge
+  for _, row in ipairs(long_rows) do highest, lowest = math.max(highest, row[2]), math.min(lowest, row[2]) end
+  expect(#long_rows > 2000 and #long_rows < 10000, "%d rows of a long history", #long_rows)
+  equal(highest, 10.0, "its highest value")
+  near(lowest, -1, 1e-6, "its lowest value")
+  equal((long_rows[1] or {})[1] or 0, 1.0, "its first row")
+  equal((long_rows[#long_rows] or {})[1] or 0, 300000.0, "its last row")
+  -- With x_range alone the y axis fits what it shows: here one value, 7.
+  local low, high = commands "cut":match "set yrange %[([^:]*):([^%]]*)%]"
+  low, high = tonumber(low) or 0, tonumber(high) or 0
+  expect(low < 7 and low > 5 and high > 7 and high < 9, "the y axis of x_range: %s to %s", low, high)
+  expect(commands "cut":find("set xrange [0.2:0.8]", 1, true), "the x axis of x_range")
+end)
+
+-- ---- where bars, legends and labels stand ---------------------------------------------------------------------------
+
+case("bars, legends and labels stand where they hide nothing", function()
+  local said, good = lua [[
+hinge.plot({ series = { { name = "one", x = { "I", "II", "III" }, y = { 2, -1, 4 }, style = "bars" },
+  { name = "two", x = { "I", "III" }, y = { 3, 1 }, style = "bars" } } }, "upright.png")
+hinge.plot({ series = { { y = { "I", "II" }, x = { 2, -1 }, style = "bars", labels = { "2", "-1" } } } }, "lying.png")
+local up, flat, all = { x = {}, y = {} }, { x = {}, y = {}, name = "flat" }, {}
+for i = 0, 100 do flat.x[i + 1], flat.y[i + 1] = i, i < 50 and 10 or 0 end
+hinge.plot({ series = { flat } }, "corner.png")
+for k = 0, 20 do all[k + 1] = { x = { 0, 1 }, y = { k, k }, name = "level " .. k } end
+hinge.plot({ series = all }, "full.png")
+hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels = { "it's {a}_b `c` @d", "right" } } } },
+  "labels.png")
+]]
+  expect(good, "bars, legends and labels: %s", said)
+  -- Two bars share 0.8 of a place: each 0.4 wide with a gap of 6 %, their middles 0.2 beside the place.
+  local upright = commands "upright"
+  for _, words in ipairs { "using ($1-0.2):2:(0.376) with boxes", "using ($1+0.2):2:(0.376) with boxes",
+    "set xtics ('I' 1, 'II' 2, 'III' 3)", "set xrange [0.5:3.5]" } do
+    expect(upright:find(words, 1, true), "bars: no %s in\n%s", words, upright)
+  end
+  equal(table.concat((rows "upright" [1] or {})[2] or {}, " "), "3 1", "a bar of the third place")
+  local lying = commands "lying"
+  for _, words in ipairs { "using (0):2:(0):1:($2-0.376):($2+0.376) with boxxyerror", "set yrange [2.5:0.5]",
+    "set label '2' at 2,1 left", "set label '-1' at -1,2 right" } do
+    expect(lying:find(words, 1, true), "bars that lie: no %s in\n%s", words, lying)
+  end
+  expect(commands "corner":find("set key top right", 1, true), "a legend where nothing is drawn")
+  expect(commands "full":find("set key at graph 1.01", 1, true), "a legend beside a frame that is full")
+  expect(commands "labels":find("set label 'it''s {a}_b `c` @d' at 1,1", 1, true),
+    "a label is a text, whatever is in it")
+end)
+
+-- ---- gnuplot --------------------------------------------------------------------------------------------------------
+
+case("gnuplot draws what the script says, and runs none of its texts", function()
+  -- No text of a script becomes a command, neither of gnuplot nor of a shell.
+  local said, good = lua [[
+local evil = "a'; system('touch owned') \n system('touch owned') `touch owned` \"`touch owned`\" @x \\"
+hinge.plot({ title = evil, x_label = evil, y_label = evil, lines = { { y = 1, name = evil } },
+  series = { { name = evil, x = { "b", evil }, y = { 1, 2 }, style = "bars", labels = { evil, evil } },
+    { name = evil, x = { evil }, y = { 1 }, style = "points", labels = { evil } } } }, "evil.png")
+]]
+  expect(good and support.read(folder .. "/evil.png"), "texts with quotes: %s", said)
+  expect(not support.read(folder .. "/owned"), "a text of a plot was run")
+  -- Its own file draws it again, and the user's settings are not read.
+  support.write(folder .. "/.gnuplot", "set title 'mine'\nexit\n")
+  said = lua [[ hinge.plot({ series = { { x = { 0, 1 }, y = { 0, 1 } } } }, "again.svg") ]]
+  local first = support.read(folder .. "/again.svg")
+  os.execute(("cd %s && rm again.svg && HOME=. gnuplot -d again.gp"):format(support.quote(folder)))
+  expect(first and support.read(folder .. "/again.svg") == first, "again.gp draws again.svg: %s", said)
+  -- Where it is missing, the run goes on and the files for it are there.
+  local lua_program = io.popen("command -v lua5.4"):read "l"
+  support.write(folder .. "/script.lua", head .. 'hinge.plot({ series = { { x = { 0 }, y = { 0 } } } }, "none.png")')
+  local pipe = io.popen(("cd %s && PATH=/nowhere %s script.lua 2>&1"):format(support.quote(folder), lua_program))
+  said = pipe:read "a"
+  pipe:close()
+  expect(said:find("note: none.png not drawn: plots need the program gnuplot, which is not installed: "
+    .. "apt-get install gnuplot-nox; none.gp is there for it", 1, true), "without gnuplot: %s", said)
+  expect(support.read(folder .. "/none.gp") and not support.read(folder .. "/none.png"), "files without gnuplot")
+  said = lua [[ hinge.plot({ log_x = true, series = { { x = { -1 }, y = { 1 } } } }, "nothing.png") ]]
+  expect(said:find("nothing.png not drawn: plot: nothing to draw; give at least one finite point, positive on a "
+    .. "logarithmic axis", 1, true), "nothing to draw: %s", said)
 end)
 
 -- ---- what is wrong is said at the script's line ---------------------------------------------------------------------
@@ -262,10 +383,10 @@ case("wrong plots are refused at the script's line", function()
       = "hinge.plot: field 'choice' is 5; must be a table",
     ['hinge.plot(run)']
       = "hinge.plot: field 'filename' is missing; give a string",
-    ['hinge.plot(run, "x.pdf")']
-      = "hinge.plot: filename is 'x.pdf'; must be a plain name ending in .png or .svg ...",
+    ['hinge.plot(run, "x.eps")']
+      = "hinge.plot: filename is 'x.eps'; must be a plain name ending in .png, .svg or .pdf ...",
     ['hinge.plot(run, "../x.svg")']
-      = "hinge.plot: filename is '../x.svg'; must be a plain name ending in .png or .svg ...",
+      = "hinge.plot: filename is '../x.svg'; must be a plain name ending in .png, .svg or .pdf ...",
     ['hinge.plot(run, {}, "x.svg", 3)']
       = "hinge.plot: takes no further argument, got also 3",
     ['hinge.plot(model, "x.png")']
@@ -332,7 +453,7 @@ case("wrong plots are refused at the script's line", function()
       text,
       message)
   end
-  expect(not support.read(folder .. "/x.png") and not support.read(folder .. "/x.svg"), "nothing was drawn of that")
+  expect(not support.read(folder .. "/x.png") and not support.read(folder .. "/x.gp"), "nothing was drawn of that")
 end)
 
 checks.done()

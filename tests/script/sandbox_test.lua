@@ -134,7 +134,7 @@ local ways = { -- script -> status, message
     "s.lua:1: hinge.material: field 'E' is -1 Pa; must be above 0 Pa" },
   -- files: only a plain name, only in the output folder
   { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '../x.png') end }", 2,
-    "s.lua:1: job:plot: filename is '../x.png'; must be a plain name ending in .png or .svg" },
+    "s.lua:1: job:plot: filename is '../x.png'; must be a plain name ending in .png, .svg or .pdf" },
   { "return require 'hinge'.scenario { run = function(_, job) job:plot('/tmp', 'x.svg') end }", 2,
     "s.lua:1: job:plot: what is '/tmp'; must be a plot or a run: a script in the sandbox reads no files" },
   { "require 'hinge.check'.fail = function() end; require 'hinge'.plot('/tmp', 'x.svg')", 2,

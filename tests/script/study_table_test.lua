@@ -75,8 +75,8 @@ end)
 
 case("a study draws its fragility curves and notes why one is missing", function()
   -- As a study draws them: the names of its pictures, its curves and its notes.
-  local write_plot = core.write_plot
-  core.write_plot = function() end
+  local draw_plot = core.draw_plot
+  core.draw_plot = function() end
   local function drawn(values, outcomes)
     local study = { varied = { "speed" }, folder = ".", cases = {} }
     for i, value in ipairs(values) do
@@ -100,7 +100,7 @@ case("a study draws its fragility curves and notes why one is missing", function
     expect(found and #study.fragility == 0, "why not: %s", study.notes[1])
     equal(names[1], "lost-speed.png", "a picture all the same")
   end
-  core.write_plot = write_plot
+  core.draw_plot = draw_plot
 end)
 
 checks.done()

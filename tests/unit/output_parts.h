@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "output/picture.h"
-#include "output/plot.h"
 
 namespace hinge::output::test {
 
@@ -63,11 +62,6 @@ inline std::string read(const std::string& path, Snapshot& snapshot) {
 inline std::string render(const std::string& path, const Snapshot& snapshot, const View& view) {
     return said(
         [&](char* e, int room) { return load<hinge_render>("hinge_render")(path.c_str(), snapshot, view, e, room); });
-}
-
-inline std::string plot(const std::string& path, const Plot& what, int width, int height) {
-    return said(
-        [&](char* e, int room) { return load<hinge_plot>("hinge_plot")(path.c_str(), what, width, height, e, room); });
 }
 
 class Folder {

@@ -1,8 +1,8 @@
 -- Pictures of a study: each quantity against one or two parameters, fragility curves of truths against parameters that
 -- were drawn, and the rank correlation of each quantity with each parameter.
-local core = require "hinge.core"
 local case = require "hinge.study.case"
 local check = require "hinge.check"
+local draw_plot = require "hinge.plot.draw"
 local fit = require "hinge.study.fit"
 local tables = require "hinge.study.table"
 
@@ -183,7 +183,7 @@ function pictures.draw(of)
       not_drawn = not_drawn + 1
       return
     end
-    local good, problem = pcall(core.write_plot, plot, of.folder .. "/" .. name)
+    local good, problem = pcall(draw_plot, plot, of.folder .. "/" .. name, "study")
     if good then names[#names + 1] = name
     else
       of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem))
