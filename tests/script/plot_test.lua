@@ -310,6 +310,8 @@ for i = 0, 100 do flat.x[i + 1], flat.y[i + 1] = i, i < 50 and 10 or 0 end
 hinge.plot({ series = { flat } }, "corner.png")
 for k = 0, 20 do all[k + 1] = { x = { 0, 1 }, y = { k, k }, name = "level " .. k } end
 hinge.plot({ series = all }, "full.png")
+hinge.plot({ x_range = { 0, 3 }, series = { { x = { 1.5, 1.6 }, y = { 1, 1 }, style = "line and points",
+  labels = { "the first", "the second" } } } }, "pair.png")
 hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels = { "it's {a}_b `c` @d", "right" } } } },
   "labels.png")
 ]]
@@ -328,6 +330,9 @@ hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels =
   end
   expect(commands "corner":find("set key top right", 1, true), "a legend where nothing is drawn")
   expect(commands "full":find("set key at graph 1.01", 1, true), "a legend beside a frame that is full")
+  -- Labels of near points go apart: neither stands over the other's point.
+  expect(commands "pair":find("'the first' at 1.5,1 right", 1, true), "the label of a point at the left")
+  expect(commands "pair":find("'the second' at 1.6,1 left", 1, true), "the label of a point at the right")
   expect(commands "labels":find("set label 'it''s {a}_b `c` @d' at 1,1", 1, true),
     "a label is a text, whatever is in it")
 end)

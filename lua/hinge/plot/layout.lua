@@ -224,10 +224,13 @@ function Ground:label(x, y, text, size, may_go)
     local left = px + place[1] * self.em - (place[3] == "right" and width or place[3] == "center" and width / 2 or 0)
     local foot = py + place[2] * self.em - 0.55 * size
     local n, out = self:hidden(left, foot, width, 1.1 * size)
-    local cost = n + 0.1 * i + (out and 30 or 0)
+    -- what is near counts too: beside another point or over another curve it would seem to belong there
+    local margin = 0.35 * self.em
+    local near = self:hidden(left - margin, foot - margin, width + 2 * margin, 1.1 * size + 2 * margin)
+    local cost = 3 * n + near + 0.3 * i + (i > 8 and 3 or 0) + (out and 90 or 0)
     if cost < least then best, least = { place = place, left = left, foot = foot }, cost end
   end
-  if may_go and least > 3 then return nil end
+  if may_go and least > 5 then return nil end
   self:box(best.left, best.foot, width, 1.1 * size)
   return best.place[3], best.place[1], best.place[2]
 end
