@@ -134,7 +134,7 @@ TEST_CASE("cubic mass: gravity bends nothing that falls (1e-10: rounding of posi
     CHECK_FIGURE("displacements differ", worst / run.state().displacement[0].norm(), 1e-10);
 }
 
-TEST_CASE("cubic mass: what cannot have it says so", "[mass]") {
+TEST_CASE("cubic mass: a model with it refuses rules of fracture", "[mass]") {
     Model model(with_mass(MassShape::cubic));
     CHECK_THROWS_WITH(model.add_fracture(FractureRule{}), Catch::Contains("mass = 'linear'"));
 }

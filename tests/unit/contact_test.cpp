@@ -140,7 +140,7 @@ TEST_CASE("contact: what is left of a broken element is a new bar, joined to wha
     CHECK(contact.ties().front().end[1].node == n0);
 }
 
-TEST_CASE("contact: the candidate list changes nothing", "[contact]") {
+TEST_CASE("contact: the candidate list finds the contacts of all pairs tested in every step", "[contact]") {
     // A swarm of bars with changing velocities. The reference looks at every pair in every step, with nothing kept but
     // the side.
     for (bool as_printed : {false, true}) {
@@ -232,7 +232,7 @@ TEST_CASE("contact: the order of the bars does not matter", "[contact]") {
     }
 }
 
-TEST_CASE("contact: nothing near, next to nothing done", "[contact]") {
+TEST_CASE("contact: bars far apart are seldom tested", "[contact]") {
     Scene s = crossing(10, 5.0);
     Contact contact{ContactSettings()};
     for (int i = 0; i < 10000; ++i) {

@@ -212,7 +212,7 @@ TEST_CASE("fingerprint: each field alone makes a checkpoint one of another run, 
     }
 }
 
-TEST_CASE("fingerprint: what needs more than one field", "[fingerprint]") {
+TEST_CASE("fingerprint: rules, mass and steps make another run; threads do not", "[fingerprint]") {
     const auto between = [](const std::function<void(Declared&)>& there, const std::function<void(Declared&)>& here) {
         Declared one, other;
         there(one);

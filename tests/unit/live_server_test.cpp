@@ -219,7 +219,7 @@ TEST_CASE("clients that never read, never ask or go away hold nobody up", "[live
     CHECK(files_now() == files);
 }
 
-TEST_CASE("a request may wait for news", "[live]") {
+TEST_CASE("a request waits until there is something new", "[live]") {
     std::atomic<int> version = 0, asked = 0;
     Server server(0, [&](const Request& r) -> std::optional<Answer> {
         ++asked;

@@ -332,7 +332,7 @@ TEST_CASE("contact: the sweep agrees with fine sub-sampling of the step", "[cont
     CHECK(misses > 300);
 }
 
-TEST_CASE("contact: what the sweep does in degenerate positions", "[contact]") {
+TEST_CASE("contact: the sweep in parallel, touching and overlapping positions", "[contact]") {
     const auto meet = [](const BarPair& start, const Vec3& down, double contact_length = 1.8) {
         const Moving m{start, {{Vec3::Zero(), Vec3::Zero()}, {down, down}}};
         const Closest begin = closest_points(start);

@@ -102,7 +102,7 @@ void against_differences(const std::string& name, double twist, double bend, dou
 
 }  // namespace
 
-TEST_CASE("wound by 3.3 turns: forces and tangent against finite differences (1e-6, issue)") {
+TEST_CASE("wound by 3.3 turns: forces and tangent against finite differences (1e-6)") {
     against_differences("3.3 turns", 3.3 * 2 * pi, 0.4, 1, 1);
     against_differences("-3.3 turns", -3.3 * 2 * pi, 0.4, 1, 1);
     against_differences("half a turn", pi, 0.4, 1, 1);
@@ -140,7 +140,7 @@ TEST_CASE("ends that turn on towards half a turn: the deformation does not jump"
     CHECK_FIGURE("change of the deformation over that of the angle", jump, 100);
 }
 
-TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12, issue)") {
+TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12)") {
     Dice dice(32);
     double worst = 0;
     for (int trial = 0; trial < 200; ++trial) {

@@ -233,7 +233,7 @@ Vec6 forces_on_surface(Dice& dice, const YieldSurface& w, double axial, double t
 
 }  // namespace
 
-TEST_CASE("the return's tangent is its derivative, at one end and at both, near corners too (1e-6, issue)") {
+TEST_CASE("the return's tangent is its derivative, at one end and at both, near corners too (1e-6)") {
     // Made backwards: forces on the surface, and flow by given multipliers away from them. So the cases are where a
     // random trial hardly comes: the other end about to flow, or flowing by a thousandth of the first.
     Dice dice(35);
@@ -322,7 +322,7 @@ TEST_CASE("eq 14: each resultant alone yields at its fully plastic value, at its
         Approx(2 * yield_function((Vec6() << 1, 2, 3, 4, 5, 6).finished(), 0.4, w)));  // quadratic: p . df/dp = 2 f
 }
 
-TEST_CASE("moving the integration point changes no nodal force (1e-12, issue)") {
+TEST_CASE("moving the integration point changes no nodal force (1e-12)") {
     Dice dice(34);
     double worst = 0;
     for (bool large : {false, true}) {
