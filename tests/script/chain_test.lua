@@ -117,16 +117,18 @@ case("runs that are no chain do not warn", function()
   equal(status .. summary().verdict, "0completed", "the script says that the job has completed")
 end)
 
-case("a case of a study that goes on from a failed run is failed", function()
-  local status, complaint
-  -- A study: the case has failed, the table and the journal say why, and --resume runs it again.
-  support.write(folder .. "/scene.lua", cantilever .. ([[
+local scenario = cantilever .. ([[
 return hinge.scenario { parameters = { times = 1 }, run = function(p)
   local model, rest, tip = cantilever(p.times * %.17g)
   local run = model:dynamic { from = rest, dt = 1e-5, duration = 2e-5 }:finish()
   return { uz = select(3, run:displacement(tip)) }
 end }
-]]):format(carries))
+]]):format(carries)
+
+case("a case of a study that goes on from a failed run is failed", function()
+  local status, complaint
+  -- A study: the case has failed, the table and the journal say why, and --resume runs it again.
+  support.write(folder .. "/scene.lua", scenario)
   local study = ("cd %s && %s study scene.lua times=0.5,2,3 -j 1 --out study"):format(quote(folder),
     quote(arg[1] .. "/hinge"))
   local printed
@@ -154,9 +156,8 @@ end }
     "study: --resume ran a finished case")
 end)
 
-case("hinge cost does not warn of runs that failed on the way", function()
-  -- What accuracy costs is not told of runs that failed on the way.
-  local status, _, complaint = hinge_does("cost", (support.read(folder .. "/scene.lua"):gsub("times = 1 }",
+case("a setting of hinge cost whose run goes on from a failed one has no answer", function()
+  local status, _, complaint = hinge_does("cost", (scenario:gsub("times = 1 }",
     "times = 3 }, accuracy = { dt = { 1e-5, 2e-5 } }")), "--out cost")
   equal(status, 2, "cost: status")
   expect(complaint:find("no setting has an answer: goes on from static run 1, which failed at 0.333", 1, true),

@@ -309,6 +309,7 @@ case("a projectile is no mechanism in dynamics and refused in statics", function
 end)
 
 case("the project's own scenes have no warning but that eq 14 is unsafe for their columns", function()
+  check(scene {})
   local status, printed, complaint
   -- The project's own scenes have none but that the paper's eq 14 is unsafe for the columns of its building.
   local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")

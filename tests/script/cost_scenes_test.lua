@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "cost_scenes"
-local expect, near = checks.expect, checks.near
+local case, expect, near = checks.case, checks.expect, checks.near
 
 -- What of its settings is compared here, what is held, and the error, %, of the named answer
 -- that its head states, by setting.
@@ -37,30 +37,33 @@ local scenes = {
   },
 }
 
-local page, seen = support.read(support.root .. "tests/README.md"), 0
-for path in support.output(("cd %s && ls scripts/cost/*.lua"):format(support.quote(support.root))):gmatch "[^\n]+" do
-  local name, head = path:match "([^/]+)%.lua$", support.read(support.root .. path):match "^(.-)\nlocal "
-  local scene = scenes[name]
-  seen = seen + 1
-  if expect(scene, "%s is not known here", path) then
-    expect(head:find("hinge cost " .. path, 1, true), "%s: the head does not say how to run it", path)
-    expect(page:find("](../" .. path .. ")", 1, true), "tests/README.md does not show %s", path)
-    expect(page:find("](../scripts/pictures/cost_" .. name .. ".png)", 1, true),
-      "tests/README.md does not show the plot of %s", path)
-    local r = hinge.cost(dofile(support.root .. path), { accuracy = scene.accuracy, parameters = scene.parameters,
-      repeats = 1, within = 0.05 })
-    expect(#r.failed == 0 and r.references, "%s: settings without an answer", path)
-    for _, wanted in ipairs(scene.errors) do
-      for _, s in ipairs(r.settings) do
-        local same = true
-        for i, knob in ipairs(r.knobs) do same = same and s.values[knob.name] == wanted[2][i] end
-        if same then
-          near(100 * (s.errors[wanted[1]] or math.huge), wanted[3], wanted[4], ("%s: error of %s, %%, %s")
-            :format(name, wanted[1], s.label))
+case("the scenes of scripts/cost compare the settings and have the errors that they state", function()
+  local page, seen = support.read(support.root .. "tests/README.md"), 0
+  for path in support.output(("cd %s && ls scripts/cost/*.lua"):format(support.quote(support.root))):gmatch "[^\n]+" do
+    local name, head = path:match "([^/]+)%.lua$", support.read(support.root .. path):match "^(.-)\nlocal "
+    local scene = scenes[name]
+    seen = seen + 1
+    if expect(scene, "%s is not known here", path) then
+      expect(head:find("hinge cost " .. path, 1, true), "%s: the head does not say how to run it", path)
+      expect(page:find("](../" .. path .. ")", 1, true), "tests/README.md does not show %s", path)
+      expect(page:find("](../scripts/pictures/cost_" .. name .. ".png)", 1, true),
+        "tests/README.md does not show the plot of %s", path)
+      local r = hinge.cost(dofile(support.root .. path), { accuracy = scene.accuracy, parameters = scene.parameters,
+        repeats = 1, within = 0.05 })
+      expect(#r.failed == 0 and r.references, "%s: settings without an answer", path)
+      for _, wanted in ipairs(scene.errors) do
+        for _, s in ipairs(r.settings) do
+          local same = true
+          for i, knob in ipairs(r.knobs) do same = same and s.values[knob.name] == wanted[2][i] end
+          if same then
+            near(100 * (s.errors[wanted[1]] or math.huge), wanted[3], wanted[4], ("%s: error of %s, %%, %s")
+              :format(name, wanted[1], s.label))
+          end
         end
       end
     end
   end
-end
-checks.equal(seen, 5, "scenes")
+  checks.equal(seen, 5, "scenes")
+end)
+
 checks.done()

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "format"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 local clang_format = quote(arg[1])
 -- it runs in a Lua of its own, with modules of that one
@@ -81,28 +82,33 @@ local function badly_written(folder, files)
   return wrong
 end
 
--- The tools notice what they are asked for.
-local version = support.output(clang_format .. " --version")
-expect(version:find "version 14%.", "files are as clang-format 14 of Debian 12 has them; this is %s", version)
-local bad = support.temporary_folder()
-for _, name in ipairs { ".clang-format", ".luacheckrc" } do
-  support.write(bad .. "/" .. name, assert(support.read(support.root .. name)))
-end
-support.write(bad .. "/bad.cpp", "int a;\nint  b;\n// " .. ("x"):rep(118) .. "\n")
-support.write(bad .. "/bad.lua", "local a = 1\nb = 2\nprint(" .. ("x"):rep(120) .. ")\n")
-equal(table.concat(badly_formatted(bad, { "bad.cpp" }), "\n"), "bad.cpp:2: not as clang-format has it", "bad.cpp")
-equal(table.concat(too_long(bad, { "bad.cpp" }), "\n"), "bad.cpp:3: 121 columns; at most 120", "bad.cpp")
-local said = table.concat(badly_written(bad, { "bad.lua" }), "\n")
-for _, what in ipairs { "bad.lua:1:7: (W211)", "bad.lua:2:1: (W111)", "bad.lua:3:7: (W113)",
-  "bad.lua:3:121: (W631)" } do
-  expect(said:find(what, 1, true), "luacheck does not say %s: %s", what, said)
-end
+case("the tools notice what they are asked for", function()
+  -- The tools notice what they are asked for.
+  local version = support.output(clang_format .. " --version")
+  expect(version:find "version 14%.", "files are as clang-format 14 of Debian 12 has them; this is %s", version)
+  local bad = support.temporary_folder()
+  for _, name in ipairs { ".clang-format", ".luacheckrc" } do
+    support.write(bad .. "/" .. name, assert(support.read(support.root .. name)))
+  end
+  support.write(bad .. "/bad.cpp", "int a;\nint  b;\n// " .. ("x"):rep(118) .. "\n")
+  support.write(bad .. "/bad.lua", "local a = 1\nb = 2\nprint(" .. ("x"):rep(120) .. ")\n")
+  equal(table.concat(badly_formatted(bad, { "bad.cpp" }), "\n"), "bad.cpp:2: not as clang-format has it", "bad.cpp")
+  equal(table.concat(too_long(bad, { "bad.cpp" }), "\n"), "bad.cpp:3: 121 columns; at most 120", "bad.cpp")
+  local said = table.concat(badly_written(bad, { "bad.lua" }), "\n")
+  for _, what in ipairs { "bad.lua:1:7: (W211)", "bad.lua:2:1: (W111)", "bad.lua:3:7: (W113)",
+    "bad.lua:3:121: (W631)" } do
+    expect(said:find(what, 1, true), "luacheck does not say %s: %s", what, said)
+  end
+end)
 
-local cpp = files_of(support.root, { "cpp", "h" }, { "src/", "tests/", "scripts/" })
-local lua = files_of(support.root, { "lua", "rockspec" }, { "lua/", "tests/", "scripts/" })
-local long = too_long(support.root, table.move(cpp, 1, #cpp, 3, { "lua/hinge/reference.md", ".luacheckrc" }))
-for _, wrong in ipairs { badly_formatted(support.root, cpp), badly_written(support.root, lua), long } do
-  for _, what in ipairs(wrong) do expect(false, "%s", what) end
-end
-expect(#cpp > 100 and #lua > 90, "looked at %d C++ and %d Lua files", #cpp, #lua)
+case("every file is formatted, passes luacheck and has lines of at most 120 columns", function()
+  local cpp = files_of(support.root, { "cpp", "h" }, { "src/", "tests/", "scripts/" })
+  local lua = files_of(support.root, { "lua", "rockspec" }, { "lua/", "tests/", "scripts/" })
+  local long = too_long(support.root, table.move(cpp, 1, #cpp, 3, { "lua/hinge/reference.md", ".luacheckrc" }))
+  for _, wrong in ipairs { badly_formatted(support.root, cpp), badly_written(support.root, lua), long } do
+    for _, what in ipairs(wrong) do expect(false, "%s", what) end
+  end
+  expect(#cpp > 100 and #lua > 90, "looked at %d C++ and %d Lua files", #cpp, #lua)
+end)
+
 checks.done()

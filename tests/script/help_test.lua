@@ -7,6 +7,7 @@ local support = require "support"
 require "hinge"
 local reference, overview = require "hinge.reference", require "hinge.help".overview
 local checks = support.checks "help"
+local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 local program = quote(arg[1] .. "/hinge")
 
@@ -19,9 +20,10 @@ local function headings(text)
   return table.concat(list, " ")
 end
 
-local status, printed = asks "model:fix"
-equal(status, 0, "reference model:fix")
-equal(printed, [[
+case("hinge reference NAME prints the declaration, the guide page and near names", function()
+  local status, printed = asks "model:fix"
+  equal(status, 0, "reference model:fix")
+  equal(printed, [[
 #### `model:fix(node, what?)`
 
 Fixes degrees of freedom of one node or of a list of nodes, in addition to those that are already fixed.
@@ -34,93 +36,101 @@ model:fix(wall) -- all six
 model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
 ```
 ]], "model:fix")
-for name, wanted in pairs {
-  ["damping"] = "model:damping(options) hinge.damping_options",
-  ["model.damping"] = "model:damping(options) hinge.damping_options",
-  ["MODEL:GRAVITY"] = "model:gravity(acceleration, load_case?)",
-  ["section.box"] = "hinge.section.box(options)",
-  ["hinge.section.box"] = "hinge.section.box(options)",
-  ["box"] = "hinge.section.box(options)",
-  ["hinge.energy"] = "hinge.energy",
-  ["node"] = "hinge.node model:node(position)",
-  ["run.energy"] = "hinge.energy",
-  ["vec3"] = "vec3",
-  ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
-} do
-  status, printed = asks(name)
-  equal(headings(printed), wanted, "headings of " .. name)
-  equal(status, 0, "status of " .. name)
-end
-expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
-expect(select(2, asks "friction"):find("^`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
-  "a field is told with its class: %s", select(2, asks "friction"))
-expect(select(2, asks "verdict"):find("Fields with this name: `hinge.run.verdict`", 1, true), "fields of a call's name")
-equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
-  .. reference.preamble .. "\n```\n", "what examples start from")
+  for name, wanted in pairs {
+    ["damping"] = "model:damping(options) hinge.damping_options",
+    ["model.damping"] = "model:damping(options) hinge.damping_options",
+    ["MODEL:GRAVITY"] = "model:gravity(acceleration, load_case?)",
+    ["section.box"] = "hinge.section.box(options)",
+    ["hinge.section.box"] = "hinge.section.box(options)",
+    ["box"] = "hinge.section.box(options)",
+    ["hinge.energy"] = "hinge.energy",
+    ["node"] = "hinge.node model:node(position)",
+    ["run.energy"] = "hinge.energy",
+    ["vec3"] = "vec3",
+    ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
+  } do
+    status, printed = asks(name)
+    equal(headings(printed), wanted, "headings of " .. name)
+    equal(status, 0, "status of " .. name)
+  end
+  expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
+  expect(select(2, asks "friction"):find("^`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
+    "a field is told with its class: %s", select(2, asks "friction"))
+  expect(select(2, asks "verdict"):find("Fields with this name: `hinge.run.verdict`", 1, true),
+    "fields of a call's name")
+  equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
+    .. reference.preamble .. "\n```\n", "what examples start from")
 
-for name, message in pairs {
-  ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
-    .. "`hinge reference -s WORD` searches it\n",
-  ["buckling"] = "hinge: nothing is called 'buckling'; `hinge reference -s buckling` finds 1 mention of it\n",
-  ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
-  ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
-} do
-  local status_of, said, complaint = asks(name)
-  equal(status_of, 2, "status of " .. name)
-  equal(said .. complaint, message, name)
-end
-equal(asks "node -s word", 2, "a name and a word")
+  for name, message in pairs {
+    ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
+      .. "`hinge reference -s WORD` searches it\n",
+    ["buckling"] = "hinge: nothing is called 'buckling'; `hinge reference -s buckling` finds 1 mention of it\n",
+    ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
+    ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
+  } do
+    local status_of, said, complaint = asks(name)
+    equal(status_of, 2, "status of " .. name)
+    equal(said .. complaint, message, name)
+  end
+  equal(asks "node -s word", 2, "a name and a word")
 
-status, printed = asks "--search Rayleigh"
-equal(status, 0, "a search")
-equal(printed, [[
+  status, printed = asks "--search Rayleigh"
+  equal(status, 0, "a search")
+  equal(printed, [[
 model:damping(options)
     Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by ...
 hinge.energy.damping
     dissipated by Rayleigh damping, where model:damping is declared
 ]], "what a search prints")
--- Words of engineers that the reference does not use.
-for words, wanted in pairs {
-  ["-s drift"] = "'drift' is not available; see node:displacement, run:probe (the drift of a storey is the "
-    .. "difference of the displacements of two nodes)",
-  ["-s diaphragms"] = "'diaphragms' is not available; see model:connector, model:member (...)",
-  ["-s inter-storey-drift"] = "...",
-  ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
-  ["-s earthquake"] = "'earthquake': see hinge.ground, model:move (...)",
-  ["-s supports"] = "'supports': see model:fix, model:move (supports are fixed degrees of freedom of a node)\n\n...",
-} do
-  local status_of, said = asks(words)
-  equal(status_of, wanted == "..." and 2 or 0, "status of " .. words)
-  expect(wanted == "..." or support.says((said:gsub("(%S)\n(%S)", "%1 %2")), wanted .. "..."), "%s: %s", words, said)
-end
-do
+end)
+
+case("hinge reference finds a call by words that the reference does not use", function()
+  -- Words of engineers that the reference does not use.
+  for words, wanted in pairs {
+    ["-s drift"] = "'drift' is not available; see node:displacement, run:probe (the drift of a storey is the "
+      .. "difference of the displacements of two nodes)",
+    ["-s diaphragms"] = "'diaphragms' is not available; see model:connector, model:member (...)",
+    ["-s inter-storey-drift"] = "...",
+    ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
+    ["-s earthquake"] = "'earthquake': see hinge.ground, model:move (...)",
+    ["-s supports"] = "'supports': see model:fix, model:move (supports are fixed degrees of freedom of a node)\n\n...",
+  } do
+    local status_of, said = asks(words)
+    equal(status_of, wanted == "..." and 2 or 0, "status of " .. words)
+    expect(wanted == "..." or support.says((said:gsub("(%S)\n(%S)", "%1 %2")), wanted .. "..."), "%s: %s", words, said)
+  end
+end)
+
+case("hinge reference of several words finds their page", function()
   local status_of, said, complaint = asks "drift"
   expect(status_of == 2 and said == "" and support.says(complaint,
     "hinge: nothing is called 'drift'; 'drift' is not available; see node:displacement, ..."),
     "the name of what there is not: %d %s%s", status_of, said, complaint)
-end
-local help, count = require "hinge.help", 0
-for word, known in pairs(require "hinge.other_words") do
-  count = count + 1
-  for _, name in ipairs(known.see) do expect(help.text(name), "'%s': there is no %s to see", word, name) end
-  expect(known.how ~= "" and #known.see > 0 and word == word:lower(), "'%s' tells nothing", word)
-  for _, name in ipairs(known.missing and { word, word .. "s", (word:gsub(" ", "_")) } or {}) do
-    expect(not help.text(name), "'%s' is said not to be available, and the reference has %s", word, name)
-  end
-end
-expect(count > 40, "%d words", count)
+end)
 
-expect(select(2, asks "-s 'a blast of'"):find("model:load(options)\n    ... ", 1, true), "a search finds examples")
-for line in select(2, asks "-s element"):gmatch "[^\n]+" do
-  expect(utf8.len(line) <= 120, "a line of %d columns: %s", utf8.len(line), line)
-end
+local help, count = require "hinge.help", 0
+case("hinge reference of an unknown name suggests near ones", function()
+  for word, known in pairs(require "hinge.other_words") do
+    count = count + 1
+    for _, name in ipairs(known.see) do expect(help.text(name), "'%s': there is no %s to see", word, name) end
+    expect(known.how ~= "" and #known.see > 0 and word == word:lower(), "'%s' tells nothing", word)
+    for _, name in ipairs(known.missing and { word, word .. "s", (word:gsub(" ", "_")) } or {}) do
+      expect(not help.text(name), "'%s' is said not to be available, and the reference has %s", word, name)
+    end
+  end
+  expect(count > 40, "%d words", count)
+
+  expect(select(2, asks "-s 'a blast of'"):find("model:load(options)\n    ... ", 1, true), "a search finds examples")
+  for line in select(2, asks "-s element"):gmatch "[^\n]+" do
+    expect(utf8.len(line) <= 120, "a line of %d columns: %s", utf8.len(line), line)
+  end
+end)
 
 -- help at the prompt --------------------------------------------------------------------------------------------------
 
 local function types(lines) return run(("printf %%s %s | %s -i"):format(quote(lines), program)) end
-local calls, lines = {}, 0
-do
-  local known = {}
+case("the overview of help names calls that the reference has, in 24 lines", function()
+  local calls, lines, known = {}, 0, {}
   for _, e in ipairs(reference.read()) do
     if e.kind == "function" then known[reference.signature(e):match "^[^(]*"] = true end
   end
@@ -135,51 +145,58 @@ do
       expect(known[word], "the overview names %s, which there is not", word)
     end
   end
-end
-expect(lines <= 24 and #calls > 40, "the overview has %d lines and %d calls", lines, #calls)
-for _, typed in ipairs { "help", "help()" } do
-  local ended, said, complaint = types(typed)
-  expect(ended == 0 and said == overview and complaint == "", "%s: %s%s", typed, said, complaint)
-end
-local beam = "m = hinge.model() a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 } "
-for typed, wanted in pairs {
-  ['help("damping")'] = "model:damping(options) hinge.damping_options",
-  ["help(hinge.model().member)"] = "model:member(options) hinge.member_options",
-  ["help(hinge.section.box)"] = "hinge.section.box(options)",
-  ["help(hinge.section)"] = "hinge.sections",
-  ["help(hinge)"] = "hinge",
-  ["help(hinge.note)"] = "hinge.note(text)",
-  ["help(hinge.model())"] = "hinge.model",
-  [beam .. "help(a)"] = "hinge.node",
-  [beam .. "help(a.displacement)"] = "node:displacement(run?)",
-  ['help(require "hinge.models.aircraft".add)'] = "aircraft.add(model, options?) aircraft.options",
-  ['help "no such word at all"'] = "", ['help ""'] = "", ["help(3)"] = "", ["help(print)"] = "", ["help(nil)"] = "",
-} do
-  local ended, said, complaint = types(typed)
-  equal(ended, 0, typed)
-  equal(headings(said), wanted, typed)
-  equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
-end
-expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
-expect(support.says(select(2, types 'help "buckling"'), "Nothing is called 'buckling'. The reference mentions it here:"
-  .. "\n\nmodel:static(options?)\n    ..."), "a word in the texts")
-equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
+  expect(lines <= 24 and #calls > 40, "the overview has %d lines and %d calls", lines, #calls)
+end)
 
--- The page on the prompt: its session prints what stands there, and its commands find something.
-local guide = support.read(support.root .. "lua/guide/prompt.md")
-local session = guide:match "\n```\n%$ hinge %-i\n(.-)```\n"
-local keys, shown = {}, {}
-for line in session:gmatch "[^\n]+\n" do table.insert(line:find "^> " and keys or shown, (line:gsub("^> ", ""))) end
-expect(#keys == 4 and support.says(select(2, types(table.concat(keys))), table.concat(shown)),
-  "the session in lua/guide/prompt.md: %s", select(2, types(table.concat(keys))))
-for command in guide:gmatch "\n| `hinge (reference[^`]*)` |" do
-  equal(run(program .. " " .. command), 0, "lua/guide/prompt.md: hinge " .. command)
-end
-local one_liner = guide:match "`hinge (%-e '[^`]*')`"
-expect(select(2, run(program .. " " .. one_liner)):find "^[%d.e-]+\n$", "lua/guide/prompt.md: " .. one_liner)
+case("help at the prompt prints what is known of a name, and of values of the session", function()
+  for _, typed in ipairs { "help", "help()" } do
+    local ended, said, complaint = types(typed)
+    expect(ended == 0 and said == overview and complaint == "", "%s: %s%s", typed, said, complaint)
+  end
+  local beam = "m = hinge.model() a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 } "
+  for typed, wanted in pairs {
+    ['help("damping")'] = "model:damping(options) hinge.damping_options",
+    ["help(hinge.model().member)"] = "model:member(options) hinge.member_options",
+    ["help(hinge.section.box)"] = "hinge.section.box(options)",
+    ["help(hinge.section)"] = "hinge.sections",
+    ["help(hinge)"] = "hinge",
+    ["help(hinge.note)"] = "hinge.note(text)",
+    ["help(hinge.model())"] = "hinge.model",
+    [beam .. "help(a)"] = "hinge.node",
+    [beam .. "help(a.displacement)"] = "node:displacement(run?)",
+    ['help(require "hinge.models.aircraft".add)'] = "aircraft.add(model, options?) aircraft.options",
+    ['help "no such word at all"'] = "", ['help ""'] = "", ["help(3)"] = "", ["help(print)"] = "", ["help(nil)"] = "",
+  } do
+    local ended, said, complaint = types(typed)
+    equal(ended, 0, typed)
+    equal(headings(said), wanted, typed)
+    equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
+  end
+  expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
+  expect(support.says(select(2, types 'help "buckling"'), "Nothing is called 'buckling'. The reference mentions it "
+    .. "here:"
+    .. "\n\nmodel:static(options?)\n    ..."), "a word in the texts")
+  equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
+end)
 
-local script = support.temporary_folder() .. "/own.lua"
-support.write(script, "function help() return 'mine' end\n")
-printed = select(2, run(("echo 'help()' | %s -i %s"):format(program, quote(script))))
-equal(printed, "mine\n", "a script's own help stays")
+case("the guide's page on the prompt shows what the prompt prints", function()
+  -- The page on the prompt: its session prints what stands there, and its commands find something.
+  local guide = support.read(support.root .. "lua/guide/prompt.md")
+  local session = guide:match "\n```\n%$ hinge %-i\n(.-)```\n"
+  local keys, shown = {}, {}
+  for line in session:gmatch "[^\n]+\n" do table.insert(line:find "^> " and keys or shown, (line:gsub("^> ", ""))) end
+  expect(#keys == 4 and support.says(select(2, types(table.concat(keys))), table.concat(shown)),
+    "the session in lua/guide/prompt.md: %s", select(2, types(table.concat(keys))))
+  for command in guide:gmatch "\n| `hinge (reference[^`]*)` |" do
+    equal(run(program .. " " .. command), 0, "lua/guide/prompt.md: hinge " .. command)
+  end
+  local one_liner = guide:match "`hinge (%-e '[^`]*')`"
+  expect(select(2, run(program .. " " .. one_liner)):find "^[%d.e-]+\n$", "lua/guide/prompt.md: " .. one_liner)
+
+  local script = support.temporary_folder() .. "/own.lua"
+  support.write(script, "function help() return 'mine' end\n")
+  local printed = select(2, run(("echo 'help()' | %s -i %s"):format(program, quote(script))))
+  equal(printed, "mine\n", "a script's own help stays")
+end)
+
 checks.done()

@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "interrupt"
-local expect, equal = checks.expect, checks.equal
+local case, expect, equal = checks.case, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
 -- Signals at these times (s) from where it stands in the script.
@@ -33,52 +33,63 @@ local function run(text, arguments)
   return status, complaint, os.time() - began, printed
 end
 
--- A script's own endless loop, before a run, after one, and in a function of the library that calls back.
-for what, text in pairs {
-  ["before a run"] = signals { { 0.2, "TERM" } } .. "while true do end\n",
-  ["after a run"] = bar .. "model:static { steps = 1 }:finish()\n" .. signals { { 0.2, "TERM" } }
-    .. "while true do end\n",
-  ["in a scenario"] = "return require 'hinge'.scenario { run = function()\n" .. signals { { 0.2, "TERM" } }
-    .. "while true do end end }\n",
-} do
-  local status, complaint, seconds = run(text)
-  equal(status, 143, what .. ": status; " .. complaint)
-  local _, lines = text:gsub("\n", "")
-  expect(complaint:find("hinge: scene.lua:" .. lines .. ": interrupted by SIGTERM\n", 1, true), "%s: it says %s", what,
-    complaint)
-  expect(seconds < 30, "%s: it took %d s", what, seconds)
-end
-local status, complaint = run(signals { { 0.2, "INT" } } .. "while true do end\n")
-expect(status == 130 and complaint:find("hinge: scene.lua:2: interrupted by Ctrl-C\n", 1, true), "Ctrl-C: %s %s",
-  status, complaint)
--- A script that catches it goes on, for instance to its own end.
-status, complaint = run(signals { { 0.2, "TERM" } } .. "local ok, why = pcall(function() while true do end end)\n"
-  .. "return { ok = ok, why = why }\n")
-equal(status, 0, "caught: status; " .. complaint)
-local results = support.json(support.read(folder .. "/out/summary.json")).results
-expect(results.ok == false and results.why:find "scene.lua:2: interrupted by SIGTERM", "caught: %s", results.why)
+case("Ctrl-C ends a script's endless loop, wherever it is", function()
+  -- A script's own endless loop, before a run, after one, and in a function of the library that calls back.
+  for what, text in pairs {
+    ["before a run"] = signals { { 0.2, "TERM" } } .. "while true do end\n",
+    ["after a run"] = bar .. "model:static { steps = 1 }:finish()\n" .. signals { { 0.2, "TERM" } }
+      .. "while true do end\n",
+    ["in a scenario"] = "return require 'hinge'.scenario { run = function()\n" .. signals { { 0.2, "TERM" } }
+      .. "while true do end end }\n",
+  } do
+    local status, complaint, seconds = run(text)
+    equal(status, 143, what .. ": status; " .. complaint)
+    local _, lines = text:gsub("\n", "")
+    expect(complaint:find("hinge: scene.lua:" .. lines .. ": interrupted by SIGTERM\n", 1, true), "%s: it says %s",
+      what,
+      complaint)
+    expect(seconds < 30, "%s: it took %d s", what, seconds)
+  end
+  local status, complaint = run(signals { { 0.2, "INT" } } .. "while true do end\n")
+  expect(status == 130 and complaint:find("hinge: scene.lua:2: interrupted by Ctrl-C\n", 1, true), "Ctrl-C: %s %s",
+    status, complaint)
+end)
 
--- What cannot be left is named, and the second signal ends it.
-status, complaint = run(signals { { 0.2, "TERM" }, { 1.6, "TERM" } }
-  .. "coroutine.wrap(function() while true do end end)()\n")
-expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once "
-  .. "more ends it at once\n", 1, true), "a coroutine: %s", complaint)
-expect(tostring(status):find "signal 15" or status == 143, "a coroutine: status %s", status)
-for what, text in pairs {
-  ["the step of the run that is under way"] = "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
-    .. "run:on_step(function() while true do end end)\n",
-  ["a step of the dynamic run"] = "model:fracture { where = 'all', rule = function() while true do end end }\n"
-    .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n",
-} do
-  status, complaint = run(bar .. text .. signals { { 0.2, "INT" }, { 1.4, "INT" } } .. "run:finish()\n")
-  expect(complaint:find(("hinge: Ctrl-C: it ends after %s; once more ends it at once\n"):format(what), 1, true),
-    "%s: %s", what, complaint)
-  expect(tostring(status):find "signal 2" or status == 130, "%s: status %s", what, status)
-end
+case("a script that catches the interrupt goes on to its own end", function()
+  -- A script that catches it goes on, for instance to its own end.
+  local status, complaint = run(signals { { 0.2, "TERM" } } .. "local ok, why = pcall(function() while true do end "
+    .. "end)\n"
+    .. "return { ok = ok, why = why }\n")
+  equal(status, 0, "caught: status; " .. complaint)
+  local results = support.json(support.read(folder .. "/out/summary.json")).results
+  expect(results.ok == false and results.why:find "scene.lua:2: interrupted by SIGTERM", "caught: %s", results.why)
+end)
+
+case("what cannot be left is named, and the second signal ends it", function()
+  -- What cannot be left is named, and the second signal ends it.
+  local status, complaint = run(signals { { 0.2, "TERM" }, { 1.6, "TERM" } }
+    .. "coroutine.wrap(function() while true do end end)()\n")
+  expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once "
+    .. "more ends it at once\n", 1, true), "a coroutine: %s", complaint)
+  expect(tostring(status):find "signal 15" or status == 143, "a coroutine: status %s", status)
+  for what, text in pairs {
+    ["the step of the run that is under way"] = "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
+      .. "run:on_step(function() while true do end end)\n",
+    ["a step of the dynamic run"] = "model:fracture { where = 'all', rule = function() while true do end end }\n"
+      .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n",
+  } do
+    status, complaint = run(bar .. text .. signals { { 0.2, "INT" }, { 1.4, "INT" } } .. "run:finish()\n")
+    expect(complaint:find(("hinge: Ctrl-C: it ends after %s; once more ends it at once\n"):format(what), 1, true),
+      "%s: %s", what, complaint)
+    expect(tostring(status):find "signal 2" or status == 130, "%s: status %s", what, status)
+  end
+end)
 
 -- A factorisation that takes seconds: it is named, and no other one begins.
 local n = 11
-local frame = ([[
+case("a factorisation of seconds is left", function()
+  local status, complaint
+  local frame = ([[
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
 local section = hinge.section.solid { width = 0.3, depth = 0.3 }
@@ -96,30 +107,34 @@ for z = 0, n do for x = 0, n do for y = 0, n do
 end end end
 model:gravity { 0, 0, -9.81 }
 ]]):format(n)
-local seconds
-status, complaint, seconds = run(frame .. signals { { 0.3, "TERM" } }
-  .. "for i = 1, 100 do model:static { steps = 10, record = false }:finish() end\n")
-local _, lines = frame:gsub("\n", "")
-equal(status, 143, "a factorisation: status; " .. complaint)
-expect(complaint:find "it ends after a factorisation of the stiffness, of %d+ unknowns; once more ends it at once\n"
-  or complaint:find "it ends after a step of the static run; once more" or seconds <= 2, -- on a fast machine
-  "a factorisation: what it waits for: %s", complaint)
-expect(complaint:find(("hinge: scene.lua:%d: interrupted by SIGTERM\n"):format(lines + 2), 1, true),
-  "a factorisation: it says %s", complaint)
-expect(seconds < 55, "a factorisation: it took %d s", seconds)
+  local seconds
+  status, complaint, seconds = run(frame .. signals { { 0.3, "TERM" } }
+    .. "for i = 1, 100 do model:static { steps = 10, record = false }:finish() end\n")
+  local _, lines = frame:gsub("\n", "")
+  equal(status, 143, "a factorisation: status; " .. complaint)
+  expect(complaint:find "it ends after a factorisation of the stiffness, of %d+ unknowns; once more ends it at once\n"
+    or complaint:find "it ends after a step of the static run; once more" or seconds <= 2, -- on a fast machine
+    "a factorisation: what it waits for: %s", complaint)
+  expect(complaint:find(("hinge: scene.lua:%d: interrupted by SIGTERM\n"):format(lines + 2), 1, true),
+    "a factorisation: it says %s", complaint)
+  expect(seconds < 55, "a factorisation: it took %d s", seconds)
+end)
 
--- A study: its cases end, also one in an endless loop, and --resume runs them.
-local study = "return require 'hinge'.scenario { parameters = { x = 1, stop = true }, run = function(p)\n"
-  .. "if p.stop and p.x == 2 then\n"
-  .. "os.execute 'p=$(ps -o ppid= -p $PPID); (sleep 0.3; kill -TERM $p) >/dev/null 2>&1 &'\n"
-  .. "while true do end end return { x2 = p.x } end }\n"
-status, complaint, seconds = run(study, "study scene.lua x=1,2,3 -j 1 --out study -q")
-equal(status, 3, "a study: status; " .. complaint)
-expect(complaint:find("hinge: interrupted: waits at most 10 s for 1 case under way; once more ends it at once\n", 1,
-  true), "a study: it says %s", complaint)
-expect(seconds < 9, "a study: it took %d s", seconds)
-local journal = support.read(folder .. "/study/cases.jsonl") or ""
-expect(journal:find '"number":1,' and not journal:find '"number":2,', "a study: its journal: %s", journal)
-expect((support.read(folder .. "/study/cases/00002/output.txt") or ""):find "scene.lua:4: interrupted by SIGTERM",
-  "a study: what its case says")
+case("a study ends with its cases and goes on with --resume", function()
+  -- A study: its cases end, also one in an endless loop, and --resume runs them.
+  local study = "return require 'hinge'.scenario { parameters = { x = 1, stop = true }, run = function(p)\n"
+    .. "if p.stop and p.x == 2 then\n"
+    .. "os.execute 'p=$(ps -o ppid= -p $PPID); (sleep 0.3; kill -TERM $p) >/dev/null 2>&1 &'\n"
+    .. "while true do end end return { x2 = p.x } end }\n"
+  local status, complaint, seconds = run(study, "study scene.lua x=1,2,3 -j 1 --out study -q")
+  equal(status, 3, "a study: status; " .. complaint)
+  expect(complaint:find("hinge: interrupted: waits at most 10 s for 1 case under way; once more ends it at once\n", 1,
+    true), "a study: it says %s", complaint)
+  expect(seconds < 9, "a study: it took %d s", seconds)
+  local journal = support.read(folder .. "/study/cases.jsonl") or ""
+  expect(journal:find '"number":1,' and not journal:find '"number":2,', "a study: its journal: %s", journal)
+  expect((support.read(folder .. "/study/cases/00002/output.txt") or ""):find "scene.lua:4: interrupted by SIGTERM",
+    "a study: what its case says")
+end)
+
 checks.done()

@@ -6,11 +6,11 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "package"
+local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local function skip(why)
-  print("package: skipped, " .. why)
-  os.exit(77)
+  checks.skip(why)
 end
 
 for _, tool in ipairs { "dpkg", "dpkg-deb", "dpkg-shlibdeps", "dpkg-architecture", "file" } do
@@ -24,37 +24,45 @@ run(("mkdir %s %s %s/made"):format(quote(place), home, folder))
 
 local status, printed, complaint = run(("cd %s/made && %s -G DEB --config %s/CPackConfig.cmake -B %s/made")
   :format(folder, quote(arg[2] or "cpack"), quote(arg[1]), folder))
-equal(status, 0, "cpack: " .. printed .. complaint)
+assert(status == 0, printed .. complaint)
 local package_file = support.output(("ls %s/made/*.deb"):format(folder)):gsub("\n$", "")
-expect(package_file:find("/hinge_" .. version .. "_%w+%.deb$"), "it made %s", package_file)
+case("the Debian package names its version, needs and files", function()
+  expect(package_file:find("/hinge_" .. version .. "_%w+%.deb$"), "it made %s", package_file)
 
--- What it says of itself.
-local control = support.output("dpkg-deb -f " .. package_file)
-local depends = control:match "\nDepends: ([^\n]*)" or ""
-for _, wanted in ipairs { "\nPackage: hinge\n", "\nVersion: " .. version .. "\n", "\nMaintainer: " } do
-  expect(("\n" .. control .. "\n"):find(wanted, 1, true), "no %s in %s", wanted:gsub("\n", ""), control)
-end
-local libraries = { "libc6", "libstdc++6", "liblua5.4-0", "libedit2", "zlib1g", pictures and "libvtk9" or nil }
-for _, name in ipairs(libraries) do
-  expect(depends:find("%f[%w]" .. name:gsub("%p", "%%%0")), "it does not depend on %s: %s", name, depends)
-end
-expect(not depends:find "%-dev%f[^%w]", "it depends on header files: %s", depends)
-for line in support.output("dpkg-deb -c " .. package_file):gmatch "[^\n]+" do
-  local mode, owner = line:match "^(%S+)%s+(%S+)"
-  expect(owner == "root/root" and mode:find "^[-d]rw.r%-.r%-.$", "others may not read it, or may write it: %s", line)
-end
+  -- What it says of itself.
+  local control = support.output("dpkg-deb -f " .. package_file)
+  local depends = control:match "\nDepends: ([^\n]*)" or ""
+  for _, wanted in ipairs { "\nPackage: hinge\n", "\nVersion: " .. version .. "\n", "\nMaintainer: " } do
+    expect(("\n" .. control .. "\n"):find(wanted, 1, true), "no %s in %s", wanted:gsub("\n", ""), control)
+  end
+  local libraries = { "libc6", "libstdc++6", "liblua5.4-0", "libedit2", "zlib1g", pictures and "libvtk9" or nil }
+  for _, name in ipairs(libraries) do
+    expect(depends:find("%f[%w]" .. name:gsub("%p", "%%%0")), "it does not depend on %s: %s", name, depends)
+  end
+  expect(not depends:find "%-dev%f[^%w]", "it depends on header files: %s", depends)
+  for line in support.output("dpkg-deb -c " .. package_file):gmatch "[^\n]+" do
+    local mode, owner = line:match "^(%S+)%s+(%S+)"
+    expect(owner == "root/root" and mode:find "^[-d]rw.r%-.r%-.$", "others may not read it, or may write it: %s", line)
+  end
+end)
 
 -- Unpacked ------------------------------------------------------------------------------------------------------------
 
-equal(run(("dpkg-deb -x %s %s"):format(package_file, quote(place))), 0, "dpkg-deb -x")
-for _, name in ipairs { "doc/hinge/copyright", "doc/hinge/CHANGES.md", "doc/hinge/guide/install.md", "man/man1/hinge.1",
-  "doc/hinge/examples/01_first_cantilever.lua" } do
-  expect(support.is_there(place .. "/usr/share/" .. name), "it does not hold %s", name)
-end
-expect(not support.is_there(place .. "/usr/include"), "it holds header files")
+assert(run(("dpkg-deb -x %s %s"):format(package_file, quote(place))) == 0, "dpkg-deb -x")
+case("the unpacked package has its documents and no header files", function()
+  for _, name in ipairs { "doc/hinge/copyright", "doc/hinge/CHANGES.md", "doc/hinge/guide/install.md",
+    "man/man1/hinge.1",
+    "doc/hinge/examples/01_first_cantilever.lua" } do
+    expect(support.is_there(place .. "/usr/share/" .. name), "it does not hold %s", name)
+  end
+  expect(not support.is_there(place .. "/usr/include"), "it holds header files")
+end)
+
 local module = support.output(("find %s -name hinge.so"):format(quote(place))):gsub("\n$", "")
 local multiarch = support.output "dpkg-architecture -q DEB_HOST_MULTIARCH":gsub("\n$", "")
-equal(module, place .. "/usr/lib/" .. multiarch .. "/lua/5.4/hinge.so", "where the module lies")
+case("the module lies where Lua looks for it", function()
+  equal(module, place .. "/usr/lib/" .. multiarch .. "/lua/5.4/hinge.so", "where the module lies")
+end)
 
 -- In an empty environment: an example of the package gives its number, a frame is written, plain Lua finds the same
 -- library, and none of it comes from the folders of the build. `usr`: where the package lies.
@@ -86,8 +94,10 @@ local function works(usr, environment, lua_environment, what)
   end
   run(("rm -rf %s && mkdir %s"):format(home, home))
 end
-works(place .. "/usr", "PATH=" .. quote(place .. "/usr/bin") .. ":/usr/bin:/bin",
-  "PATH=/usr/bin:/bin LUA_CPATH=" .. quote(module:gsub("hinge%.so$", "?.so")), "unpacked")
+case("the program runs in an empty environment", function()
+  works(place .. "/usr", "PATH=" .. quote(place .. "/usr/bin") .. ":/usr/bin:/bin",
+    "PATH=/usr/bin:/bin LUA_CPATH=" .. quote(module:gsub("hinge%.so$", "?.so")), "unpacked")
+end)
 
 -- Installed, as root --------------------------------------------------------------------------------------------------
 
@@ -120,19 +130,22 @@ if not root then
 elseif installed() then
   print "package: not installed with dpkg -i, since a package hinge is installed here"
 else
-  local put, why = dpkg("-i " .. package_file), complaint
-  equal(put, 0, "dpkg -i: " .. why)
-  local passed, problem = pcall(works, "/usr", "PATH=/usr/bin:/bin", "PATH=/usr/bin:/bin", "installed")
-  local files = support.output "dpkg -L hinge"
-  equal(dpkg "-r hinge", 0, "dpkg -r: " .. complaint)
-  local left = not installed()
-  equal(dpkg "-P hinge", 0, "dpkg -P: " .. complaint) -- the package has no settings; it is forgotten as well
-  expect(passed, "%s", problem)
-  expect(files:find("/usr/bin/hinge\n", 1, true), "dpkg -L: %s", files)
-  expect(left, "dpkg -r left it installed")
-  for file in files:gmatch "[^\n]*hinge[^\n]*" do
-    expect(not support.is_there(file), "dpkg -r left %s", file)
-  end
+  case("the installed package works and is removed whole", function()
+    local put, why = dpkg("-i " .. package_file), complaint
+    equal(put, 0, "dpkg -i: " .. why)
+    local passed, problem = pcall(works, "/usr", "PATH=/usr/bin:/bin", "PATH=/usr/bin:/bin", "installed")
+    local files = support.output "dpkg -L hinge"
+    equal(dpkg "-r hinge", 0, "dpkg -r: " .. complaint)
+    local left = not installed()
+    equal(dpkg "-P hinge", 0, "dpkg -P: " .. complaint) -- the package has no settings; it is forgotten as well
+    expect(passed, "%s", problem)
+    expect(files:find("/usr/bin/hinge\n", 1, true), "dpkg -L: %s", files)
+    expect(left, "dpkg -r left it installed")
+    for file in files:gmatch "[^\n]*hinge[^\n]*" do
+      expect(not support.is_there(file), "dpkg -r left %s", file)
+    end
+  end)
 end
 if lock then lock:close() end
+
 checks.done()

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "paper"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 local folder = support.temporary_folder()
 
@@ -138,11 +139,11 @@ function look.two_beam_impact(r, printed)
 end
 
 function look.ten_storey_cases(r)
-  for _, case in ipairs { "I", "II", "III", "IV" } do
-    local c = r.cases[case]
-    below(math.abs(c.remainder), 0.02 * c.own_kinetic, "energy error of Case " .. case)
+  for _, one in ipairs { "I", "II", "III", "IV" } do
+    local c = r.cases[one]
+    below(math.abs(c.remainder), 0.02 * c.own_kinetic, "energy error of Case " .. one)
     expect(c.work > 0 and c.broken_aircraft > 0,
-      "Case %s: plastic work %s, %s members of the aircraft broken", case, c.work, c.broken_aircraft)
+      "Case %s: plastic work %s, %s members of the aircraft broken", one, c.work, c.broken_aircraft)
   end
   near(r.cases.II.own_kinetic, 59.3e6, 0.1e6, "kinetic energy of Case II")
   findings(r.findings, { -- in the first 20 ms, with a step of 40 us
@@ -168,14 +169,14 @@ function look.lost_inputs(r)
   equal(r.allowed, true, "the frame stands")
   below(r.f_y, 0.6, "f_y at rest")
   near(r.floor, 252, 1, "load of the floors, twenty times the steel")
-  for _, case in ipairs { "I", "II", "III", "IV" } do
-    local c = r[case]
+  for _, one in ipairs { "I", "II", "III", "IV" } do
+    local c = r[one]
     for _, name in ipairs { "inner", "outer", "beams", "work", "missed" } do
-      expect(c[name .. "_least"] <= c[name] and c[name] <= c[name .. "_most"], "Case %s: %s between %s and %s", case,
+      expect(c[name .. "_least"] <= c[name] and c[name] <= c[name .. "_most"], "Case %s: %s between %s and %s", one,
         name, c[name .. "_least"], c[name .. "_most"])
     end
-    expect(c.work > 0 and c.failed == 0, "Case %s: plastic work %s, failed runs %s", case, c.work, c.failed)
-    below(c.error, 1e-3, "energy error of Case " .. case)
+    expect(c.work > 0 and c.failed == 0, "Case %s: plastic work %s, failed runs %s", one, c.work, c.failed)
+    below(c.error, 1e-3, "energy error of Case " .. one)
   end
   expect(r.tension > 0 and r.tension < 3e-3, "tension after %s s", r.tension)
 end
@@ -219,63 +220,71 @@ end
 for i = 2, #arg do
   local name = arg[i]
   local settings = name == "findings" and "" or "quick=true"
-  local status, printed, complaint = support.run(("%s run %s %s --out %s"):format(quote(arg[1] .. "/hinge"),
-    quote(support.root .. "scripts/paper/" .. name .. ".lua"), settings, quote(folder .. "/" .. name)))
-  equal(status, 0, name .. ": " .. complaint)
-  local summary = support.json(support.read(folder .. "/" .. name .. "/summary.json") or "{}")
-  equal(summary.verdict, "completed", name)
-  if expect(type(summary.results) == "table", "%s: no results", name) then look[name](summary.results, printed) end
+  case("the figures of scripts/paper/" .. name .. ".lua", function()
+    local status, printed, complaint = support.run(("%s run %s %s --out %s"):format(quote(arg[1] .. "/hinge"),
+      quote(support.root .. "scripts/paper/" .. name .. ".lua"), settings, quote(folder .. "/" .. name)))
+    equal(status, 0, name .. ": " .. complaint)
+    local summary = support.json(support.read(folder .. "/" .. name .. "/summary.json") or "{}")
+    equal(summary.verdict, "completed", name)
+    if expect(type(summary.results) == "table", "%s: no results", name) then look[name](summary.results, printed) end
+  end)
 end
 
--- If runs fail that should not, all tables are there, and the script fails after them.
-local two_beams = quote(support.root .. "scripts/paper/two_beam_impact.lua")
-local status, printed, complaint = support.run(("%s run %s quick=true dt=4e-5 duration=0.021 --out %s"):format(
-  quote(arg[1] .. "/hinge"), two_beams, quote(folder .. "/long_steps")))
-equal(status, 1, "status with a step that is too long; " .. complaint)
-local failed = "hinge: the run failed: %d+ runs with the time step of the script failed\n"
-expect(complaint:find(failed), "it says: %s", complaint)
-expect(printed:find "\n  gap%* ", "its first table:\n%s", printed)
-expect(printed:find "\nOther crossings.*\n  90 .*\nnote: %d+ of 39 ", "its last table:\n%s", printed)
-local summary = support.json(support.read(folder .. "/long_steps/summary.json"))
-equal(summary.verdict, "failed", "its verdict")
-equal(#summary.results.sweep, 27, "its crossings")
+case("a paper script whose runs fail has all its tables and fails after them", function()
+  -- If runs fail that should not, all tables are there, and the script fails after them.
+  local two_beams = quote(support.root .. "scripts/paper/two_beam_impact.lua")
+  local status, printed, complaint = support.run(("%s run %s quick=true dt=4e-5 duration=0.021 --out %s"):format(
+    quote(arg[1] .. "/hinge"), two_beams, quote(folder .. "/long_steps")))
+  equal(status, 1, "status with a step that is too long; " .. complaint)
+  local failed = "hinge: the run failed: %d+ runs with the time step of the script failed\n"
+  expect(complaint:find(failed), "it says: %s", complaint)
+  expect(printed:find "\n  gap%* ", "its first table:\n%s", printed)
+  expect(printed:find "\nOther crossings.*\n  90 .*\nnote: %d+ of 39 ", "its last table:\n%s", printed)
+  local summary = support.json(support.read(folder .. "/long_steps/summary.json"))
+  equal(summary.verdict, "failed", "its verdict")
+  equal(#summary.results.sweep, 27, "its crossings")
+end)
 
--- all.lua goes on after a script that fails or stumbles, names it, and keeps what the others returned.
-local all = folder .. "/all.lua"
-support.write(all, support.read(support.root .. "scripts/paper/all.lua"))
-local function stand_in(name, does)
-  support.write(("%s/%s.lua"):format(folder, name), ([[
+case("all.lua goes on after a script that fails, names it and keeps what the others returned", function()
+  -- all.lua goes on after a script that fails or stumbles, names it, and keeps what the others returned.
+  local all = folder .. "/all.lua"
+  support.write(all, support.read(support.root .. "scripts/paper/all.lua"))
+  local function stand_in(name, does)
+    support.write(("%s/%s.lua"):format(folder, name), ([[
 local hinge = require "hinge"
 return hinge.scenario { run = function(_, job)
   %s
   return { name = "%s" }
 end }
 ]]):format(does, name))
-end
-local names = { "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact", "ten_storey_cases",
-  "lost_inputs", "findings", "after_impact" }
-local function run_all()
-  local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all),
-    quote(folder .. "/all")))
-  return ended, said, support.json(support.read(folder .. "/all/summary.json") or "{}")
-end
-for _, name in ipairs(names) do stand_in(name, "job:note 'one of two'") end
-status, complaint, summary = run_all()
-equal(status, 0, "status where all scripts hold; " .. complaint)
-equal(summary.verdict, "completed", "verdict where all scripts hold")
-stand_in(names[2], "error 'a slip'")
-stand_in(names[4], "job:verdict('failed', 'too few held')")
-status, complaint, summary = run_all()
-equal(status, 1, "status where two scripts fail")
-local both = "hinge: the run failed: space_frame_dynamic, two_beam_impact failed; the notes say why\n"
-expect(complaint:find(both, 1, true),
-  "it says: %s", complaint)
-for i, name in ipairs(names) do
-  equal((summary.results[name] or {}).name, i ~= 2 and name or nil, "what was returned by " .. name)
-end
-local notes = table.concat(summary.notes or {}, "\n")
-for _, note in ipairs { "space_frame_static: one of two", "space_frame_dynamic failed: ", "a slip",
-  "two_beam_impact failed: too few held" } do
-  expect(notes:find(note, 1, true), "'%s' is not among the notes: %s", note, notes)
-end
+  end
+  local names = { "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact",
+    "ten_storey_cases",
+    "lost_inputs", "findings", "after_impact" }
+  local function run_all()
+    local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all),
+      quote(folder .. "/all")))
+    return ended, said, support.json(support.read(folder .. "/all/summary.json") or "{}")
+  end
+  for _, name in ipairs(names) do stand_in(name, "job:note 'one of two'") end
+  local status, complaint, summary = run_all()
+  equal(status, 0, "status where all scripts hold; " .. complaint)
+  equal(summary.verdict, "completed", "verdict where all scripts hold")
+  stand_in(names[2], "error 'a slip'")
+  stand_in(names[4], "job:verdict('failed', 'too few held')")
+  status, complaint, summary = run_all()
+  equal(status, 1, "status where two scripts fail")
+  local both = "hinge: the run failed: space_frame_dynamic, two_beam_impact failed; the notes say why\n"
+  expect(complaint:find(both, 1, true),
+    "it says: %s", complaint)
+  for i, name in ipairs(names) do
+    equal((summary.results[name] or {}).name, i ~= 2 and name or nil, "what was returned by " .. name)
+  end
+  local notes = table.concat(summary.notes or {}, "\n")
+  for _, note in ipairs { "space_frame_static: one of two", "space_frame_dynamic failed: ", "a slip",
+    "two_beam_impact failed: too few held" } do
+    expect(notes:find(note, 1, true), "'%s' is not among the notes: %s", note, notes)
+  end
+end)
+
 checks.done()

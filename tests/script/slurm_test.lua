@@ -6,6 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "slurm"
+local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 local program = quote(arg[1] .. "/hinge")
 
@@ -49,39 +50,45 @@ local function wait_for(what, seconds)
 end
 local function queue() return select(2, slurm "squeue -h -r -o '%A %a %T'") end
 
--- All cases as a job array, two a task.
-hinge_study "s.lua speed=5,10,20 steps=2000 --out whole"
-local listed
-status, listed, complaint = slurm(program
-  .. " study s.lua speed=5,10,20 steps=2000 --slurm --per-task 2 --out array")
-expect(status == 0 and listed:find "Submitted batch job", "submitting: %s%s", listed, complaint)
-expect(wait_for(function() return queue() == "" end, 120), "the array does not end: %s", queue())
-status = slurm(program .. " study s.lua speed=5,10,20 steps=2000 --out array --collect")
-equal(status, 0, "exit status of --collect")
-checks.same_files(folder .. "/array/results.csv", folder .. "/whole/results.csv", "results of the array")
+case("all cases run as a job array of two a task", function()
+  -- All cases as a job array, two a task.
+  hinge_study "s.lua speed=5,10,20 steps=2000 --out whole"
+  local listed
+  status, listed, complaint = slurm(program
+    .. " study s.lua speed=5,10,20 steps=2000 --slurm --per-task 2 --out array")
+  expect(status == 0 and listed:find "Submitted batch job", "submitting: %s%s", listed, complaint)
+  expect(wait_for(function() return queue() == "" end, 120), "the array does not end: %s", queue())
+  status = slurm(program .. " study s.lua speed=5,10,20 steps=2000 --out array --collect")
+  equal(status, 0, "exit status of --collect")
+  checks.same_files(folder .. "/array/results.csv", folder .. "/whole/results.csv", "results of the array")
+end)
 
--- Long cases: one task gets the scheduler's signal, one is requeued without a word.
-local words = "s.lua speed=12,15 steps=150000"
-hinge_study(words .. " -j 2 --out long")
-status, listed, complaint = slurm(program .. " study " .. words .. " --slurm --out requeued")
-local job = listed:match "batch job (%d+)"
-expect(status == 0 and job, "submitting: %s%s", listed, complaint)
-local function checkpoint(task) return ("%s/requeued/cases/0000%d/c"):format(folder, task) end
-for task = 1, 2 do
-  expect(wait_for(function() return support.is_there(checkpoint(task)) end, 60), "task %d writes no checkpoint", task)
-end
-os.execute "sleep 0.6"
-slurm(("scancel --signal=TERM --batch %s_1"):format(job))
-slurm(("scontrol requeue %s_2"):format(job))
-expect(wait_for(function() return queue() == "" end, 180), "the requeued tasks do not end: %s", queue())
-status = slurm(program .. " study " .. words .. " --out requeued --collect")
-equal(status, 0, "exit status of --collect after a requeue")
-checks.same_files(folder .. "/requeued/results.csv", folder .. "/long/results.csv", "results after a requeue")
-for task = 1, 2 do
-  local name = ("/cases/0000%d/summary.json"):format(task)
-  local resumed, whole = support.json(support.read(folder .. "/requeued" .. name) or "{}"),
-    support.json(support.read(folder .. "/long" .. name) or "{}")
-  expect((resumed.resumed_at or 0) > 0, "task %d did not go on from its checkpoint", task)
-  equal(resumed.state_hash or "none", whole.state_hash, ("bits of task %d"):format(task))
-end
+case("tasks that are signalled or requeued give the results of a plain study", function()
+  local listed
+  -- Long cases: one task gets the scheduler's signal, one is requeued without a word.
+  local words = "s.lua speed=12,15 steps=150000"
+  hinge_study(words .. " -j 2 --out long")
+  status, listed, complaint = slurm(program .. " study " .. words .. " --slurm --out requeued")
+  local job = listed:match "batch job (%d+)"
+  expect(status == 0 and job, "submitting: %s%s", listed, complaint)
+  local function checkpoint(task) return ("%s/requeued/cases/0000%d/c"):format(folder, task) end
+  for task = 1, 2 do
+    expect(wait_for(function() return support.is_there(checkpoint(task)) end, 60), "task %d writes no checkpoint", task)
+  end
+  os.execute "sleep 0.6"
+  slurm(("scancel --signal=TERM --batch %s_1"):format(job))
+  slurm(("scontrol requeue %s_2"):format(job))
+  expect(wait_for(function() return queue() == "" end, 180), "the requeued tasks do not end: %s", queue())
+  status = slurm(program .. " study " .. words .. " --out requeued --collect")
+  equal(status, 0, "exit status of --collect after a requeue")
+  checks.same_files(folder .. "/requeued/results.csv", folder .. "/long/results.csv", "results after a requeue")
+  for task = 1, 2 do
+    local name = ("/cases/0000%d/summary.json"):format(task)
+    local resumed, whole = support.json(support.read(folder .. "/requeued" .. name) or "{}"),
+      support.json(support.read(folder .. "/long" .. name) or "{}")
+    expect((resumed.resumed_at or 0) > 0, "task %d did not go on from its checkpoint", task)
+    equal(resumed.state_hash or "none", whole.state_hash, ("bits of task %d"):format(task))
+  end
+end)
+
 checks.done()
