@@ -24,4 +24,4 @@ local run = model:dynamic { from = rest, dt = 1e-3, duration = 1 }:finish()
 local fell = select(3, rest:displacement(node[8])) - select(3, run:displacement(node[8]))
 print(("the joint above the lost column fell by %.2f m"):format(fell))
 hinge.picture(run, { from = { -0.3, -1, 0.2 }, width = 1000, height = 560 }, "lost_column.png")
-return { fell_m = fell, energy_error_percent = -100 * run.energy.remainder / run.energy.gravity }
+return { fell_m = fell, energy_error_percent = -100 * run.energy.energy_error / run.energy.gravity }

@@ -48,4 +48,5 @@ for _, joint in ipairs(model:nodes()) do
   end
 end
 print(("limit load %.4f kN; by hand %.4f kN"):format(run.factor, 6 * Mp / (h + L / 2) / 1000))
-return { limit_kN = run.factor, hinges = hinges, energy_error_percent = 100 * run.energy.remainder / run.energy.work }
+return { limit_kN = run.factor, hinges = hinges,
+  energy_error_percent = 100 * run.energy.energy_error / run.energy.work }

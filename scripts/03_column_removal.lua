@@ -57,5 +57,5 @@ print(("standing %.3f mm, without the column %.3f mm, deepest %.3f mm")
 return {
   dynamic_factor = (drop.min - upper) / (lower - upper), static_mm = 1e3 * (upper - lower),
   broken = run:count { state = "broken" },
-  energy_error_percent = 100 * run.energy.remainder / -run.energy.gravity,
+  energy_error_percent = 100 * run.energy.energy_error / -run.energy.gravity,
 }

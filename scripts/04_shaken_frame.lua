@@ -44,7 +44,7 @@ local function shake(scale)
   end)
   run:finish()
   return { peak = peak, swing = (far - near) / 2, set = (far + near) / 2, energy = run.energy, mass = mass,
-    lost = math.abs(run.energy.remainder / run.energy.work) }
+    lost = math.abs(run.energy.energy_error / run.energy.work) }
 end
 
 local weak, strong = shake(a), shake(8 * a)

@@ -43,5 +43,5 @@ print(("velocity of the projectile's end %.2f m/s; the column bends by %.1f mm")
 return {
   brought_Ns = brought, lost_percent = 100 * (brought + impulse - left) / brought,
   yielded = run:count { group = "column", state = "yielded" },
-  energy_error_percent = 100 * run.energy.remainder / run.energy.initial,
+  energy_error_percent = 100 * run.energy.energy_error / run.energy.initial,
 }

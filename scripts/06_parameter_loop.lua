@@ -36,7 +36,7 @@ local function deepest(duration, total)
   local run = model:dynamic { dt = total / 8000, duration = total }
   local depth = run:probe { node = tip, "uz" }
   run:finish()
-  return -depth.min, math.abs(run.energy.remainder / run.energy.work)
+  return -depth.min, math.abs(run.energy.energy_error / run.energy.work)
 end
 
 local _, _, mass = cantilever()

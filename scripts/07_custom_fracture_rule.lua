@@ -34,5 +34,5 @@ local by_function      = pull(function(section) return math.abs(section.axial_st
 print(("the rod breaks at %.3f ms; by hand %.3f ms"):format(1e3 * time, 1e3 * math.sqrt(2 * limit * L / acceleration)))
 return {
   ms = 1e3 * time, same = by_numbers.hash == by_function.hash and 1 or 0,
-  energy_error_percent = 100 * by_function.energy.remainder / by_function.energy.work,
+  energy_error_percent = 100 * by_function.energy.energy_error / by_function.energy.work,
 }

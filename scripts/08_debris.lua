@@ -46,5 +46,5 @@ print(("%.1f J from gravity, %.1f J heat of friction, %.1f J in motion")
   :format(given, run.energy.contact_released, run.energy.kinetic))
 return {
   first_touch_ms = 1e3 * first, fallen_through = through, heat_percent = 100 * run.energy.contact_released / given,
-  energy_error_percent = 100 * run.energy.remainder / given,
+  energy_error_percent = 100 * run.energy.energy_error / given,
 }

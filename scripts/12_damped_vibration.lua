@@ -39,4 +39,4 @@ run:finish()
 local e = run.energy
 local left = (e.kinetic + e.elastic) / e.initial
 print(("after three periods %.1f %% of the energy is left"):format(100 * left))
-return { ratio = -math.log(left) / (2 * 6 * math.pi), lost = e.damping / e.initial, open = e.remainder / e.initial }
+return { ratio = -math.log(left) / (2 * 6 * math.pi), lost = e.damping / e.initial, open = e.energy_error / e.initial }

@@ -21,11 +21,11 @@ return hinge.scenario {
     -- m: axis above ground, left of the middle, nose before the facade
     height = 23.8, offset = 0, gap = 0.5,
     contact = "gap",                                   -- the paper's rule, or "surface"
-    curvature = 0.04, reading = "section",             -- 1/m: the paper's 0.0004 as 1/cm; which hinges it limits
+    curvature = 0.04, strain_measure = "section",      -- 1/m: the paper's 0.0004 as 1/cm; which hinges it limits
     duration = 0.25, frame_every = 250,                -- s, steps
   },
   cases    = { I = {}, II = { speed = 320 / 3.6 }, III = { mass = 12000 }, IV = { size = 12 },
-    heavy = { design = "heavy", aircraft = "slender", height = 30, curvature = 0.4, reading = "element" } },
+    heavy = { design = "heavy", aircraft = "slender", height = 30, curvature = 0.4, strain_measure = "element" } },
   accuracy = { dt = { 1e-5, 2e-5, 4e-5 }, elements_per_member = { 2, 4 }, formulation = { "asi-gauss", "asi" } },
 
   run = function(p, job)
@@ -37,10 +37,11 @@ return hinge.scenario {
       position = { -p.gap, frame.size[2] / 2 + p.offset, p.height },
     })
     model:gravity { 0, 0, -9.80665 }
-    model:fracture { curvature_x = p.curvature, curvature_y = p.curvature, axial_strain = 0.3, reading = p.reading }
+    model:fracture { curvature_x = p.curvature, curvature_y = p.curvature, axial_strain = 0.3,
+      strain_measure = p.strain_measure }
     model:contact { rule = p.contact, binding_time = p.contact == "gap" and 0.5e-3 or nil }
 
-    local loaded = model:static { hold = plane }
+    local loaded = model:static { fixed_group = plane }
     loaded:finish()
 
     local run = model:dynamic { from = loaded, dt = p.dt, duration = p.duration, beta = 0.4,

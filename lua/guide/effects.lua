@@ -18,6 +18,6 @@ model:velocity("rod", { 40, 0, 0 })
 model:gravity { 0, 0, -9.80665 }
 model:contact { rule = "surface", between = { "rod", "portal" } }
 
-local run = model:dynamic { from = model:static { hold = "rod" }:finish(), dt = 2e-5, duration = 0.06 }:finish()
-print(("energy error %.2f %% of the rod's energy"):format(100 * run.energy.remainder / run.energy.initial))
+local run = model:dynamic { from = model:static { fixed_group = "rod" }:finish(), dt = 2e-5, duration = 0.06 }:finish()
+print(("energy error %.2f %% of the rod's energy"):format(100 * run.energy.energy_error / run.energy.initial))
 hinge.picture(run, { from = { -0.4, -1, 0.25 }, width = 1000, height = 600 }, "effects.png")

@@ -34,7 +34,7 @@ model:contact { between = { "frame", "body" } }
 
 -- The frame takes its weight in statics while the body is held. Then the body flies.
 model:gravity { 0, 0, -9.80665 }
-local rest = model:static { hold = "body" }:finish()
+local rest = model:static { fixed_group = "body" }:finish()
 local run = model:dynamic { from = rest, dt = 2e-5, duration = 0.1 }
 local probes = {}
 for i, foot in ipairs(feet) do probes[i] = run:probe { node = foot, "fx" } end

@@ -51,10 +51,10 @@ function hinge.model(options) end
 ---any number of turns. small: the geometry stays as declared (total Lagrangian, TLF)
 ---@field displacement? "large"|"small"
 ---what moves when a hinge forms. plastic (default): only the integration point of the plastic strain moves. The pair of
----elements keeps its exact elastic stiffness, and the energy balance closes. whole: as the paper prints it (eqs 6, 10).
----The elastic point moves to the hinge too, and the point of the other element of the pair moves to the middle. Forces
----stay continuous, but the elastic energy jumps. The energy error shows this jump
----@field shift? "plastic"|"whole"
+---elements keeps its exact elastic stiffness, and the energy balance closes. elastic_and_plastic: as the paper prints
+---it (eqs 6, 10). The elastic point moves to the hinge too, and the point of the other element of the pair moves to the
+---middle. Forces stay continuous, but the elastic energy jumps. The energy error shows this jump
+---@field shift? "plastic"|"elastic_and_plastic"
 ---where the axial force of an element acts in large displacement. member (default): on the element's chord, and on the
 ---bending of each pair of elements between its ends, by the stability functions of the exact beam-column
 ---(src/beam/beam_column.h). Elastic columns buckle at Euler's load to 0.1 % with two elements. One that is clamped at
@@ -89,10 +89,10 @@ function hinge.model(options) end
 ---have their value at time 0, or the full value if that is 0. Compression counts by its effect on the bending
 ---stiffness. With p_delta = "member", the default, two elements include this effect exactly; members at Euler's load or
 ---above get four. Four are also given to a member where moments between its ends reach the fully plastic moment, and to
----a member with its own loads that yields anywhere. The decision does not include impacts, motions of supports, `hold`
----of a static run, and loads that are functions of the run. Bodies that model:fix does not hold keep two. The solver is
----a direct one: it takes 0.5 s for a cubic frame of 3400 members, and 6 s for 11,000. `hinge plan` and summary.json
----list how many members got how many elements, and why. "auto" works with asi-gauss only
+---a member with its own loads that yields anywhere. The decision does not include impacts, motions of supports,
+---`fixed_group` of a static run, and loads that are functions of the run. Bodies that model:fix does not hold keep two.
+---The solver is a direct one: it takes 0.5 s for a cubic frame of 3400 members, and 6 s for 11,000. `hinge plan` and
+---summary.json list how many members got how many elements, and why. "auto" works with asi-gauss only
 ---@field elements_per_member? integer|"auto"
 ---for elements = "auto": the error that is allowed in the bending stiffness of a compressed member, as a part of the
 ---stiffness without compression. Near Euler's load it is the error of the load at which the member buckles. Default
@@ -658,7 +658,7 @@ function model:fracture(rule) end
 ---two ends cancel where the element bends like an S. section: that at each end. It is the elastic curvature of the
 ---element, plus the rotation of the hinge at this end over the element's length. The other strains are the element's in
 ---both. The conventional element has one hinge in its middle, so both mean the same
----@field reading? "element"|"section"
+---@field strain_measure? "element"|"section"
 ---true: the limits count only where the section is fully plastic in the step. Members that cannot yield then never
 ---break by limits. Default false
 ---@field plastic_only? boolean
@@ -845,7 +845,7 @@ function model:connector(options) end
 ---is raised at the line of the script that asked for the step
 ---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
 ---N, N m. If the force in one direction, of either sign, has reached this value at the end of a step, the whole
----connector breaks. The energy that it stored is lost. run.wakings lists the break. Default: it never breaks
+---connector breaks. The energy that it stored is lost. run.state_changes lists the break. Default: it never breaks
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
 
 ---A connector, made by model:connector. Its methods read the given run, or by default the latest run of its model.
@@ -1032,7 +1032,7 @@ function model:static(options) end
 ---unstable, the verdict is "completed" and run.limit = true. run.factor is then the factor of the limit load. Default
 ---false
 ---@field to_limit? boolean
----@field hold? hinge.group_like a group that does not move during this run
+---@field fixed_group? hinge.group_like a group that does not move during this run
 ---the run whose state this run begins from. A run that has not ended must be finished or stopped first. In a model with
 ---load cases, the loads at the end of that run stay; the factor of this run, from 0 to 1, adds the difference to
 ---`loads`. So a push-over under dead load is two runs. In a model without load cases, all loads are applied again from
@@ -1063,8 +1063,8 @@ function model:static(options) end
 ---masses it is kept to some 1e-3. The method is of second order, and takes some 5 to 10 iterations a step. The rotary
 ---inertia of the sections rotates with the nodes. Accelerations and reactions are the means of the last step. A step
 ---that does not converge is undone and halved (step_control, here 0.01 by default). The method does not work with
----contact, fracture, ground, moving supports, displacement = "small" and shift = "whole". These options are errors with
----it: beta, rho_infinity, predictor, precision.
+---contact, fracture, ground, moving supports, displacement = "small" and shift = "elastic_and_plastic". These options
+---are errors with it: beta, rho_infinity, predictor, precision.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 })
 ---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.02 }:finish()
@@ -1095,10 +1095,10 @@ function model:dynamic(options) end
 ---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
 ---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance (1 % where
 ---that is more). Default 0.01; 0.1 with explicit steps, whose energy swings with the fastest vibrations; 0 with shift =
----"whole", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01, at its end or at
----an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100 steps, or
----20 times in a short run, and at the end. With explicit steps it is also checked, for the warning alone, at every
----step in which the fastest vibrations may make it large. The state of a failed run is that of the last check at
+---"elastic_and_plastic", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01, at
+---its end or at an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100
+---steps, or 20 times in a short run, and at the end. With explicit steps it is also checked, for the warning alone, at
+---every step in which the fastest vibrations may make it large. The state of a failed run is that of the last check at
 ---which the balance closed (models of up to 200 000 elements); run.energy_error and the last row of history.csv are
 ---those of the check that failed. run.reason ends with a setting that held from that state to 20 steps beyond the
 ---failure, in a short trial that calls no function of the script and recovers the forces of at most 1.5 million
@@ -1109,13 +1109,13 @@ function model:dynamic(options) end
 ---be solved. It is tried again with half the length, down to dt / 1024; below this the run fails. The script never sees
 ---a step that was undone. After steps with small errors the step becomes longer again, up to dt. A number checks the
 ---energy balance every step, which takes half to three quarters of the time of a step more. It is an error with shift =
----"whole", whose energy balance cannot close. 0: every step is kept, and a step that cannot be solved ends the run.
----Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly (contact, ground,
----fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form. The balance is
----checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at any time.
----Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). What dt / 64 still loses is kept, up to an energy error
----of 0.01; beyond that the run fails, whatever energy_tolerance is. While no step is undone, no bit changes. Default
----with energy-momentum: 0.01, every step
+---"elastic_and_plastic", whose energy balance cannot close. 0: every step is kept, and a step that cannot be solved
+---ends the run. Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly
+---(contact, ground, fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form.
+---The balance is checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at
+---any time. Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). What dt / 64 still loses is kept, up to an
+---energy error of 0.01; beyond that the run fails, whatever energy_tolerance is. While no step is undone, no bit
+---changes. Default with energy-momentum: 0.01, every step
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
 ---threads that share the work of a step; default 1; results are the same to the bit for any number
@@ -1184,10 +1184,10 @@ function model:dynamic(options) end
 ---@field dt number s, of the next step; nil in statics
 ---@field limit? boolean in statics: true if the run has ended at a limit load, see to_limit; nil in dynamics
 ---@field instability? hinge.instability in statics: where the structure became unstable; nil where it did not
----@field worst_remainder number J, the largest absolute value of energy.remainder so far
----energy.remainder as a part of the largest energy, at the last row of history.csv. The largest energy is the largest
----value that any account of the energy balance has had so far. An account counts only up to what the other side of the
----balance explains (what is held or dissipated: up to the initial energy, the work supplied and what gravity and
+---@field worst_energy_error number J, the largest absolute value of energy.energy_error so far
+---energy.energy_error as a part of the largest energy, at the last row of history.csv. The largest energy is the
+---largest value that any account of the energy balance has had so far. An account counts only up to what the other side
+---of the balance explains (what is held or dissipated: up to the initial energy, the work supplied and what gravity and
 ---connectors gave), so that energy from an error does not count. energy_tolerance of model:dynamic limits the same
 ---error.
 ---If the balance did not close, this is the error when that was seen, not that of the earlier state to which the run
@@ -1206,7 +1206,7 @@ function model:dynamic(options) end
 ---@field probes hinge.probe[] all probes up to now
 ---@field loads table<string, number> the load cases of the model by name, with their factors in this run
 ---effects that became active or inactive during the run; the first thousand
----@field wakings { time: number, effect: string, awake: boolean, why: string }[]
+---@field state_changes { time: number, effect: string, awake: boolean, why: string }[]
 local run = {}
 
 ---@class hinge.effect
@@ -1262,7 +1262,8 @@ local run = {}
 ---@field connector_dissipated number dissipated by dashpots and laws, and lost when connectors break
 ---@field numerical number dissipated by the integrator (rho_infinity)
 ---@field work number work of the loads
----@field remainder number the energy error: initial + work - all other accounts (without their parts)
+---@field energy_error number the energy error: initial + work - all other accounts (without their parts)
+---@field remainder number the same; the name up to version 0.2
 
 ---Does the steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, with new
 ---values.
@@ -1853,7 +1854,7 @@ function hinge.cost(scenario, options) end
 ---@field left_out { label: string, values: table, estimate: number, rest: number }[]
 ---@field complete boolean nothing is left out
 ---@field notes string[]
----@field knobs table[] what is varied: name, values, and for numbers the finer side
+---@field inputs table[] what is varied: name, values, and for numbers the finer side
 ---@field elapsed number s
 ---@field within number
 ---@field perturbation number
@@ -1904,7 +1905,7 @@ function hinge.cost(scenario, options) end
 ---@field finer? string the setting twice as fine; nil: `notes` says why
 ---@field seconds number with all effects: time of the steps of all runs, the median of `times`
 ---@field times number[]
----@field remainder number the energy error, as in hinge.cost_setting
+---@field energy_error number the energy error, as in hinge.cost_setting
 ---@field notes string[]
 ---@field complete boolean nothing is left out by the budget
 ---@field elapsed number s
@@ -1927,7 +1928,7 @@ function hinge.cost(scenario, options) end
 ---@field spread? number half the width of the middle half of the rounds, for `saves`
 ---@field seconds? number without it, the median of `times`
 ---@field times? number[]
----@field remainder? number the energy error without it
+---@field energy_error? number the energy error without it
 ---@field answers? table<string, number|{ x: number[], y: number[] }> without it
 ---@field failed? string why the scenario has no answer without it: the error's first line
 
@@ -1958,7 +1959,7 @@ function hinge.cost(scenario, options) end
 ---@field outside number s outside the steps: making models, and the code of the script
 ---@field stages table<string, number> s by stage of a step, of the fastest run
 ---@field memory? number bytes, the most memory that it used
----@field remainder number the largest energy error of its runs over the energy at the start and the work at the end
+---@field energy_error number the largest energy error of its runs over the energy at the start and the work at the end
 ---@field front boolean
 ---@field meets boolean
 ---@field failed? string

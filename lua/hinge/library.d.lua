@@ -351,7 +351,7 @@ function space_frame.add(model, options) end
 ---and beams. Further: broken_columns, broken, hinged_columns, work_columns, work (building), worst_column (largest
 ---plastic work in one column), work_aircraft, broken_aircraft, missed (members of the aircraft that touch nothing),
 ---lowest (lowest storey with a fracture, 0: none). Energies at the end:
----kinetic, elastic, plastic, fracture, contact, remainder (energy error). brought: momentum of the aircraft.
+---kinetic, elastic, plastic, fracture, contact, energy_error. brought: momentum of the aircraft.
 ---own_kinetic: its kinetic energy. given: the part of this momentum that the building has at the end. faint, felt and
 ---red, by storey: the time when f_y of a column has changed by 0.005, has changed by 0.05, is 1; -1: not within the
 ---run. pulled: columns that were in compression at rest and carry tension. times, counts, below: times, and how many
@@ -404,7 +404,7 @@ function impact.add(model, options) end
 ---local impact = require "hinge.models.ten_storey_impact"
 ---local site = hinge.model()
 ---local frame, plane = impact.add(site, { height = 2, building = { bays = { 2, 2 }, storeys = 1 } })
----local rest = site:static { steps = 1, hold = plane }:finish()
+---local rest = site:static { steps = 1, fixed_group = plane }:finish()
 ---print(impact.damage(rest, frame).broken_columns)
 ---```
 ---@param run hinge.run

@@ -28,7 +28,7 @@ end
 
 local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping",
   "numerical",
-  "remainder" }
+  "energy_error" }
 
 local function energy_table(run)
   local energy = run.energy
@@ -36,7 +36,7 @@ local function energy_table(run)
   for _, name in ipairs(accounts) do
     local joules = energy[name]
     if joules and (joules ~= 0 or name ~= "numerical") then
-      local part = name == "remainder"
+      local part = name == "energy_error"
         and ("   %.2g %% of the largest energy"):format(100 * run.energy_error) or ""
       lines[#lines + 1] = ("%-16s%14.3f%s"):format(name, joules / 1e3, part)
     end

@@ -33,7 +33,7 @@ return hinge.scenario {
     model:gravity { 0, 0, -9.80665 }
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
     model:contact { rule = surface and "surface" or "gap", binding_time = not surface and 0.5e-3 or nil }
-    local run = model:static { hold = plane, steps = 1 }:finish()
+    local run = model:static { fixed_group = plane, steps = 1 }:finish()
     local function go_on(duration)
       local options = { from = run, dt = p.dt, duration = duration }
       for name, value in pairs(schemes[p.scheme]) do options[name] = value end

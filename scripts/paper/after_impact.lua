@@ -46,7 +46,7 @@ return hinge.scenario {
     model:ground { point = { 0, 0, -0.2 }, friction = 0.4, restitution = 1 }
     local roof = {}
     for i = 0, 4 do for j = 0, 4 do roof[#roof + 1] = frame.node(i, j, 10) end end
-    local rest = model:static { hold = plane }:finish()
+    local rest = model:static { fixed_group = plane }:finish()
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit", duration = p.duration,
       threads = p.threads }
 

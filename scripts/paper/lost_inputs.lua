@@ -22,9 +22,9 @@ local lightest, largest = 12000, 15 -- kg, m: the aircraft whose density is incr
 -- Eq 16 in other readings. `kappa` is the limit of curvature, 1/m: the paper's 0.0004 as 1/mm, or as 1/cm.
 local readings = {
   element = { axial_strain = 0.3 },                                             -- as printed
-  section = { axial_strain = 0.3, reading = "section" },                        -- the hinge's own rotation
+  section = { axial_strain = 0.3, strain_measure = "section" },                        -- the hinge's own rotation
   tension = { axial_strain = 0.3, tension_only = true },                        -- not in compression
-  plastic = { axial_strain = 0.3, reading = "section", plastic_only = true },   -- only where fully plastic
+  plastic = { axial_strain = 0.3, strain_measure = "section", plastic_only = true },   -- only where fully plastic
   later = { axial_strain = 0.17, shear_strain = 2.6e-2, kappa = 0.3333 / 0.4 }, -- limits of Isobe's later papers
 }
 

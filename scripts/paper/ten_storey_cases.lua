@@ -107,7 +107,7 @@ local function tables(first, runs)
   row("released with contact ties", energy "contact")
   row("elastic", energy "elastic")
   row("still moving (nearly all aircraft)", energy "kinetic")
-  row("energy error", energy "remainder")
+  row("energy error", energy "energy_error")
   row("momentum of the building at the end, of that brought",
     function(r) return r.given and ("%.0f %%"):format(100 * r.given) or "-" end)
   paper.table("Where the energy went, MJ", { "Case", table.unpack(impact.order) }, rows)

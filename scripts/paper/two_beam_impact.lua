@@ -57,7 +57,7 @@ local function collide(p, name, rule, changes, see)
   for step in run:steps() do
     if step.index % every == 0 then
       local e = run.energy
-      worst = math.max(worst, math.abs(e.remainder))
+      worst = math.max(worst, math.abs(e.energy_error))
       balance.time[#balance.time + 1] = 1e3 * run.time
       local terms = { kinetic = e.kinetic + e.gravity, elastic = e.elastic, stored = e.contact_stored,
         gone = e.contact_released, total = e.kinetic + e.gravity + e.elastic + e.contact_stored }

@@ -35,7 +35,7 @@ local function strength(angle)
   local work, energy_error = 0, 0
   run:on_step(function()
     if member:state() == "broken" then return run:stop() end
-    work, energy_error = run.energy.work, run.energy.remainder
+    work, energy_error = run.energy.work, run.energy.energy_error
   end)
   run:finish()
   local _, _, time = member:state()

@@ -42,4 +42,4 @@ local _, _, time = member:state()
 time = time or 0 -- 0: it did not break
 print(("broken at %.4f s, after %.1f J of plastic work"):format(time, run.energy.plastic))
 return { break_s = time, work_J = run.energy.plastic, damage = worst,
-  energy_error_percent = 100 * run.energy.remainder / run.energy.work }
+  energy_error_percent = 100 * run.energy.energy_error / run.energy.work }

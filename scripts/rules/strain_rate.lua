@@ -43,7 +43,7 @@ local function pull(rate)
     if member:state() ~= "broken" then strain = pulled:displacement() / L end
   end)
   run:finish()
-  return 100 * strain, math.abs(100 * run.energy.remainder / run.energy.work)
+  return 100 * strain, math.abs(100 * run.energy.energy_error / run.energy.work)
 end
 
 local results, lost = {}, 0

@@ -22,7 +22,7 @@ return hinge.scenario {
     local mass = 2 * p.energy / p.speed ^ 2
     local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in Case I
     local frame, plane = impact.add(model, impact.with(p, { mass = mass }))
-    local rest = model:static { hold = plane }:finish()
+    local rest = model:static { fixed_group = plane }:finish()
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit",
       duration = (p.gap + p.path) / p.speed }
     run:finish()

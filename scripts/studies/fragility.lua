@@ -67,7 +67,7 @@ return hinge.scenario {
   proposals = { halving = halving },
   run = function(p, job)
     local model, head, vehicle = scene(p)
-    local rest = model:static { hold = vehicle }:finish()
+    local rest = model:static { fixed_group = vehicle }:finish()
     model:fracture { group = "column", curvature_x = 2, curvature_y = 2, axial_strain = 0.15 }
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit", duration = p.duration }
     run:finish()

@@ -39,7 +39,8 @@ bool within_reach(const FractureRule& rule, double length, const Vec6& plastic, 
                rule.curvature_y > std::abs(stays.curvature_y) + bound.curvature[1] &&
                rule.axial_strain > std::abs(stays.axial) + bound.axial && rule.shear_strain > bound.shear;
     };
-    if (rule.reading == FractureRule::Reading::element) return !out_of_reach(beam::fracture_strains(plastic, length));
+    if (rule.strain_measure == FractureRule::StrainMeasure::element)
+        return !out_of_reach(beam::fracture_strains(plastic, length));
     return !(out_of_reach(beam::section_strains(Vec6::Zero(), plastic, length, 1)) &&
              out_of_reach(beam::section_strains(Vec6::Zero(), plastic, length, 2)));
 }
@@ -252,7 +253,8 @@ void Fracture::list_news() {
     for (Watched& w : watched_) {
         const int i = w.element;
         if (w_.state.broken[i]) continue;
-        if (w_.structure.model().options().shift == Shift::whole) w = watch_strains(i);  // its point may have moved
+        if (w_.structure.model().options().shift == Shift::elastic_and_plastic)
+            w = watch_strains(i);  // its point may have moved
         const Vec6 &p = w_.force[i], plastic = flowed(w_.state, i);
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
@@ -338,7 +340,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
     const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
     const Break holds = {index, 0};
     if (rule.none() || (rule.plastic_only && !flow)) return holds;
-    const bool by_section = rule.reading == FractureRule::Reading::section && !w_.structure.conventional();
+    const bool by_section = rule.strain_measure == FractureRule::StrainMeasure::section && !w_.structure.conventional();
     const auto with_shear = [&](beam::FractureStrains strains) {
         if (std::isfinite(rule.shear_strain))
             beam::add_shear(strains, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);

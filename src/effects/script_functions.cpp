@@ -21,7 +21,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
         return std::any_of(std::begin(c.law), std::end(c.law), [](const ConnectorLaw& l) { return bool(l); });
     });
     const bool rule = fracture || contact || load;
-    return {{"hooks", (run.dynamic && rule) || history || along || law,
+    return {{"script functions", (run.dynamic && rule) || history || along || law,
              fracture           ? only_in_dynamics(run, "a function in model:fracture")
              : contact          ? only_in_dynamics(run, "a function in model:contact")
              : load             ? only_in_dynamics(run, "a load that is a function")
@@ -38,6 +38,6 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 
 }  // namespace
 
-EffectKind script_functions_kind() { return {"hooks", {}, plan, nullptr}; }
+EffectKind script_functions_kind() { return {"script functions", {}, plan, nullptr}; }
 
 }  // namespace hinge

@@ -102,13 +102,14 @@ using FractureBatch = std::function<void(const ElementList&, std::vector<int>& b
 
 /// Eq 16, and other readings of it. The paper's 0.0004 has no unit: 0.4 1/m if it is 1/mm.
 struct FractureRule : beam::FractureLimits {
-    enum class Reading {
+    enum class StrainMeasure {
         element,
         section
-    } reading = Reading::element;  ///< element: the limits are compared with the strains of the whole element;
-                                   ///< section: with those at each end, from its own hinge (section_strains)
-    bool plastic_only = false;     ///< limits count only where the section is fully plastic in the step
-    FractureHook hook;             ///< asked where no limit is reached
+    } strain_measure =
+        StrainMeasure::element;  ///< element: the limits are compared with the strains of the whole element;
+                                 ///< section: with those at each end, from its own hinge (section_strains)
+    bool plastic_only = false;   ///< limits count only where the section is fully plastic in the step
+    FractureHook hook;           ///< asked where no limit is reached
     enum class Where {
         plastic,
         yielded,

@@ -56,10 +56,9 @@ enum class PDelta : std::uint8_t { chord, member };
 /// Where the weight of members acts: along them, as a load of the same size does, or at the nodes of their elements.
 enum class Weight : std::uint8_t { nodes, members };
 
-/// Which strain's integration point goes to a hinge. `plastic`: the plastic strain's alone, so the elastic stiffness
-/// stays that of the Gauss points and the pair stays exact. `whole`: elastic and plastic together, as the paper prints
-/// it.
-enum class Shift : std::uint8_t { plastic, whole };
+/// Which integration points move to a plastic hinge. `plastic`: that of the plastic strain alone, so that the elastic
+/// stiffness stays exact. `elastic_and_plastic`: both, as the paper prints it.
+enum class Shift : std::uint8_t { plastic, elastic_and_plastic };
 
 struct NodeData {
     Vec3 position;

@@ -120,7 +120,9 @@ DynamicSettings Dynamics::fitted(DynamicSettings s) const {
 
 /// The default of energy_tolerance.
 double Dynamics::energy_may_miss() const {
-    return structure_->model().options().shift == Shift::whole ? 0 : explicit_steps() ? may_swing : large_error;
+    return structure_->model().options().shift == Shift::elastic_and_plastic ? 0
+           : explicit_steps()                                                ? may_swing
+                                                                             : large_error;
 }
 
 // ---- a step -------------------------------------------------------------------------------------------------------
@@ -596,7 +598,8 @@ void Dynamics::look_at_pairs() {
 
 /// Whatever energy_tolerance is: a run that completes with a large energy error, or had one on its way, warns of it.
 void Dynamics::tell_error() {
-    if (verdict_ != Verdict::completed || settings_.trial || structure_->model().options().shift == Shift::whole)
+    if (verdict_ != Verdict::completed || settings_.trial ||
+        structure_->model().options().shift == Shift::elastic_and_plastic)
         return;
     LargestEnergy largest = largest_energy_;
     const double share = largest.share(energy(), accounts_);

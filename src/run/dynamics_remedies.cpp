@@ -34,7 +34,7 @@ double most_bent(const Structure& structure, const State& state) {
 /// Settings that may hold where these have not, in the order in which they are tried: those that cost least first.
 std::vector<Dynamics::Remedy> Dynamics::remedies() const {
     const bool newmark = !explicit_steps() && !settings_.conserving, large = structure_->large();
-    const bool closes = structure_->model().options().shift != Shift::whole;
+    const bool closes = structure_->model().options().shift != Shift::elastic_and_plastic;
     const bool may_conserve =
         newmark && large && closes &&
         std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->takes_mean_forces(); });

@@ -61,8 +61,8 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(
         part("moved supports", model.motions(), [](Sum& a, const SupportMotion& m) { a(m.node, m.component); }));
     parts.push_back(part("fracture rules", model.fracture(), [](Sum& a, const FractureRule& r) {
-        a(r.curvature_x, r.curvature_y, r.axial_strain, r.shear_strain, r.tension_only, r.reading, r.plastic_only,
-          bool(r.hook), r.where, bool(r.batch), r.keep, r.group);
+        a(r.curvature_x, r.curvature_y, r.axial_strain, r.shear_strain, r.tension_only, r.strain_measure,
+          r.plastic_only, bool(r.hook), r.where, bool(r.batch), r.keep, r.group);
     }));
     parts.push_back(part("contact rules", model.contact(), [](Sum& a, const ContactRule& r) {
         a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_contact), bool(r.on_release));

@@ -38,7 +38,7 @@ struct DynamicSettings {
     bool single_precision =
         true;  ///< in steps no longer than the fastest waves need, effective stiffness in single precision
     /// The run ends, failed, when the energy balance error is a larger part of the largest energy. 0: never, the
-    /// default of Shift::whole, whose balance cannot close; else Dynamics::energy_may_miss.
+    /// default of Shift::elastic_and_plastic, whose balance cannot close; else Dynamics::energy_may_miss.
     std::optional<double> energy_tolerance;
     /// Steps that would lose more than their share of this part of the largest energy are taken back and halved, as
     /// are those that cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.

@@ -53,7 +53,7 @@ struct Energy {
     double initial = 0;  ///< kinetic + elastic at the start of the run
     Accounts accounts;   ///< those registered, parts included; an account with parts is their sum
     double error = 0;    ///< of the energy balance, J
-    /// An account, or "initial"; "remainder": the error, by the name that it has in files and scripts.
+    /// An account, or "initial"; "energy_error": the error ("remainder" up to 0.2).
     double operator[](std::string_view name) const;
 };
 

@@ -65,7 +65,7 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
         flowing.push_back(y.element);
     }
     std::vector<int> moved;
-    if (structure.model().options().shift != Shift::whole || structure.conventional()) return moved;
+    if (structure.model().options().shift != Shift::elastic_and_plastic || structure.conventional()) return moved;
     const auto wanted = [&](int index) {
         const Element& e = structure.elements()[index];
         if (const std::uint8_t bits = state.hinge[index]) return bits & hinge_at_1 ? 1.0 : -1.0;  // eqs 6a-b: s = -r

@@ -7,8 +7,8 @@
 namespace hinge {
 
 /// Takes the flow of the step into `state`: plastic deformation, its work, which sections flow now and which ever have.
-/// With Shift::whole (the paper's letter, eqs 6 and 10) the element's point moves to the far end of its hinge, its
-/// partner's to the middle, and both go back when it unloads; the forces are the same before and after. With
+/// With Shift::elastic_and_plastic (the paper's letter, eqs 6 and 10) the element's point moves to the far end of its
+/// hinge, its partner's to the middle, and both go back when it unloads; the forces are the same before and after. With
 /// Shift::plastic the plastic strain alone is at the hinge and no point moves.
 ///   flowing  elements that flowed in the step before; replaced by those of this one
 /// Returns the elements whose point moved.

@@ -399,7 +399,9 @@ case("the plan says that force laws are asked", function()
   local model, left = sliding_bar()
   model:connector { left, ground = true, law = { x = function() return 0 end } }
   for _, effect in ipairs(model:dynamic { dt = 1e-5, duration = 1e-4 }.effects) do
-    if effect.name == "hooks" then equal(effect.active and effect.because, "a connector's law", "plan of a law") end
+    if effect.name == "script functions" then
+      equal(effect.active and effect.because, "a connector's law", "plan of a law")
+    end
   end
 end)
 

@@ -242,7 +242,8 @@ return hinge.scenario {
   expect(summary.effects[1].name == "gravity" and summary.effects[1].change == 1 and summary.effects[3].same == true,
     "summary.json")
   local csv = support.read(folder .. "/p/effects.csv") or ""
-  equal(csv:match "^[^\n]*", "effect,change,worst,same,lost,saves,spread,seconds,timings,remainder,failed,change of vz",
+  equal(csv:match "^[^\n]*",
+    "effect,change,worst,same,lost,saves,spread,seconds,timings,energy_error,failed,change of vz",
     "head of effects.csv")
   equal(select(2, csv:gsub("\n", "")), 4, "lines of effects.csv")
   local before = support.read(folder .. "/p/finished.lua")

@@ -8,7 +8,7 @@ require "hinge"
 local checks = support.checks "cost_picture"
 local case, equal = checks.case, checks.equal
 
-local knobs = { { name = "dt", side = "finer", values = { 2e-5, 1e-5 } },
+local inputs = { { name = "dt", side = "finer", values = { 2e-5, 1e-5 } },
   { name = "elements_per_member", side = "finer", values = { 2, 4 } }, { name = "way", values = { "one", "two" } } }
 local settings, drawn = {}, nil
 case("the picture of hinge cost has every setting with an error once", function()
@@ -21,7 +21,7 @@ case("the picture of hinge cost has every setting with an error once", function(
   end
   settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 1 } -- no error
   settings[1].front, settings[7].front = true, true
-  require "hinge.cost.plot".draw({ knobs = knobs, settings = settings, front = { settings[1], settings[7] } },
+  require "hinge.cost.plot".draw({ inputs = inputs, settings = settings, front = { settings[1], settings[7] } },
     { plot = function(_, what) drawn = what end })
   local seen, labels, faint, named = {}, {}, 0, 0
   for _, s in ipairs(drawn.series) do
@@ -48,7 +48,7 @@ case("the picture of chaotic answers has means with bars", function()
     chaotic[i] = { values = { dt = i * 1e-5, elements_per_member = 2, way = "one" }, seconds = i,
       means = { v = { mean = mean, scatter = 0.1, runs = 5, apart = i == 3 } } }
   end
-  require "hinge.cost.plot".draw({ knobs = knobs, settings = chaotic, front = {},
+  require "hinge.cost.plot".draw({ inputs = inputs, settings = chaotic, front = {},
     quantities = { v = { kind = "number", alike = { "a", "b" } } } }, { plot = function(_, what) drawn = what end })
   for _, s in ipairs(drawn.series) do
     for i, x in ipairs(s.style == "points" and s.x or {}) do

@@ -54,7 +54,7 @@ case("the scenes of scripts/cost compare the settings and have the errors that t
       for _, wanted in ipairs(scene.errors) do
         for _, s in ipairs(r.settings) do
           local same = true
-          for i, knob in ipairs(r.knobs) do same = same and s.values[knob.name] == wanted[2][i] end
+          for i, input in ipairs(r.inputs) do same = same and s.values[input.name] == wanted[2][i] end
           if same then
             near(100 * (s.errors[wanted[1]] or math.huge), wanted[3], wanted[4], ("%s: error of %s, %%, %s")
               :format(name, wanted[1], s.label))

@@ -585,7 +585,8 @@ case("declarations that would do nothing, or contradict each other, are refused"
     ["hinge.material: field 'G' is 1 Pa; is given beside nu, ..."] = function()
       hinge.material { E = 1, nu = 0, G = 1 }
     end,
-    ["hinge.model: field 'shift' is 'whole'; has no meaning with formulation 'conventional', ..."] = function()
+    ["hinge.model: field 'shift' is 'elastic_and_plastic'; has no meaning with formulation 'conventional', "
+      .. "..."] = function()
       hinge.model { formulation = "conventional", shift = "whole" }
     end,
     ["model:fix: the list of nodes is empty" .. gap .. "..."] = function() model:fix {} end,

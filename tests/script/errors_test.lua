@@ -81,7 +81,7 @@ case("wrong options of hinge.model are refused", function()
     end)
   wrong("hinge.model: field 'displacement' is 'lagre'; must be one of 'small', 'large' (did you mean 'large'?)",
     function() hinge.model { displacement = "lagre" } end)
-  wrong("hinge.model: field 'shift' is 'hole'; must be one of 'plastic', 'whole' (did you mean 'whole'?)",
+  wrong("hinge.model: field 'shift' is 'hole'; must be one of 'plastic', 'elastic_and_plastic'",
     function() hinge.model { shift = "hole" } end)
   wrong("hinge.model: field 'elements_per_member' is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...); "
     .. "'asi' and 'conventional' take any",
@@ -303,7 +303,7 @@ case("wrong statics is refused, and a model that can move freely", function()
     function(s) s.model:static { control = { node = s.tip, "uz", to = 0 } } end)
   wrong("model:static, control: 'uz' of node 1 is fixed by a support and cannot be driven",
     function(s) s.model:static { control = { node = s.wall, "uz", to = 1 } } end)
-  wrong("model:static: field 'hold': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  wrong("model:static: field 'fixed_group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
     function(s) s.model:static { hold = "amrs" } end)
   wrong("model:static: field 'from' is a hinge.model; must be a run, whose state this one goes on from",
     function(s) s.model:static { from = s.model } end)
@@ -352,7 +352,7 @@ case("wrong dynamics is refused", function()
     .. "the part of the largest energy that the run may lose, such as 0.01",
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = 1 } end)
   wrong("model:dynamic: field 'step_control' needs an energy balance that closes, "
-    .. "and that of a model with shift = 'whole' cannot; leave it out",
+    .. "and that of a model with shift = 'elastic_and_plastic' cannot; leave it out",
     function()
       local model = hinge.model { shift = "whole" }
       model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 },
@@ -450,7 +450,7 @@ case("handles of another model are refused by every call that takes one", functi
     function(s) s.model:contact { groups = { other.group } } end)
   wrong("model:group: name is group 'arms' of another model; use one of this model",
     function(s) s.model:group(other.group) end)
-  wrong("model:static: field 'hold' is group 'arms' of another model; use one of this model",
+  wrong("model:static: field 'fixed_group' is group 'arms' of another model; use one of this model",
     function(s) s.model:static { hold = other.group } end)
   wrong("model:static, control: field 'node' is node 2 of another model; use one of this model",
     function(s) s.model:static { control = { node = other.tip, "uz", to = 1 } } end)

@@ -43,14 +43,15 @@ local limit = 0.1 -- 1/m, at a hinge rotation of 0.05
 local wanted = (limit * length + elastic) * length
 case("limits by section break an S-bent bar about both axes, by element none", function()
   equal(moved_bar { curvature_x = limit }, nil, "S: the whole element hardly curves, so that eq 16 lets it hold")
-  local broke = moved_bar { curvature_x = limit, reading = "section" }
+  local broke = moved_bar { curvature_x = limit, strain_measure = "section" }
   expect(broke and math.abs(broke - wanted) < 0.01 * wanted,
     "S: by section it breaks at %s m of motion, wanted %.4g", broke, wanted)
-  equal(moved_bar({ curvature_x = limit, reading = "section" }, { most = 0.95 * wanted }), nil, "S: and not before")
-  equal(moved_bar({ curvature_y = limit, reading = "section" }), nil, "S: bending about x is not about y")
-  local sideways = moved_bar({ curvature_y = limit, reading = "section" }, { direction = "y" })
+  equal(moved_bar({ curvature_x = limit, strain_measure = "section" }, { most = 0.95 * wanted }), nil,
+    "S: and not before")
+  equal(moved_bar({ curvature_y = limit, strain_measure = "section" }), nil, "S: bending about x is not about y")
+  local sideways = moved_bar({ curvature_y = limit, strain_measure = "section" }, { direction = "y" })
   expect(sideways and math.abs(sideways - wanted) < 0.01 * wanted, "S about y: at %s m, wanted %.4g", sideways, wanted)
-  equal(moved_bar({ curvature_x = limit, reading = "section" }, { formulation = "conventional" }), nil,
+  equal(moved_bar({ curvature_x = limit, strain_measure = "section" }, { formulation = "conventional" }), nil,
     "the conventional element has one hinge in its middle, which does not rotate in an S")
 end)
 
@@ -98,7 +99,7 @@ case("a hinge that rotated and flows no more breaks by its section where it is b
       if math.abs(own) >= most then reached, in_flow = s.time, s.plastic end
       return false
     end })
-    local when = bent(at, { curvature_x = most, reading = "section" })
+    local when = bent(at, { curvature_x = most, strain_measure = "section" })
     expect(reached and reached > 1.5 and not in_flow, "end %d: the limit is reached without flow, at %s s", at, reached)
     near(when or 0, reached or 1, 1e-9, ("end %d: breaks without flow"):format(at))
   end
@@ -167,8 +168,9 @@ case("plastic_only breaks nothing before it yields", function()
     late, at_yield)
   equal(moved_bar({ axial_strain = 0.5 * fy / E, plastic_only = true }, { direction = "x", material = weak }), nil,
     "plastic_only: a bar that cannot yield holds")
-  late = moved_bar { curvature_x = limit, reading = "section", plastic_only = true }
-  near(late, moved_bar { curvature_x = limit, reading = "section" }, 1e-3 * wanted, "plastic_only: a hinge is plastic")
+  late = moved_bar { curvature_x = limit, strain_measure = "section", plastic_only = true }
+  near(late, moved_bar { curvature_x = limit, strain_measure = "section" }, 1e-3 * wanted,
+    "plastic_only: a hinge is plastic")
 end)
 
 case("wrong limits are refused", function()
@@ -177,10 +179,10 @@ case("wrong limits are refused", function()
     local ok, message = pcall(function() hinge.model {}:fracture(rule) end)
     expect(not ok and tostring(message):find(text, 1, true), "wanted '%s', got: %s", text, tostring(message))
   end
-  refused({ curvature_x = 1, reading = "hinge" }, "reading")
+  refused({ curvature_x = 1, strain_measure = "hinge" }, "strain_measure")
   refused({ curvature_x = 1, plastic_only = 1 }, "plastic_only")
   refused({ shear_strain = 0 }, "shear_strain")
-  refused({ reading = "section", rule = function() end }, "belongs to limits")
+  refused({ strain_measure = "section", rule = function() end }, "belongs to limits")
   refused({ plastic_only = true, rule = function() end }, "belongs to limits")
   refused({}, "no limit is given")
   local function contact_refused(rule, text)

@@ -32,7 +32,8 @@ local words = { "", "all", "xyz", "ux", "rz", "frame", "asi-gauss", "asi", "cubi
   "elastic", "large", "small", "direct", "cg", "single" }
 local fields = { "node", "force", "moment", "history", "group", "groups", "between", "section", "material", "up",
   "elements", "E", "nu", "G", "density", "yield_stress", "width", "depth", "diameter", "thickness", "dt", "duration",
-  "from", "steps", "control", "hold", "rule", "batch", "where", "keep", "pairs", "on_contact", "stiffness", "friction",
+  "from", "steps", "control", "fixed_group", "hold", "rule", "batch", "where", "keep", "pairs", "on_contact",
+  "stiffness", "friction",
   "curvature_x", "axial_strain", "formulation", "displacement",
   "mass", "elements_per_member", "record", "integrator", "beta", "iterations", "threads", "solver", "to", "x", "z",
   "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "rebuild_angle", "as_printed",

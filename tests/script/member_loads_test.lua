@@ -376,7 +376,7 @@ end)
 case("the plan says that a history is asked, and where", function()
   local function hooks(declare)
     for _, effect in ipairs(scene(declare).effects) do
-      if effect.name == "hooks" then return effect end
+      if effect.name == "script functions" then return effect end
     end
   end
   local line = hooks(loaded)

@@ -80,7 +80,7 @@ print(sag.unit, speed.unit, shear.unit, run.energy.kinetic, #sag.value)
   expect(good, "plots of a run: %s", said)
   equal(said:match "^(.-)\n" and said:match "^(%S+\t%S+\t%S+)", "m\tm/s\tN", "units of probes")
   local all = commands "all"
-  for _, words in ipairs { "kinetic", "elastic", "work", "remainder", "energy, J", "sag, mm", "speed, m/s",
+  for _, words in ipairs { "kinetic", "elastic", "work", "energy_error", "energy, J", "sag, mm", "speed, m/s",
     "node1_fz, kN", "time, ms" } do holds(all, words) end
   for _, words in ipairs { "plastic", "fracture", "contact", "contact_stored" } do holds(all, words, false) end
   equal(select(2, all:gsub("'time, ms'", "")), 1, "the panels share one axis of time")
@@ -123,7 +123,8 @@ for step in run:steps() do if step.index == 77 then break end end
 local core = require "hinge.core"
 local rows = core.run_history(run)
 local n = #rows.time
-print(n, rows.time[n] == run.time, rows.kinetic[n] == run.energy.kinetic, rows.remainder[n] == run.energy.remainder)
+print(n, rows.time[n] == run.time, rows.kinetic[n] == run.energy.kinetic,
+  rows.energy_error[n] == run.energy.energy_error)
 ]]
   equal(energies, "78\ttrue\ttrue\ttrue\n", "rows in the middle of a run")
 end)
@@ -170,7 +171,7 @@ end)
 case("the folder of a run that is over is plotted as the run was", function()
   os.execute("mkdir -p " .. support.quote(folder .. "/done"))
   support.write(folder .. "/done/history.csv", [[
-time,factor,kinetic,elastic,work,remainder,node2_uz,roof
+time,factor,kinetic,elastic,work,energy_error,node2_uz,roof
 0,0,0,0,0,0,0,1
 0.5,0,2000,500,2500,0,0.01,2
 1,0,4000,1000,5000,0,0.02,3
@@ -183,7 +184,7 @@ hinge.plot("done", { "kinetic", "roof" }, "done_some.svg")
   for _, words in ipairs { "kinetic", "elastic", "work", "energy, kJ", "node2_uz, mm", "roof", "time, s" } do
     holds(commands "done", words)
   end
-  holds(commands "done", "remainder", false)
+  holds(commands "done", "energy_error", false)
   holds(commands "done_some", "kinetic energy, kJ")
 end)
 

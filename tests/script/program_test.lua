@@ -164,7 +164,7 @@ case("hinge plan names the effects, why and where they were asked for, and runs 
     expect(printed:match("dynamic run.*\n  " .. effect .. " +on  [^\n]*ten_storey_impact.lua:(%d+)\n") == tostring(at),
       "plan: %s at line %s:\n%s", effect, at, printed)
   end
-  for _, effect in ipairs { "friction", "moving supports", "hooks" } do
+  for _, effect in ipairs { "friction", "moving supports", "script functions" } do
     expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
   end
   for geometric, line in pairs { ["true"] = "on +part of large displacement", ["false"] = "off +geometric = false" } do
@@ -418,7 +418,7 @@ case("the ten-storey impact of 400 steps writes frames, pictures, history and su
     e.remainder, e.initial)
 
   local rows = lines "impact/history.csv"
-  equal(rows[1], "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,remainder",
+  equal(rows[1], "time,factor,kinetic,gravity,elastic,plastic,fracture,contact,numerical,work,energy_error",
     "columns of history.csv")
   equal(#rows, 402, "rows of history.csv: a heading, the start and 400 steps")
   local last = -1

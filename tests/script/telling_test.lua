@@ -52,7 +52,7 @@ case("changes of state are printed once each and counted, as events with --json,
   local status, printed, complaint = hinge_run(bouncing)
   equal(status, 0, "status; " .. complaint)
   local awake, asleep = 0, 0
-  for _, w in ipairs(summary().wakings) do
+  for _, w in ipairs(summary().state_changes) do
     if w.effect == "contact" then awake, asleep = awake + (w.awake and 1 or 0), asleep + (w.awake and 0 or 1) end
   end
   expect(awake > 5 and asleep > 5, "contact wakes %d times, falls asleep %d times", awake, asleep)

@@ -137,7 +137,7 @@ const std::vector<Field> fields = {
     NUMBER("fracture rules", fracture.axial_strain),
     NUMBER("fracture rules", fracture.shear_strain),
     CHANGE("fracture rules", "tension_only", d.fracture.tension_only = true),
-    CHANGE("fracture rules", "reading", d.fracture.reading = FractureRule::Reading::section),
+    CHANGE("fracture rules", "reading", d.fracture.strain_measure = FractureRule::StrainMeasure::section),
     CHANGE("fracture rules", "plastic_only", d.fracture.plastic_only = true),
     CHANGE(
         "fracture rules", "a function", d.fracture.hook = [](const SectionView&) { return false; }),
@@ -169,7 +169,7 @@ const std::vector<Field> fields = {
         "contact rules", "on_release", d.contact.on_release = [](const contact::ContactEvent&, int, int) {}),
     CHANGE("options of the model", "formulation", d.options.formulation = Formulation::asi),
     CHANGE("options of the model", "displacement", d.options.displacement = Displacement::small),
-    CHANGE("options of the model", "shift", d.options.shift = Shift::whole),
+    CHANGE("options of the model", "shift", d.options.shift = Shift::elastic_and_plastic),
     CHANGE("options of the model", "plasticity", d.options.plasticity = false),
     CHANGE("options of the model", "elements_per_member", d.options.elements_per_member = 4),
     CHANGE("options of the model", "weight", d.options.weight = Weight::nodes),

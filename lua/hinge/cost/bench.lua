@@ -15,9 +15,9 @@ local enough = 0.1 -- s; what takes less is timed more often, until all its time
 local most_repeats = 21
 
 --- base: the scenario's parameters; options: see hinge.cost.
-local function open(scenario, base, knobs, options)
+local function open(scenario, base, inputs, options)
   return setmetatable({
-    scenario = scenario, base = base, knobs = knobs, case = options.case, part = options.perturbation,
+    scenario = scenario, base = base, inputs = inputs, case = options.case, part = options.perturbation,
     say = options.progress, store = store.open(options.out, scenario.run),
     start = core.clock(), budget = options.budget, names = {}, timed = {},
   }, Bench)
@@ -57,23 +57,23 @@ function Bench:record(setting, variation) return self.store:get(self:key(setting
 
 -- How the time grows when a number is refined: the median exponent over finished settings that differ in this number
 -- alone. If there are none, it is the usual exponent, corrected by the growth of all finished settings.
-function Bench:growth(knob)
+function Bench:growth(input)
   local found, all = {}, {}
   for i, a in ipairs(self.timed) do
     for j = 1, i - 1 do
       local b = self.timed[j]
-      local alone = a.values[knob.name] ~= b.values[knob.name]
-      for _, other in ipairs(self.knobs) do
-        alone = alone and (other == knob or a.values[other.name] == b.values[other.name])
+      local alone = a.values[input.name] ~= b.values[input.name]
+      for _, other in ipairs(self.inputs) do
+        alone = alone and (other == input or a.values[other.name] == b.values[other.name])
       end
       if a.weight ~= b.weight then all[#all + 1] = math.log(a.seconds / b.seconds) / math.log(a.weight / b.weight) end
       if alone then
         found[#found + 1] = math.log(a.seconds / b.seconds)
-          / math.log(ladder.finer(knob, a.values[knob.name], b.values[knob.name]))
+          / math.log(ladder.finer(input, a.values[input.name], b.values[input.name]))
       end
     end
   end
-  return math.max(0, compare.median(found) or knob.side.work * (compare.median(all) or 1))
+  return math.max(0, compare.median(found) or input.side.work * (compare.median(all) or 1))
 end
 
 --- Seconds that a setting would take once, from the finished setting with the nearest amount of work. 0 if nothing is
@@ -86,9 +86,9 @@ function Bench:estimate(setting, variation)
     if apart <= nearest then nearest, from = apart, known end
   end
   local seconds = from.seconds
-  for _, knob in ipairs(self.knobs) do
-    if knob.side then
-      seconds = seconds * ladder.finer(knob, setting.values[knob.name], from.values[knob.name]) ^ self:growth(knob)
+  for _, input in ipairs(self.inputs) do
+    if input.side then
+      seconds = seconds * ladder.finer(input, setting.values[input.name], from.values[input.name]) ^ self:growth(input)
     end
   end
   return seconds

@@ -43,9 +43,9 @@ end
 
 -- The difference of the setting from one twice as fine in all numbers with a finer side, by answer. If it is not known:
 -- nil and the reason.
-local function own_error(bench, knobs, all)
+local function own_error(bench, inputs, all)
   local numbers = {}
-  for _, knob in ipairs(knobs) do numbers[#numbers + 1] = knob.side and knob end
+  for _, input in ipairs(inputs) do numbers[#numbers + 1] = input.side and input end
   if #numbers == 0 then return nil, "the scenario has no number to refine, so its own error is not known" end
   local finer = ladder.reference(numbers, { all }, 1)
   for name, value in pairs(all.values) do finer.values[name] = finer.values[name] or value end
@@ -71,16 +71,17 @@ local function compare_one(s, all, moving, scatter, o)
   row.worst, row.lost = worst(row.changes, scatter, o.quantity)
   row.change = row.worst and row.changes[row.worst]
   row.saves, row.spread = saved(all.record.seconds, r.seconds)
-  row.seconds, row.times, row.remainder, row.answers = compare.median(r.seconds), r.seconds, r.remainder, r.answers
+  row.seconds, row.times = compare.median(r.seconds), r.seconds
+  row.energy_error, row.answers = r.energy_error, r.answers
   return row
 end
 
 --- hinge.cost with effects = true: see hinge.d.lua.
-function effects.compare(bench, knobs, o)
+function effects.compare(bench, inputs, o)
   local values = {}
-  for _, knob in ipairs(knobs) do values[knob.name] = bench.base[knob.name] end
+  for _, input in ipairs(inputs) do values[input.name] = bench.base[input.name] end
   local function without(name, label)
-    local s = ladder.setting(knobs, values)
+    local s = ladder.setting(inputs, values)
     s.without, s.label = name, label
     return s
   end
@@ -107,7 +108,7 @@ function effects.compare(bench, knobs, o)
   end
   local scatter, silent = bench:scatter(all)
   notes[#notes + 1] = silent
-  local errors, unknown, finer = own_error(bench, knobs, all)
+  local errors, unknown, finer = own_error(bench, inputs, all)
   notes[#notes + 1] = unknown
   table.insert(measured, 1, all)
   local moving = bench:time_alternately(measured, o.repeats)
@@ -125,7 +126,7 @@ function effects.compare(bench, knobs, o)
   local result = {
     effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes,
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
-    seconds = compare.median(all.record.seconds), times = all.record.seconds, remainder = all.record.remainder,
+    seconds = compare.median(all.record.seconds), times = all.record.seconds, energy_error = all.record.energy_error,
     complete = #left_out == 0, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.effects_report".write(result, o.out) end

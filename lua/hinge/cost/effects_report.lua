@@ -19,11 +19,11 @@ local function effects_table(result)
     if not row.failed then
       rows[#rows + 1] = { row.name, change(row), row.same and "" or row.worst or "-",
         ("%.1f %%"):format(100 * row.saves), ("%.1f"):format(100 * row.spread), ("%.3g"):format(row.seconds),
-        percent(row.remainder) }
+        percent(row.energy_error) }
       fewest, most = math.min(fewest, #row.times), math.max(most, #row.times)
     end
   end
-  rows[#rows + 1] = { "(all effects)", "", "", "", "", ("%.3g"):format(result.seconds), percent(result.remainder) }
+  rows[#rows + 1] = { "(all effects)", "", "", "", "", ("%.3g"):format(result.seconds), percent(result.energy_error) }
   local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
   paper.table(("Each effect left out by itself, timed %s times alternately: what it changes, "
     .. "and what part of the time it takes"):format(times),
@@ -77,14 +77,14 @@ end
 
 local function csv(result)
   local names, lines, head = sorted(result.answers), {}, {}
-  for title in ("effect change worst same lost saves spread seconds timings remainder failed"):gmatch "%S+" do
+  for title in ("effect change worst same lost saves spread seconds timings energy_error failed"):gmatch "%S+" do
     head[#head + 1] = title
   end
   for _, name in ipairs(names) do head[#head + 1] = "change of " .. name end
   lines[1] = text.csv_line(head)
   for _, row in ipairs(result.effects) do
     local cells = { row.name, row.change or "", row.worst or "", row.same or false, row.lost or false, row.saves or "",
-      row.spread or "", row.seconds or "", row.times and #row.times or 0, row.remainder or "", row.failed or "" }
+      row.spread or "", row.seconds or "", row.times and #row.times or 0, row.energy_error or "", row.failed or "" }
     for _, name in ipairs(names) do cells[#cells + 1] = row.changes[name] or "" end
     lines[#lines + 1] = text.csv_line(cells)
   end

@@ -40,9 +40,9 @@ local function is(name) return name .. ((name:find "^%w+ elements" or name:find 
 
 -- "dt 1 ms with two elements is within 3 % in 4 s; 1 % takes 31 s (dt 250 us with four elements)"
 local function main_line(result)
-  local within, knobs = result.within, result.knobs
+  local within, inputs = result.within, result.inputs
   local settings, all = candidates(result), candidates(result, true)
-  local function name(s) return words.setting(knobs, s.values) end
+  local function name(s) return words.setting(inputs, s.values) end
   local function takes(s, part)
     return ("%s takes %s (%s)"):format(words.bound(part), time(s.seconds), name(s))
   end
@@ -96,7 +96,7 @@ local function chaotic_line(result, name)
   local m = least.means[name]
   local value = m.mean and ("%.4g with a scatter of %.2g"):format(m.mean, m.scatter * math.abs(m.mean))
     or ("a scatter of %s of its largest value"):format(percent(m.scatter))
-  local fine = ("%s (%s)"):format(words.setting(result.knobs, standard.values), time(standard.seconds))
+  local fine = ("%s (%s)"):format(words.setting(result.inputs, standard.values), time(standard.seconds))
   local rest
   if alike == all then
     rest = all > 1 and "no setting can be told apart from the finest, " .. fine
@@ -107,7 +107,7 @@ local function chaotic_line(result, name)
     rest = ("this mean cannot be told apart from that of %s, as %d of %d cannot"):format(fine, alike, all)
   end
   return ("%s is chaotic: %s in %d runs of %s (%s each); %s"):format(name, value, m.runs,
-    words.setting(result.knobs, least.values), time(least.seconds), rest)
+    words.setting(result.inputs, least.values), time(least.seconds), rest)
 end
 
 --- The result in words: the first line is the answer; a second one names the answers that it does not hold for.
@@ -154,9 +154,9 @@ local function nearest_that_works(result, failed)
   local best, least = nil, math.huge
   for _, s in ipairs(result.settings) do
     local apart = 0
-    for _, knob in ipairs(result.knobs) do
-      local a, b = s.values[knob.name], failed.values[knob.name]
-      if a ~= b then apart = apart + (knob.side and math.abs(math.log(a / b)) or other_method) end
+    for _, input in ipairs(result.inputs) do
+      local a, b = s.values[input.name], failed.values[input.name]
+      if a ~= b then apart = apart + (input.side and math.abs(math.log(a / b)) or other_method) end
     end
     if apart < least then best, least = s, apart end
   end
@@ -178,9 +178,9 @@ function headline.failures(result)
   for i, reason in ipairs(lines) do
     local settings = of[reason]
     local works = nearest_that_works(result, settings[1])
-    lines[i] = ("no answer: %s%s: %s%s"):format(words.setting(result.knobs, settings[1].values),
+    lines[i] = ("no answer: %s%s: %s%s"):format(words.setting(result.inputs, settings[1].values),
       #settings > 1 and (" and %d more"):format(#settings - 1) or "", reason,
-      works and ("; the nearest setting with an answer is %s"):format(words.setting(result.knobs, works.values)) or "")
+      works and ("; the nearest setting with an answer is %s"):format(words.setting(result.inputs, works.values)) or "")
   end
   return lines
 end
@@ -196,7 +196,7 @@ function headline.warnings(result)
   end
   if not shown then return {} end
   return { ("warnings in %d of %d settings, such as %s: %s"):format(warned, #result.settings,
-    words.setting(result.knobs, shown.values), shown.warnings[1]) }
+    words.setting(result.inputs, shown.values), shown.warnings[1]) }
 end
 
 --- What the budget left out, with the time that each would take.
@@ -205,7 +205,7 @@ function headline.left_out(result)
   if n == 0 then return {} end
   local parts, own, rest = {}, 0, 0
   for i, s in ipairs(result.left_out) do
-    parts[i] = ("%s (%s)"):format(words.setting(result.knobs, s.values),
+    parts[i] = ("%s (%s)"):format(words.setting(result.inputs, s.values),
       s.estimate > 0 and "about " .. time(s.estimate) or "was run")
     own, rest = own + s.estimate, math.max(rest, s.rest)
   end

@@ -59,10 +59,10 @@ function ladder.named()
   return names
 end
 
---- The knobs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }.
+--- The inputs of a scenario, sorted by name: { name =, values =, side = nil or { finer, ratio, order, work, why } }.
 -- Parameters in `held` keep their values. options: accuracy, finer, orders (see hinge.cost).
-function ladder.knobs(where, scenario, options, held)
-  local lists, knobs = options.accuracy or scenario.accuracy, {}
+function ladder.inputs(where, scenario, options, held)
+  local lists, inputs = options.accuracy or scenario.accuracy, {}
   if next(lists) == nil then
     lists = {}
     for name, value in pairs(scenario.parameters) do lists[name] = usual(name, value) end
@@ -81,44 +81,44 @@ function ladder.knobs(where, scenario, options, held)
         side = { finer = side.finer, ratio = side.ratio, order = order or side.order, work = side.work,
           why = not order and side.why or nil }
       end
-      knobs[#knobs + 1] = { name = name, values = values, side = side }
+      inputs[#inputs + 1] = { name = name, values = values, side = side }
     end
   end
-  table.sort(knobs, function(a, b) return a.name < b.name end)
-  return knobs
+  table.sort(inputs, function(a, b) return a.name < b.name end)
+  return inputs
 end
 
 --- A value as text for tables and keys.
 function ladder.text(value) return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value) end
 
-function ladder.label(knobs, values)
+function ladder.label(inputs, values)
   local parts = {}
-  for _, knob in ipairs(knobs) do parts[#parts + 1] = knob.name .. " " .. ladder.text(values[knob.name]) end
+  for _, input in ipairs(inputs) do parts[#parts + 1] = input.name .. " " .. ladder.text(values[input.name]) end
   return table.concat(parts, ", ")
 end
 
---- How much finer a number is than another one of its knob; above 1: it is finer.
-function ladder.finer(knob, value, than)
-  return knob.side.finer == "smaller" and than / value or value / than
+--- How much finer a number is than another one of its input; above 1: it is finer.
+function ladder.finer(input, value, than)
+  return input.side.finer == "smaller" and than / value or value / than
 end
 
---- A setting: these values of the knobs.
-function ladder.setting(knobs, values)
+--- A setting: these values of the inputs.
+function ladder.setting(inputs, values)
   local weight = 1
-  for _, knob in ipairs(knobs) do
-    if knob.side then weight = weight * ladder.finer(knob, values[knob.name], knob.values[1]) ^ knob.side.work end
+  for _, input in ipairs(inputs) do
+    if input.side then weight = weight * ladder.finer(input, values[input.name], input.values[1]) ^ input.side.work end
   end
-  return { values = values, label = ladder.label(knobs, values), weight = weight }
+  return { values = values, label = ladder.label(inputs, values), weight = weight }
 end
 
 --- All combinations, the cheapest first, by an estimate before any measurement.
-function ladder.grid(knobs)
+function ladder.grid(inputs)
   local all = { {} }
-  for _, knob in ipairs(knobs) do
+  for _, input in ipairs(inputs) do
     local more = {}
     for _, values in ipairs(all) do
-      for _, value in ipairs(knob.values) do
-        local copy = { [knob.name] = value }
+      for _, value in ipairs(input.values) do
+        local copy = { [input.name] = value }
         for name, v in pairs(values) do copy[name] = v end
         more[#more + 1] = copy
       end
@@ -126,32 +126,32 @@ function ladder.grid(knobs)
     all = more
   end
   for i, values in ipairs(all) do
-    all[i] = ladder.setting(knobs, values)
+    all[i] = ladder.setting(inputs, values)
     all[i].place = i
   end
   table.sort(all, function(a, b) return a.weight < b.weight or a.weight == b.weight and a.place < b.place end)
   return all
 end
 
---- The finest value of a knob among settings; of words the first that is known as finest, else its default.
-function ladder.finest(knob, settings)
+--- The finest value of a input among settings; of words the first that is known as finest, else its default.
+function ladder.finest(input, settings)
   local there, best = {}, nil
   for _, s in ipairs(settings) do
-    local value = s.values[knob.name]
+    local value = s.values[input.name]
     there[value] = true
-    if knob.side and (best == nil or ladder.finer(knob, value, best) > 1) then best = value end
+    if input.side and (best == nil or ladder.finer(input, value, best) > 1) then best = value end
   end
   if best ~= nil then return best end
-  for _, word in ipairs(words[knob.name] or {}) do
+  for _, word in ipairs(words[input.name] or {}) do
     if there[word] then return word end
   end
-  return knob.values[1]
+  return input.values[1]
 end
 
 --- Whether a setting is finer than another one in no number.
-function ladder.no_finer(knobs, setting, than)
-  for _, knob in ipairs(knobs) do
-    if knob.side and ladder.finer(knob, setting.values[knob.name], than.values[knob.name]) > 1 + 1e-9 then
+function ladder.no_finer(inputs, setting, than)
+  for _, input in ipairs(inputs) do
+    if input.side and ladder.finer(input, setting.values[input.name], than.values[input.name]) > 1 + 1e-9 then
       return false
     end
   end
@@ -159,18 +159,18 @@ function ladder.no_finer(knobs, setting, than)
 end
 
 --- A setting `level` steps of refinement finer than all of these.
-function ladder.reference(knobs, settings, level)
+function ladder.reference(inputs, settings, level)
   local values = {}
-  for _, knob in ipairs(knobs) do
-    local value = ladder.finest(knob, settings)
-    if knob.side then
-      local factor = knob.side.ratio ^ level
-      if knob.side.finer == "smaller" then value = value / factor
+  for _, input in ipairs(inputs) do
+    local value = ladder.finest(input, settings)
+    if input.side then
+      local factor = input.side.ratio ^ level
+      if input.side.finer == "smaller" then value = value / factor
       else value = math.type(value) == "integer" and math.tointeger(value * factor) or value * factor end
     end
-    values[knob.name] = value
+    values[input.name] = value
   end
-  return ladder.setting(knobs, values)
+  return ladder.setting(inputs, values)
 end
 
 return ladder

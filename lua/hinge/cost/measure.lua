@@ -49,7 +49,9 @@ local function harvest(result, histories, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
   local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
-  if brought ~= 0 then result.remainder = compare.larger(result.remainder, math.abs(run.worst_remainder) / brought) end
+  if brought ~= 0 then
+    result.energy_error = compare.larger(result.energy_error, math.abs(run.worst_energy_error) / brought)
+  end
   for _, probe in ipairs(run.probes) do
     histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value }
   end
@@ -66,12 +68,12 @@ end
 
 --- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =,
 -- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
--- remainder = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
+-- energy_error = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
 -- hashes = of the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = } of the
 -- dynamic run with the most steps, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
 -- Each call makes its own models.
 function measure.once(scenario, parameters, case, deadline, without)
-  local result = { answers = {}, seconds = 0, stages = {}, remainder = 0, effects = {}, hashes = {},
+  local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, hashes = {},
     warnings = {} }
   local runs, histories, expired, say = {}, {}, false, print
   collectgarbage()

@@ -33,7 +33,7 @@ function methods.time_at(front, error)
   return last and { seconds = last.time, settings = { last.setting }, more = true }
 end
 
--- The errors at which the values of a knob are compared: the wanted error, that of the cheapest setting within it, and
+-- The errors at which the values of a input are compared: the wanted error, that of the cheapest setting within it, and
 -- the smallest that all values reach. Rounding errors are left out, and errors that differ from an earlier one by less
 -- than a hundredth.
 local function levels(fronts, within, best)
@@ -49,24 +49,24 @@ local function levels(fronts, within, best)
   return found
 end
 
---- For each knob without a finer side: { name = { { error =, methods = { { value =, seconds =, ratio = over the
+--- For each input without a finer side: { name = { { error =, methods = { { value =, seconds =, ratio = over the
 -- shortest, settings =, more = }, ... } }, ... } }, the errors from the largest on; each value with the best that
--- there is of all other knobs.
-function methods.compare(knobs, compared, within, best)
+-- there is of all other inputs.
+function methods.compare(inputs, compared, within, best)
   local result = {}
-  for _, knob in ipairs(knobs) do
-    if not knob.side then
+  for _, input in ipairs(inputs) do
+    if not input.side then
       local fronts, rows = {}, {}
-      for i, value in ipairs(knob.values) do
+      for i, value in ipairs(input.values) do
         local own = {}
         for _, s in ipairs(compared) do
-          if s.values[knob.name] == value then own[#own + 1] = s end
+          if s.values[input.name] == value then own[#own + 1] = s end
         end
         fronts[i] = methods.front(own)
       end
       for _, error in ipairs(levels(fronts, within, best)) do
         local row, least = { error = error, methods = {} }, math.huge
-        for i, value in ipairs(knob.values) do
+        for i, value in ipairs(input.values) do
           local found = methods.time_at(fronts[i], error)
           if found then
             found.value = value
@@ -77,7 +77,7 @@ function methods.compare(knobs, compared, within, best)
         for _, found in ipairs(row.methods) do found.ratio = found.seconds / least end
         if least < math.huge then rows[#rows + 1] = row end
       end
-      if #rows > 0 then result[knob.name] = rows end
+      if #rows > 0 then result[input.name] = rows end
     end
   end
   return result

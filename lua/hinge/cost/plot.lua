@@ -12,10 +12,10 @@ local near = 1.05     -- two points on logarithmic axes lie on each other: neith
 
 local function method_of(result, s)
   local parts = {}
-  for _, knob in ipairs(result.knobs) do
-    if not knob.side then
-      parts[#parts + 1] = (type(s.values[knob.name]) == "string" and "" or knob.name .. " ")
-        .. words.value(knob.name, s.values[knob.name])
+  for _, input in ipairs(result.inputs) do
+    if not input.side then
+      parts[#parts + 1] = (type(s.values[input.name]) == "string" and "" or input.name .. " ")
+        .. words.value(input.name, s.values[input.name])
     end
   end
   return table.concat(parts, ", ")
@@ -107,7 +107,7 @@ local function draw_means(result, job, name)
         x = { s.seconds, s.seconds }, y = { m.mean - half, m.mean + half } }
       local to = m.apart and means or alike
       local i = #to.x + 1
-      to.x[i], to.y[i], to.labels[i] = s.seconds, m.mean, m.apart and "" or words.label(result.knobs, s.values)
+      to.x[i], to.y[i], to.labels[i] = s.seconds, m.mean, m.apart and "" or words.label(result.inputs, s.values)
     end
   end
   if #means.x > 0 then series[#series + 1] = means end
@@ -123,7 +123,7 @@ function plot.draw(result, job)
     if name then draw_means(result, job, name) end
     return
   end
-  for _, knob in ipairs(result.knobs) do numbers[#numbers + 1] = knob.side and knob end
+  for _, input in ipairs(result.inputs) do numbers[#numbers + 1] = input.side and input end
   for _, s in ipairs(result.settings) do
     if s.error and not s.above and s.error > exact then least = math.min(least, s.error) end
   end

@@ -91,7 +91,7 @@ end
 
 local function settings_table(result)
   local head = { "" }
-  for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
+  for _, input in ipairs(result.inputs) do head[#head + 1] = input.name end
   local any = false
   for _, s in ipairs(result.settings) do any = any or s.error ~= nil end
   if any then table.move({ "error", "band", "worst in" }, 1, 3, #head + 1, head) end
@@ -100,9 +100,9 @@ local function settings_table(result)
   for _, i in ipairs(shown(result)) do
     local s = result.settings[i]
     local row = { ("%d%s"):format(i, s.front and " *" or "") }
-    for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
+    for _, input in ipairs(result.inputs) do row[#row + 1] = ladder.text(s.values[input.name]) end
     if any then table.move({ text.error(s), text.band(s), s.worst or "-" }, 1, 3, #row + 1, row) end
-    table.move({ ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.remainder) },
+    table.move({ ("%.2f"):format(s.ratio), ("%.3g"):format(s.seconds), bytes(s.memory), percent(s.energy_error) },
       1, 4, #row + 1, row)
     rows[#rows + 1] = row
   end
@@ -240,13 +240,13 @@ local function orders_table(result)
   if #rows > 0 then paper.table("Order of convergence", { "", "observed", "theory", "" }, rows) end
 end
 
--- The numbers and words of one setting, or of the two around it, without those of one knob.
+-- The numbers and words of one setting, or of the two around it, without those of one input.
 local function others(result, settings, but)
   local parts = {}
-  for _, knob in ipairs(result.knobs) do
-    if knob.name ~= but then
-      local a, b = settings[1].values[knob.name], settings[#settings].values[knob.name]
-      parts[#parts + 1] = ("%s %s"):format(knob.name, ladder.text(a) .. (a ~= b and " to " .. ladder.text(b) or ""))
+  for _, input in ipairs(result.inputs) do
+    if input.name ~= but then
+      local a, b = settings[1].values[input.name], settings[#settings].values[input.name]
+      parts[#parts + 1] = ("%s %s"):format(input.name, ladder.text(a) .. (a ~= b and " to " .. ladder.text(b) or ""))
     end
   end
   return table.concat(parts, ", ")
@@ -331,8 +331,9 @@ local function csv(result)
   local names, stages, lines = sorted(result.quantities), stages_of(result.settings), {}
   local function add(cells) lines[#lines + 1] = text.csv_line(cells) end
   local head = {}
-  for _, knob in ipairs(result.knobs) do head[#head + 1] = knob.name end
-  local titles = "error low high worst seconds ratio timings outside_seconds memory_bytes remainder front within failed"
+  for _, input in ipairs(result.inputs) do head[#head + 1] = input.name end
+  local titles = "error low high worst seconds ratio timings outside_seconds memory_bytes energy_error front within "
+    .. "failed"
   for title in titles:gmatch "%S+" do head[#head + 1] = title end
   for _, stage in ipairs(stages) do head[#head + 1] = "seconds of " .. stage end
   local columns = answer_columns(result, names)
@@ -341,10 +342,10 @@ local function csv(result)
   for _, list in ipairs { result.settings, result.failed } do
     for _, s in ipairs(list) do
       local row = {}
-      for _, knob in ipairs(result.knobs) do row[#row + 1] = ladder.text(s.values[knob.name]) end
+      for _, input in ipairs(result.inputs) do row[#row + 1] = ladder.text(s.values[input.name]) end
       for _, cell in ipairs { s.error or "", s.low or "", s.high or "", s.worst or "", s.seconds or "", s.ratio or "",
         s.times and #s.times or 0,
-        s.outside or "", s.memory or "", s.remainder or "", s.front or false, s.meets or false, s.failed or "" } do
+        s.outside or "", s.memory or "", s.energy_error or "", s.front or false, s.meets or false, s.failed or "" } do
         row[#row + 1] = cell
       end
       for _, stage in ipairs(stages) do row[#row + 1] = s.stages and s.stages[stage] or "" end
@@ -379,7 +380,7 @@ function report.write(result, out)
   plot.draw(result, jobs.new(out, result.case))
   local summary = {}
   for name, value in pairs(result) do summary[name] = value end
-  summary.knobs = nil
+  summary.inputs = nil
   summary.settings, summary.references, summary.front = {}, {}, {}
   summary.cheapest = result.cheapest and result.cheapest.label
   summary.equal = equal_summary(result)

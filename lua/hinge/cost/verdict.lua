@@ -26,57 +26,57 @@ function verdict.answers(refs, scatter, moving, compared, within)
   return quantities
 end
 
---- The setting that stands for the finest among some, and whether all its knobs have their finest value.
-function verdict.finest(knobs, compared)
+--- The setting that stands for the finest among some, and whether all its inputs have their finest value.
+function verdict.finest(inputs, compared)
   local best, most = nil, -1
   for _, s in ipairs(compared) do
     local finest = 0
-    for _, knob in ipairs(knobs) do
-      if s.values[knob.name] == ladder.finest(knob, compared) then finest = finest + 1 end
+    for _, input in ipairs(inputs) do
+      if s.values[input.name] == ladder.finest(input, compared) then finest = finest + 1 end
     end
     if finest > most or finest == most and s.weight > best.weight then best, most = s, finest end
   end
-  return best, most == #knobs
+  return best, most == #inputs
 end
 
 -- The settings that differ from the finest one in this number alone and are no finer, the coarsest first.
-local function line_to(finest, knob, knobs, compared)
+local function line_to(finest, input, inputs, compared)
   local line = {}
   for _, s in ipairs(compared) do
-    local along = ladder.finer(knob, s.values[knob.name], finest.values[knob.name]) <= 1
-    for _, other in ipairs(knobs) do
-      along = along and (other == knob or s.values[other.name] == finest.values[other.name])
+    local along = ladder.finer(input, s.values[input.name], finest.values[input.name]) <= 1
+    for _, other in ipairs(inputs) do
+      along = along and (other == input or s.values[other.name] == finest.values[other.name])
     end
     if along then line[#line + 1] = s end
   end
-  table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
+  table.sort(line, function(a, b) return ladder.finer(input, b.values[input.name], a.values[input.name]) > 1 end)
   return line
 end
 
 -- The order in which all numbers converge together when each is refined by its ratio, in terms of halved steps; of one
 -- number alone its own.
-local function joint_order(knobs)
+local function joint_order(inputs)
   local least, sided = nil, 0
-  for _, knob in ipairs(knobs) do
-    if knob.side then
+  for _, input in ipairs(inputs) do
+    if input.side then
       sided = sided + 1
-      least = math.min(least or math.huge, (knob.side.order or 1) * math.log(knob.side.ratio, 2))
+      least = math.min(least or math.huge, (input.side.order or 1) * math.log(input.side.ratio, 2))
     end
   end
-  for _, knob in ipairs(sided == 1 and knobs or {}) do
-    if knob.side then return knob.side.order or 1 end
+  for _, input in ipairs(sided == 1 and inputs or {}) do
+    if input.side then return input.side.order or 1 end
   end
   return least or 1
 end
 
 -- The settings and references along which all numbers are refined together, the finest last, their step sizes, and the
 -- finest setting. If one number alone is varied, its settings are on that line, too.
-local function levels_of(knobs, compared, refs)
-  local best, whole = verdict.finest(knobs, compared)
+local function levels_of(inputs, compared, refs)
+  local best, whole = verdict.finest(inputs, compared)
   local sided = {}
-  for _, knob in ipairs(knobs) do sided[#sided + 1] = knob.side and knob end
+  for _, input in ipairs(inputs) do sided[#sided + 1] = input.side and input end
   local levels, h = {}, {}
-  if #sided == 1 and whole then levels = line_to(best, sided[1], knobs, compared)
+  if #sided == 1 and whole then levels = line_to(best, sided[1], inputs, compared)
   elseif whole then levels = { best } end
   table.move(refs, 1, #refs, #levels + 1, levels)
   levels = table.move(levels, math.max(1, #levels - 2), #levels, 1, {})
@@ -91,9 +91,9 @@ end
 --- references, which refine all numbers together. Without a reference it comes from one line of settings a number.
 -- refs: the references that have an answer, none to two of them. Answers that differ by less than `within` have
 -- settled.
-function verdict.estimates(knobs, compared, refs, quantities, within)
-  local levels, h, best = levels_of(knobs, compared, refs)
-  local finest, order = levels[#levels] or best, joint_order(knobs)
+function verdict.estimates(inputs, compared, refs, quantities, within)
+  local levels, h, best = levels_of(inputs, compared, refs)
+  local finest, order = levels[#levels] or best, joint_order(inputs)
   for name, q in pairs(quantities) do
     local last = finest.record.answers[name]
     local answers, parts = {}, {}
@@ -103,14 +103,14 @@ function verdict.estimates(knobs, compared, refs, quantities, within)
       q.found = #answers == #levels and estimate.along(h, answers, order, within)
         or { by = "open", answer = last, half = math.huge }
     else
-      for _, knob in ipairs(knobs) do
-        if knob.side then
-          local line, sizes, values = line_to(finest, knob, knobs, compared), {}, {}
+      for _, input in ipairs(inputs) do
+        if input.side then
+          local line, sizes, values = line_to(finest, input, inputs, compared), {}, {}
           for i = math.max(1, #line - 2), #line do
-            sizes[#sizes + 1] = 1 / ladder.finer(knob, line[i].values[knob.name], finest.values[knob.name])
+            sizes[#sizes + 1] = 1 / ladder.finer(input, line[i].values[input.name], finest.values[input.name])
             values[#values + 1] = line[i].record.answers[name]
           end
-          parts[#parts + 1] = #values == #sizes and estimate.along(sizes, values, knob.side.order or 1, within)
+          parts[#parts + 1] = #values == #sizes and estimate.along(sizes, values, input.side.order or 1, within)
             or { by = "open", answer = last, half = math.huge }
         end
       end
@@ -171,8 +171,8 @@ end
 
 --- How many refinements beyond the settings would bring all of these answers within what is accepted: nil where an
 --- order is not clear, or where it would be more than `farthest`. refs: how many of them were run.
-function verdict.needed(knobs, names, refs, within)
-  local most, theory = refs, joint_order(knobs)
+function verdict.needed(inputs, names, refs, within)
+  local most, theory = refs, joint_order(inputs)
   for _, q in pairs(names) do
     local found, size = q.found, compare.size(q.found.answer)
     if found.by == "order" and size > 0 then
@@ -199,37 +199,37 @@ function verdict.describe(quantities)
   end
 end
 
---- For each knob with a known finer side: the order of convergence of some answers, from its finest three values. All
--- other knobs have their finest value.
-function verdict.orders(knobs, compared, refs, names)
+--- For each input with a known finer side: the order of convergence of some answers, from its finest three values. All
+-- other inputs have their finest value.
+function verdict.orders(inputs, compared, refs, names)
   local result, sided = {}, 0
-  for _, knob in ipairs(knobs) do sided = sided + (knob.side and 1 or 0) end
-  for _, knob in ipairs(knobs) do
-    if knob.side then
+  for _, input in ipairs(inputs) do sided = sided + (input.side and 1 or 0) end
+  for _, input in ipairs(inputs) do
+    if input.side then
       local line = {}
       for _, s in ipairs(compared) do
         local along = true
-        for _, other in ipairs(knobs) do
-          along = along and (other == knob or s.values[other.name] == ladder.finest(other, compared))
+        for _, other in ipairs(inputs) do
+          along = along and (other == input or s.values[other.name] == ladder.finest(other, compared))
         end
         if along then line[#line + 1] = s end
       end
       if sided == 1 then table.move(refs, 1, #refs, #line + 1, line) end
-      table.sort(line, function(a, b) return ladder.finer(knob, b.values[knob.name], a.values[knob.name]) > 1 end)
+      table.sort(line, function(a, b) return ladder.finer(input, b.values[input.name], a.values[input.name]) > 1 end)
       local found, all, n = {}, {}, #line
       for name in pairs(names) do
         if n >= 3 then
           local h, answers = {}, {}
           for i = 1, 3 do
-            h[i] = 1 / ladder.finer(knob, line[n - 3 + i].values[knob.name], line[n - 2].values[knob.name])
+            h[i] = 1 / ladder.finer(input, line[n - 3 + i].values[input.name], line[n - 2].values[input.name])
             answers[i] = line[n - 3 + i].record.answers[name]
           end
           found[name] = compare.order(h, answers)
           if found[name] ~= math.huge then all[#all + 1] = found[name] end
         end
       end
-      result[knob.name] = { observed = compare.median(all) or next(found) and math.huge, theory = knob.side.order,
-        why = knob.side.why, quantities = found,
+      result[input.name] = { observed = compare.median(all) or next(found) and math.huge, theory = input.side.order,
+        why = input.side.why, quantities = found,
         note = n < 3 and "three values of it are needed, with all else at its finest" or nil }
     end
   end
@@ -243,7 +243,7 @@ function verdict.front(compared, within)
   for i, s in ipairs(compared) do
     local r = s.record
     s.seconds, s.times, s.outside = compare.median(r.seconds), r.seconds, r.outside
-    s.stages, s.memory, s.remainder = r.stages, r.memory, r.remainder
+    s.stages, s.memory, s.energy_error = r.stages, r.memory, r.energy_error
     cheapest = math.min(cheapest, s.seconds)
     items[i] = { time = s.seconds, error = s.error and not s.above and compare.larger(s.error, rounding) or nil,
       setting = s }

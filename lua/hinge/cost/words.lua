@@ -28,7 +28,7 @@ function words.bound(part)
   return ("%.6g %%"):format(up(unit) <= 105 * part and up(unit) or up(unit / 10))
 end
 
---- The value of a knob: "10 us" for a time step, "1e-8" for a small number.
+--- The value of a input: "10 us" for a time step, "1e-8" for a small number.
 function words.value(name, value)
   if name == "dt" and type(value) == "number" then return words.seconds(value) end
   return (ladder.text(value):gsub("e([+-])0+", "e%1"):gsub("e%+", "e"))
@@ -36,12 +36,12 @@ end
 
 local function is_elements(name) return name == "elements_per_member" or name == "elements" end
 
---- What tells a setting from the others, for a label in a picture: "dt 10 us", "10 us, 4 elements". `knobs`: those to
+--- What tells a setting from the others, for a label in a picture: "dt 10 us", "10 us, 4 elements". `inputs`: those to
 --- name.
-function words.label(knobs, values)
-  local parts, alone = {}, #knobs == 1
-  for _, knob in ipairs(knobs) do
-    local name, value = knob.name, values[knob.name]
+function words.label(inputs, values)
+  local parts, alone = {}, #inputs == 1
+  for _, input in ipairs(inputs) do
+    local name, value = input.name, values[input.name]
     local text = words.value(name, value)
     parts[#parts + 1] = is_elements(name) and text .. (value == 1 and " element" or " elements")
       or name == "steps" and text .. " steps"
@@ -51,10 +51,10 @@ function words.label(knobs, values)
 end
 
 --- A setting in a sentence: "dt 1 ms with two elements, asi-gauss".
-function words.setting(knobs, values)
+function words.setting(inputs, values)
   local numbers, others, elements = {}, {}, nil
-  for _, knob in ipairs(knobs) do
-    local name, value = knob.name, values[knob.name]
+  for _, input in ipairs(inputs) do
+    local name, value = input.name, values[input.name]
     if is_elements(name) then
       elements = ("%s element%s"):format(counts[value] or tostring(value), value == 1 and "" or "s")
     elseif type(value) == "string" then

@@ -19,7 +19,7 @@ impact.designs = {
   -- the study scripts/paper/lost_inputs.lua chose it; the paper's 0.0004 is taken as 1/cm
   light = { height = 23.8, contact = "gap", yield_stress = 295e6, building = { design = "light" },
     aircraft = { design = "stiff" },
-    limits = { curvature_x = 0.04, curvature_y = 0.04, axial_strain = 0.3, reading = "section" } },
+    limits = { curvature_x = 0.04, curvature_y = 0.04, axial_strain = 0.3, strain_measure = "section" } },
   -- no column is cut; 0.0004 as 1/mm
   heavy = { height = 30, contact = "gap", yield_stress = 325e6, building = { design = "heavy" },
     aircraft = { design = "slender" }, limits = { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 } },
@@ -184,7 +184,7 @@ end
 function impact.simulate(p, see)
   local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
   local frame, plane = impact.add(model, p)
-  local loaded = model:static { hold = plane, unstable = p.unstable }
+  local loaded = model:static { fixed_group = plane, unstable = p.unstable }
   loaded:finish()
   local run = loaded -- no impact if the building does not stand
   if loaded.verdict ~= "failed" then
@@ -207,7 +207,7 @@ function impact.simulate(p, see)
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
   local i = loaded.instability -- of the building under its own weight
   r.unstable = i and { factor = i.factor, node = i.node, component = i.component, by = i.by } or nil
-  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "remainder" } do
+  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "energy_error" } do
     r[name] = energy[name]
   end
   r.brought, r.own_kinetic = brought, 0.5 * p.mass * p.speed ^ 2

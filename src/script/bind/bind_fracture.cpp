@@ -348,12 +348,13 @@ std::vector<std::string> read_keep(Options& o) {
 }
 
 /// How the limits are compared with an element: options that mean nothing where no limit is given.
-void read_reading(Options& o, FractureRule& rule) {
+void read_comparison(Options& o, FractureRule& rule) {
     rule.tension_only = o.flag("tension_only", false);
     rule.plastic_only = o.flag("plastic_only", false);
-    rule.reading = o.word("reading", {"element", "section"}, "element") == "section" ? FractureRule::Reading::section
-                                                                                     : FractureRule::Reading::element;
-    for (const char* field : {"reading", "plastic_only"})
+    rule.strain_measure = o.word("strain_measure", {"element", "section"}, "element") == "section"
+                              ? FractureRule::StrainMeasure::section
+                              : FractureRule::StrainMeasure::element;
+    for (const char* field : {"strain_measure", "plastic_only"})
         if (rule.none() && o.has(field))
             o.complain(field, "given",
                        "belongs to limits; give curvature_x, curvature_y, axial_strain or shear_strain");
@@ -371,7 +372,8 @@ int fracture_rule(lua_State* L) {
         if (!lua_istable(L, 2))
             throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
         Options o(L, 2, "model:fracture");
-        o.expect({"curvature_x", "curvature_y", "axial_strain", "shear_strain", "tension_only", "reading",
+        o.former_name("strain_measure", "reading");
+        o.expect({"curvature_x", "curvature_y", "axial_strain", "shear_strain", "tension_only", "strain_measure",
                   "plastic_only", "rule", "batch", "where", "keep", "group"});
         const auto take = [&](const char* field, const char* unit, double& limit) {
             if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
@@ -380,7 +382,7 @@ int fracture_rule(lua_State* L) {
         take("curvature_y", "1/m", rule.curvature_y);
         take("axial_strain", "", rule.axial_strain);
         take("shear_strain", "", rule.shear_strain);
-        read_reading(o, rule);
+        read_comparison(o, rule);
         rule.keep = read_keep(o);
         const int type = o.push_field("rule");
         if (type == LUA_TFUNCTION) rule.hook = read_rule(L, -1, m, rule.keep);

@@ -58,7 +58,9 @@ int model(lua_State* L) {
                                                   : Formulation::asi_gauss;
     m.displacement =
         o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
-    m.shift = o.word("shift", {"plastic", "whole"}, "plastic") == "whole" ? Shift::whole : Shift::plastic;
+    o.former_word("shift", "elastic_and_plastic", "whole");
+    m.shift = o.word("shift", {"plastic", "elastic_and_plastic"}, "plastic") == "plastic" ? Shift::plastic
+                                                                                          : Shift::elastic_and_plastic;
     m.mass = o.word("mass", {"linear", "cubic"}, "linear") == "cubic" ? MassShape::cubic : MassShape::linear;
     if (m.mass == MassShape::cubic && m.formulation != Formulation::asi_gauss)
         o.complain("mass", "'cubic'",
@@ -73,8 +75,8 @@ int model(lua_State* L) {
             "p_delta", "'member'",
             "needs formulation 'asi-gauss', displacement 'large' and shift 'plastic'; without them it is 'chord'");
     m.weight = o.word("weight", {"members", "nodes"}, "members") == "nodes" ? Weight::nodes : Weight::members;
-    if (m.shift == Shift::whole && m.formulation == Formulation::conventional)
-        o.complain("shift", "'whole'",
+    if (m.shift == Shift::elastic_and_plastic && m.formulation == Formulation::conventional)
+        o.complain("shift", "'elastic_and_plastic'",
                    "has no meaning with formulation 'conventional', whose points stay in the middle; leave it out");
     m.plasticity = o.flag("plasticity", true);
     const Elements elements = read_elements(o, "elements_per_member", m.formulation, {2, false});

@@ -7,6 +7,7 @@
 #include "script/checks/chain.h"
 #include "script/checks/check.h"
 #include "script/record/element_events.h"
+#include "script/bind/run_fields.h"
 #include "script/checks/plan.h"
 #include "script/record/probe_list.h"
 #include "script/record/recording.h"
@@ -236,162 +237,6 @@ int run_snapshot(lua_State* L) {
     return 1;
 }
 
-void push_energy(lua_State* L, const Run& run) {
-    const Energy e = run.energy();
-    lua_createtable(L, 0, int(run.accounts().size()) + 2);
-    const auto put = [L](std::string_view name, double value) {
-        lua_pushlstring(L, name.data(), name.size());
-        lua_pushnumber(L, value);
-        lua_rawset(L, -3);
-    };
-    put("initial", e.initial);
-    for (const AccountInfo& account : run.accounts()) put(account.name, e[account.name]);
-    put("remainder", e.error);
-}
-
-/// { name = factor } of the load cases.
-void push_cases(lua_State* L, const Model& m) {
-    lua_newtable(L);
-    for (std::size_t i = 0; i < m.case_factors().size(); ++i)
-        lua_pushnumber(L, m.case_factors()[i]), lua_setfield(L, -2, m.cases()[i].c_str());
-}
-
-int fields(lua_State* L) {
-    if (push_method(L)) return 1;
-    const std::string key = key_argument(L);
-    const auto& r = *self<RunBox>(L, "run." + key).value;
-    const Run& run = *r.run;
-    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->runs.asked.insert(r.number);
-    if (key == "time") lua_pushnumber(L, run.state().time);
-    else if (key == "factor") lua_pushnumber(L, run.state().factor);
-    else if (key == "index") lua_pushinteger(L, run.steps_done());
-    else if (key == "planned_steps") lua_pushinteger(L, run.planned_steps());
-    else if (const auto* d = dynamic_cast<const Dynamics*>(&run); key == "dt")
-        d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
-    else if (key == "verdict") lua_pushstring(L, name(verdict_of(r)));
-    else if (key == "reason") lua_pushstring(L, (verdict_of(r) == run.verdict() ? run.reason() : reason_of(r)).c_str());
-    else if (key == "kind") lua_pushstring(L, run.kind());
-    else if (key == "energy") push_energy(L, run);
-    else if (key == "energy_error") lua_pushnumber(L, r.last_energy_share);
-    else if (key == "loads") push_cases(L, run.structure().model());
-    else if (key == "energy_error_of_state") lua_pushnumber(L, r.state_energy_share);
-    else if (key == "worst_remainder") lua_pushnumber(L, r.worst_energy_error);
-    else if (key == "wall_seconds") lua_pushnumber(L, r.wall);
-    else if (key == "hash")
-        lua_pushstring(L,
-                       [&] {
-                           char t[20];
-                           std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(run.state()));
-                           return std::string(t);
-                       }()
-                           .c_str());
-    else if (key == "warnings") {
-        lua_newtable(L);
-        int i = 0;
-        if (!r.weak.empty()) lua_pushstring(L, ("goes on from " + r.weak).c_str()), lua_rawseti(L, -2, ++i);
-        for (const auto& list : {run.warnings(), run.findings()})
-            for (const RunWarning& w : list)
-                lua_pushstring(L, warning_text(warning_of(run, w)).c_str()), lua_rawseti(L, -2, ++i);
-    } else if (key == "contacts") {
-        lua_createtable(L, 0, 2);
-        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().bound : 0),
-            lua_setfield(L, -2, "bound");
-        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().released : 0),
-            lua_setfield(L, -2, "released");
-    } else if (key == "counts") {
-        const auto* d = dynamic_cast<const Dynamics*>(&run);
-        const auto* s = dynamic_cast<const Statics*>(&run);
-        const EffectiveStiffness::Counts c = d   ? d->solver_counts()
-                                             : s ? s->solver_counts()
-                                                 : EffectiveStiffness::Counts{};
-        lua_createtable(L, 0, 9);
-        lua_pushinteger(L, c.built), lua_setfield(L, -2, "element_builds");
-        lua_pushinteger(L, c.iterations), lua_setfield(L, -2, "cg_iterations");
-        lua_pushinteger(L, c.solves), lua_setfield(L, -2, "solves");
-        lua_pushinteger(L, c.factorisations), lua_setfield(L, -2, "factorisations");
-        lua_pushinteger(L, d   ? d->element_updates()
-                           : s ? s->element_updates()
-                               : 0),
-            lua_setfield(L, -2, "element_updates");
-        lua_pushinteger(L, d ? d->rejected() : s ? s->rejected() : 0), lua_setfield(L, -2, "rejected_steps");
-        lua_pushinteger(L, s ? s->substeps() : run.steps_done()), lua_setfield(L, -2, "substeps");
-        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().pair_tests : 0),
-            lua_setfield(L, -2, "pair_tests");
-        lua_pushinteger(L, contact_of(run.state()) ? contact_of(run.state())->counts().list_builds : 0),
-            lua_setfield(L, -2, "pair_lists");
-    } else if (key == "limit") {
-        const auto* s = dynamic_cast<const Statics*>(&run);
-        s ? lua_pushboolean(L, s->limit()) : lua_pushnil(L);
-    } else if (key == "instability") {
-        const auto* s = dynamic_cast<const Statics*>(&run);
-        if (!s || !s->instability()) return lua_pushnil(L), 1;
-        const Instability& i = *s->instability();
-        lua_createtable(L, 0, 8);
-        lua_pushnumber(L, i.factor), lua_setfield(L, -2, "factor");
-        lua_pushnumber(L, i.beyond), lua_setfield(L, -2, "beyond");
-        lua_pushinteger(L, i.count), lua_setfield(L, -2, "count");
-        if (i.node >= 0) {
-            lua_pushstring(L, run.structure().node_name(i.node).c_str()), lua_setfield(L, -2, "node");
-            lua_pushstring(L, Statics::component_name(i.component)), lua_setfield(L, -2, "component");
-        }
-        if (!i.members.empty())
-            lua_pushstring(L, i.by_compression ? "compression" : "bending"), lua_setfield(L, -2, "by");
-        lua_createtable(L, int(i.members.size()), 0);
-        for (std::size_t k = 0; k < i.members.size(); ++k) {
-            push_handle<MemberBox>(L, r.model, i.members[k]);
-            lua_rawseti(L, -2, lua_Integer(k) + 1);
-        }
-        lua_geti(L, -1, 1), lua_setfield(L, -3, "member");
-        lua_setfield(L, -2, "members");
-    } else if (key == "wakings") {
-        lua_newtable(L);
-        int i = 0;
-        for (const Run::Activation& w : run.activations()) {
-            lua_createtable(L, 0, 4);
-            lua_pushnumber(L, w.time), lua_setfield(L, -2, "time");
-            lua_pushstring(L, w.effect.c_str()), lua_setfield(L, -2, "effect");
-            lua_pushboolean(L, w.awake), lua_setfield(L, -2, "awake");
-            lua_pushstring(L, w.why.c_str()), lua_setfield(L, -2, "why");
-            lua_rawseti(L, -2, ++i);
-        }
-    } else if (key == "fastest") {
-        const auto* d = dynamic_cast<const Dynamics*>(&run);
-        if (!d || d->fastest().node < 0) return lua_pushnil(L), 1;
-        lua_createtable(L, 0, 4);
-        lua_pushnumber(L, d->fastest().speed), lua_setfield(L, -2, "speed");
-        lua_pushnumber(L, d->fastest().time), lua_setfield(L, -2, "time");
-        lua_pushstring(L, run.structure().node_name(d->fastest().node).c_str()), lua_setfield(L, -2, "node");
-    } else if (key == "probes") {
-        lua_createtable(L, int(r.probes.size()), 0);
-        for (std::size_t i = 0; i < r.probes.size(); ++i)
-            push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
-    } else if (key == "effects") {
-        lua_newtable(L);
-        int i = 0;
-        for (const PlanLine& e : run.effects()) {
-            lua_createtable(L, 0, 5);
-            lua_pushstring(L, e.name.c_str()), lua_setfield(L, -2, "name");
-            lua_pushboolean(L, e.active), lua_setfield(L, -2, "active");
-            lua_pushstring(L, e.because.c_str()), lua_setfield(L, -2, "because");
-            lua_pushnumber(L, e.seconds), lua_setfield(L, -2, "seconds");
-            lua_pushstring(L, e.asked_at.c_str()), lua_setfield(L, -2, "asked_at");
-            lua_rawseti(L, -2, ++i);
-        }
-    } else if (key == "stages") {
-        lua_newtable(L);
-        int i = 0;
-        for (const StageTime& s : run.stage_times()) {
-            lua_createtable(L, 0, 2);
-            lua_pushstring(L, s.name), lua_setfield(L, -2, "name");
-            lua_pushnumber(L, s.seconds), lua_setfield(L, -2, "seconds");
-            lua_rawseti(L, -2, ++i);
-        }
-    } else {
-        refuse_field(L, "run", key);
-    }
-    return 1;
-}
-
 int text(lua_State* L) {
     const auto& box = self_or_gone<RunBox>(L, "tostring");
     if (const std::string since = gone(box); !since.empty())
@@ -438,34 +283,9 @@ void open_run(lua_State* L) {
                                        {"momentum", guarded<takes<"run:momentum", 1, run_momentum>>},
                                        {"snapshot", guarded<takes<"run:snapshot", 1, run_snapshot>>},
                                        {nullptr, nullptr}};
-    make_metatable(L, RunBox::lua_name, methods, guarded<fields>, collect<RunBox>, guarded<text>, nullptr);
+    make_metatable(L, RunBox::lua_name, methods, guarded<run_fields>, collect<RunBox>, guarded<text>, nullptr);
     make_metatable(L, ProbeBox::lua_name, none, guarded<probe_fields>, collect<ProbeBox>, guarded<probe_text>, nullptr);
-    name_fields(L, RunBox::lua_name,
-                {"kind",
-                 "time",
-                 "factor",
-                 "index",
-                 "planned_steps",
-                 "verdict",
-                 "reason",
-                 "energy",
-                 "worst_remainder",
-                 "contacts",
-                 "stages",
-                 "effects",
-                 "wall_seconds",
-                 "fastest",
-                 "dt",
-                 "hash",
-                 "counts",
-                 "wakings",
-                 "probes",
-                 "instability",
-                 "limit",
-                 "energy_error",
-                 "energy_error_of_state",
-                 "loads",
-                 "warnings"});
+    name_run_fields(L);
     name_fields(L, ProbeBox::lua_name, {"time", "value", "last", "max", "min", "name", "unit"});
     make_metatable(L, SnapshotBox::lua_name, none, nullptr, collect<SnapshotBox>, nullptr, nullptr);
 }

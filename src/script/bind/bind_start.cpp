@@ -204,7 +204,8 @@ void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& 
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
-    o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "hold", "record", "from",
+    o.former_name("fixed_group", "hold");
+    o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "fixed_group", "record", "from",
               "allow_failed", "loads"});
     const RunRecord* before = run_before(o, m);
     Chain chain(o, before);
@@ -227,9 +228,9 @@ int static_run(lua_State* L) {
         throw InputError(
             "model:static: to_limit = true ends where the structure becomes unstable, unstable = 'continue' goes on; "
             "leave one out");
-    if (o.push_field("hold") != LUA_TNIL) {
+    if (o.push_field("fixed_group") != LUA_TNIL) {
         s.held.assign(structure->position().size(), 0);
-        const int g = group_argument(L, -1, "model:static: field 'hold'", *m);
+        const int g = group_argument(L, -1, "model:static: field 'fixed_group'", *m);
         for (std::size_t e = 0; e < structure->elements().size(); ++e)
             if (structure->in_group(int(e), g))
                 for (int n : structure->elements()[e].node) s.held[n] = 63;
@@ -311,10 +312,10 @@ void refuse_what_cannot_be_conserved(Options& o, const Model& model) {
         throw InputError(with +
                          "is for large rotations; a model with displacement = 'small' takes 'newmark', which "
                          "conserves as much there");
-    if (model.options().shift == Shift::whole)
+    if (model.options().shift == Shift::elastic_and_plastic)
         throw InputError(with +
-                         "needs an energy balance that closes, and that of a model with shift = 'whole' cannot; "
-                         "take 'newmark'");
+                         "needs an energy balance that closes, and that of a model with shift = 'elastic_and_plastic' "
+                         "cannot; take 'newmark'");
 }
 
 }  // namespace
@@ -392,16 +393,15 @@ int dynamic_run(lua_State* L) {
         s.beta = DynamicSettings::beta_of(s.rho_infinity);
     }
     s.controlled_by_default =
-        !in_explicit_steps && !conserving && !o.has("step_control") && m->options().shift != Shift::whole;
+        !in_explicit_steps && !conserving && !o.has("step_control") && m->options().shift != Shift::elastic_and_plastic;
     s.step_control = o.number("step_control", "", Range::not_negative,
                               conserving                ? 0.01
                               : s.controlled_by_default ? DynamicSettings::default_control
                                                         : 0);
-    if (s.step_control > 0 && m->options().shift == Shift::whole)
+    if (s.step_control > 0 && m->options().shift == Shift::elastic_and_plastic)
         throw InputError(
             "model:dynamic: field 'step_control' needs an energy balance that closes, and that of a model with shift = "
-            "'whole' "
-            "cannot; leave it out");
+            "'elastic_and_plastic' cannot; leave it out");
     if (s.step_control >= 1)
         o.complain("step_control", show(s.step_control),
                    "must be below 1: the part of the largest energy that the run may lose, such as 0.01");

@@ -10,6 +10,7 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -95,7 +96,7 @@ void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua
                     lua_CFunction collect, lua_CFunction to_string, lua_CFunction equal);
 
 /// Which fields its objects have: for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
-void name_fields(lua_State* L, const char* name, std::initializer_list<const char*> fields);
+void name_fields(lua_State* L, const char* name, const std::vector<const char*>& fields);
 /// Methods for a metatable that make_metatable made.
 void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
 
@@ -149,6 +150,10 @@ public:
     void expect(std::vector<std::string> fields, int items_allowed = 0) {
         known_ = std::move(fields), finish(items_allowed);
     }
+    /// `before` is an older name of `field`: it is read in its place. Both at once are an error.
+    void former_name(const char* field, const char* before);
+    /// `before` is an older word for `word` in this field.
+    void former_word(const char* field, const char* word, const char* before);
     /// Complains about a field nobody asked for.
     void finish(int items_allowed = 0);
 
@@ -162,6 +167,8 @@ private:
     int index_;  // 0: absent
     std::string function_;
     std::vector<std::string> known_;
+    std::vector<std::pair<std::string, std::string>> former_;                  ///< field, its older name
+    std::map<std::string, std::pair<std::string, std::string>> former_words_;  ///< of a field: word, its older name
 };
 
 /// Reads {x, y, z} at `index`, or throws naming `what`.

@@ -138,7 +138,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     std::string header = "time,factor";
     for (const AccountInfo& account : r.run->accounts())
         if (account.part_of.empty()) header += "," + std::string(account.name);
-    header += ",remainder";
+    header += ",energy_error";
     for (const auto& p : r.probes) header += "," + p->name;
     const std::string text = r.past.empty() ? header + "\n" : r.past;
     if (c->messages.observer) c->messages.observer->begun(r, text);
@@ -310,9 +310,9 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
                 c, "changes",
                 {{"run", r.number}, {"effect", effect}, {"awake", n.awake}, {"asleep", n.asleep}, {"last", n.last}});
         else if (c.messages.progress)
-            std::fprintf(stderr, "%s%s: awake %s, asleep %s in all, the last at t = %s s (run.wakings)\n", line_start(),
-                         effect.c_str(), times(n.awake).c_str(), n.asleep == 0 ? "never" : times(n.asleep).c_str(),
-                         number_text(n.last, 4).c_str());
+            std::fprintf(stderr, "%s%s: awake %s, asleep %s in all, the last at t = %s s (run.state_changes)\n",
+                         line_start(), effect.c_str(), times(n.awake).c_str(),
+                         n.asleep == 0 ? "never" : times(n.asleep).c_str(), number_text(n.last, 4).c_str());
     }
     r.changes.clear();
 }

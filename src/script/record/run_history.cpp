@@ -21,7 +21,7 @@ namespace {
 std::vector<std::string> columns_of(const Run& run) {
     std::vector<std::string> names = {"time", "factor"};
     for (const AccountInfo& account : run.accounts()) names.emplace_back(account.name);
-    names.emplace_back("remainder");
+    names.emplace_back("energy_error");
     return names;
 }
 

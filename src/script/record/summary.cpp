@@ -17,7 +17,7 @@ Json energy_json(const Run& run) {
     const Energy e = run.energy();
     Json j = {{"initial", e.initial}};
     for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
-    j["remainder"] = e.error;
+    j["energy_error"] = j["remainder"] = e.error;  // remainder: the name up to 0.2
     return j;
 }
 
@@ -68,9 +68,9 @@ void describe_run(Json& j, const RunRecord& r) {
             {{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
         if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
     }
-    j["wakings"] = Json::array();
+    j["state_changes"] = Json::array();
     for (const Run::Activation& w : run.activations())
-        j["wakings"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
+        j["state_changes"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
     j["stages"] = Json::array();
     for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
     j["damage"] = damage_by_group(run);
@@ -79,7 +79,7 @@ void describe_run(Json& j, const RunRecord& r) {
     j["energy_error"] =
         std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));
     if (r.state_energy_share != r.last_energy_share) j["energy_error_of_state"] = r.state_energy_share;
-    j["worst_remainder"] = r.worst_energy_error;
+    j["worst_energy_error"] = r.worst_energy_error;
     if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && (d->settings().step_control > 0 || d->rejected() > 0))
         j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
     if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)

@@ -73,11 +73,12 @@ function energies(runs, seek) {
   return each(runs, "Energy balance", (r) => {
     const h = r.history;
     if (!h) return null;
-    const columns = list(h.columns), end = columns.indexOf("remainder");
+    const is_error = (c) => c === "energy_error" || c === "remainder"; // remainder: its name in files of version 0.2
+    const columns = list(h.columns), end = columns.findIndex(is_error);
     if (end < 0) return null;
     const statics = r.summary?.kind === "static", x = list(h.values)[statics ? 1 : 0];
-    const series = columns.slice(2, end + 1).map((c, i) => ({ name: c === "remainder" ? "energy error" : c.replace(/_/g, " "),
-      x, y: list(h.values)[i + 2].map((v) => v ?? NaN), dash: c === "remainder" })).filter((s) => s.y.some((v) => v));
+    const series = columns.slice(2, end + 1).map((c, i) => ({ name: is_error(c) ? "energy error" : c.replace(/_/g, " "),
+      x, y: list(h.values)[i + 2].map((v) => v ?? NaN), dash: is_error(c) })).filter((s) => s.y.some((v) => v));
     const figure = plot({ label: "energies over time", x_label: statics ? "load factor" : "time, s", unit: "J", series, seek,
       height: 300 });
     cursors.push(figure.cursor);

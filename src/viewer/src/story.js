@@ -136,7 +136,7 @@ function collapses(frames) {
 
 // Effects that woke or went to sleep: the first of each kind, and the last time that bodies came to rest.
 function wakings(summary) {
-  const out = [], count = new Map(), all = list(summary?.wakings);
+  const out = [], count = new Map(), all = list(summary?.state_changes ?? summary?.wakings);
   for (const w of all) {
     const key = `${w.effect} ${w.awake}`, n = count.get(key) || 0;
     count.set(key, n + 1);

@@ -1,0 +1,226 @@
+#include "script/bind/run_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "effects/contact.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
+#include "script/checks/chain.h"
+#include "script/checks/check.h"
+#include "script/record/recording.h"
+
+namespace hinge::script {
+namespace {
+
+/// Sets a field of the table on top of the stack.
+void put(lua_State* L, const char* name, double value) { lua_pushnumber(L, value), lua_setfield(L, -2, name); }
+void put(lua_State* L, const char* name, long value) { lua_pushinteger(L, value), lua_setfield(L, -2, name); }
+void put(lua_State* L, const char* name, bool value) { lua_pushboolean(L, value), lua_setfield(L, -2, name); }
+void put(lua_State* L, const char* name, const std::string& value) {
+    lua_pushlstring(L, value.data(), value.size()), lua_setfield(L, -2, name);
+}
+
+/// Pushes a list; `fill` sets the fields of the table of each item.
+template <class List, class Fill>
+void push_list(lua_State* L, const List& list, Fill fill) {
+    lua_newtable(L);
+    int i = 0;
+    for (const auto& item : list) {
+        lua_newtable(L);
+        fill(item);
+        lua_rawseti(L, -2, ++i);
+    }
+}
+
+const Dynamics* dynamics_of(const RunRecord& r) { return dynamic_cast<const Dynamics*>(r.run.get()); }
+const Statics* statics_of(const RunRecord& r) { return dynamic_cast<const Statics*>(r.run.get()); }
+
+/// J, by account. `remainder` is the name that the energy error had up to version 0.2.
+void push_energy(lua_State* L, const RunRecord& r) {
+    const Energy e = r.run->energy();
+    lua_createtable(L, 0, int(r.run->accounts().size()) + 3);
+    put(L, "initial", e.initial);
+    for (const AccountInfo& account : r.run->accounts()) put(L, std::string(account.name).c_str(), e[account.name]);
+    put(L, "energy_error", e.error);
+    put(L, "remainder", e.error);
+}
+
+/// { name = factor } of the load cases.
+void push_cases(lua_State* L, const RunRecord& r) {
+    const Model& m = r.run->structure().model();
+    lua_newtable(L);
+    for (std::size_t i = 0; i < m.case_factors().size(); ++i) put(L, m.cases()[i].c_str(), m.case_factors()[i]);
+}
+
+void push_verdict(lua_State* L, const RunRecord& r) { lua_pushstring(L, name(verdict_of(r))); }
+
+void push_reason(lua_State* L, const RunRecord& r) {
+    lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
+}
+
+void push_hash(lua_State* L, const RunRecord& r) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016llx", (unsigned long long)hash(r.run->state()));
+    lua_pushstring(L, text);
+}
+
+void push_warnings(lua_State* L, const RunRecord& r) {
+    lua_newtable(L);
+    int i = 0;
+    const auto add = [&](const std::string& text) { lua_pushstring(L, text.c_str()), lua_rawseti(L, -2, ++i); };
+    if (!r.weak.empty()) add("goes on from " + r.weak);
+    for (const auto& list : {r.run->warnings(), r.run->findings()})
+        for (const RunWarning& w : list) add(warning_text(warning_of(*r.run, w)));
+}
+
+void push_contacts(lua_State* L, const RunRecord& r) {
+    const auto* contact = contact_of(r.run->state());
+    lua_createtable(L, 0, 2);
+    put(L, "bound", long(contact ? contact->counts().bound : 0));
+    put(L, "released", long(contact ? contact->counts().released : 0));
+}
+
+void push_counts(lua_State* L, const RunRecord& r) {
+    const Dynamics* d = dynamics_of(r);
+    const Statics* s = statics_of(r);
+    const auto* contact = contact_of(r.run->state());
+    const EffectiveStiffness::Counts c = d ? d->solver_counts() : s ? s->solver_counts() : EffectiveStiffness::Counts{};
+    lua_createtable(L, 0, 9);
+    put(L, "element_builds", long(c.built));
+    put(L, "cg_iterations", long(c.iterations));
+    put(L, "solves", long(c.solves));
+    put(L, "factorisations", long(c.factorisations));
+    put(L, "element_updates", r.run->element_updates());
+    put(L, "rejected_steps", long(d ? d->rejected() : s ? s->rejected() : 0));
+    put(L, "substeps", long(s ? s->substeps() : r.run->steps_done()));
+    put(L, "pair_tests", long(contact ? contact->counts().pair_tests : 0));
+    put(L, "pair_lists", long(contact ? contact->counts().list_builds : 0));
+}
+
+void push_instability(lua_State* L, const RunRecord& r) {
+    const Statics* s = statics_of(r);
+    if (!s || !s->instability()) return lua_pushnil(L);
+    const Instability& i = *s->instability();
+    lua_createtable(L, 0, 8);
+    put(L, "factor", i.factor);
+    put(L, "beyond", i.beyond);
+    put(L, "count", long(i.count));
+    if (i.node >= 0) {
+        put(L, "node", r.run->structure().node_name(i.node));
+        put(L, "component", std::string(Statics::component_name(i.component)));
+    }
+    if (!i.members.empty()) put(L, "by", std::string(i.by_compression ? "compression" : "bending"));
+    lua_createtable(L, int(i.members.size()), 0);
+    for (std::size_t k = 0; k < i.members.size(); ++k) {
+        push_handle<MemberBox>(L, r.model, i.members[k]);
+        lua_rawseti(L, -2, lua_Integer(k) + 1);
+    }
+    lua_geti(L, -1, 1), lua_setfield(L, -3, "member");
+    lua_setfield(L, -2, "members");
+}
+
+/// Effects that became active or inactive during the run.
+void push_state_changes(lua_State* L, const RunRecord& r) {
+    push_list(L, r.run->activations(), [L](const Run::Activation& a) {
+        put(L, "time", a.time), put(L, "effect", a.effect), put(L, "awake", a.awake), put(L, "why", a.why);
+    });
+}
+
+void push_fastest(lua_State* L, const RunRecord& r) {
+    const Dynamics* d = dynamics_of(r);
+    if (!d || d->fastest().node < 0) return lua_pushnil(L);
+    lua_createtable(L, 0, 3);
+    put(L, "speed", d->fastest().speed);
+    put(L, "time", d->fastest().time);
+    put(L, "node", r.run->structure().node_name(d->fastest().node));
+}
+
+void push_probes(lua_State* L, const RunRecord& r) {
+    lua_createtable(L, int(r.probes.size()), 0);
+    for (std::size_t i = 0; i < r.probes.size(); ++i)
+        push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
+}
+
+void push_effects(lua_State* L, const RunRecord& r) {
+    push_list(L, r.run->effects(), [L](const PlanLine& e) {
+        put(L, "name", e.name), put(L, "active", e.active), put(L, "because", e.because);
+        put(L, "seconds", e.seconds), put(L, "asked_at", e.asked_at);
+    });
+}
+
+void push_stages(lua_State* L, const RunRecord& r) {
+    push_list(L, r.run->stage_times(),
+              [L](const StageTime& s) { put(L, "name", std::string(s.name)), put(L, "seconds", s.seconds); });
+}
+
+struct RunField {
+    const char* name;
+    void (*push)(lua_State* L, const RunRecord& r);
+};
+
+/// The binding, the names in messages and completion, and lua/hinge/hinge.d.lua (tests/script/reference_test.lua) have
+/// the same fields.
+constexpr RunField run_field_list[] = {
+    {"kind", [](lua_State* L, const RunRecord& r) { lua_pushstring(L, r.run->kind()); }},
+    {"time", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().time); }},
+    {"factor", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().factor); }},
+    {"index", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->steps_done()); }},
+    {"planned_steps", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->planned_steps()); }},
+    {"verdict", push_verdict},
+    {"reason", push_reason},
+    {"energy", push_energy},
+    {"worst_energy_error", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.worst_energy_error); }},
+    {"contacts", push_contacts},
+    {"stages", push_stages},
+    {"effects", push_effects},
+    {"wall_seconds", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.wall); }},
+    {"fastest", push_fastest},
+    {"dt",
+     [](lua_State* L, const RunRecord& r) {
+         const Dynamics* d = dynamics_of(r);
+         d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
+     }},
+    {"hash", push_hash},
+    {"counts", push_counts},
+    {"state_changes", push_state_changes},
+    {"probes", push_probes},
+    {"instability", push_instability},
+    {"limit",
+     [](lua_State* L, const RunRecord& r) {
+         const Statics* s = statics_of(r);
+         s ? lua_pushboolean(L, s->limit()) : lua_pushnil(L);
+     }},
+    {"energy_error", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.last_energy_share); }},
+    {"energy_error_of_state", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.state_energy_share); }},
+    {"loads", push_cases},
+    {"warnings", push_warnings},
+};
+
+/// Names of fields up to version 0.2.
+constexpr std::pair<const char*, const char*> former_names[] = {{"wakings", "state_changes"},
+                                                                {"worst_remainder", "worst_energy_error"}};
+
+}  // namespace
+
+int run_fields(lua_State* L) {
+    if (push_method(L)) return 1;
+    std::string key = key_argument(L);
+    const auto& r = *self<RunBox>(L, "run." + key).value;
+    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->runs.asked.insert(r.number);
+    for (const auto& [before, now] : former_names)
+        if (key == before) key = now;
+    const auto* field = std::ranges::find_if(run_field_list, [&](const RunField& f) { return key == f.name; });
+    if (field == std::end(run_field_list)) refuse_field(L, "run", key);
+    field->push(L, r);
+    return 1;
+}
+
+void name_run_fields(lua_State* L) {
+    std::vector<const char*> names;
+    for (const RunField& f : run_field_list) names.push_back(f.name);
+    name_fields(L, RunBox::lua_name, names);
+}
+
+}  // namespace hinge::script
