@@ -229,13 +229,13 @@ end)
 -- Other formats, where there is ffmpeg.
 local function there(program) return support.run("command -v " .. program) == 0 end
 local encoders = there "ffmpeg" and support.output "ffmpeg -hide_banner -encoders 2>/dev/null" or ""
-case("MP4 and WebM are written where ffmpeg can, else the lack is named", function()
-  local function stream(path)
-    return support.output(("cd %s && ffprobe -v error -count_frames -select_streams v -show_entries "
-      .. "stream=codec_name,width,height,pix_fmt,nb_read_frames,r_frame_rate -of csv=p=0 %s 2>&1"):format(quote(folder),
-      path))
-  end
-  if encoders:find " libx264 " and there "ffprobe" then
+local function stream(path)
+  return support.output(("cd %s && ffprobe -v error -count_frames -select_streams v -show_entries "
+    .. "stream=codec_name,width,height,pix_fmt,nb_read_frames,r_frame_rate -of csv=p=0 %s 2>&1"):format(quote(folder),
+    path))
+end
+if encoders:find " libx264 " and there "ffprobe" then
+  case("an MP4 of H.264 is written by ffmpeg", function()
     equal(render("one --film" .. small), 0, "--film")
     equal(stream "one/film.mp4", "h264,160,120,yuv420p,25/1,6\n", "an MP4")
     local bytes = read "one/film.mp4" or ""
@@ -243,16 +243,18 @@ case("MP4 and WebM are written where ffmpeg can, else the lack is named", functi
       "an MP4 that begins before all of it is there")
     equal(render("one --mp4 -j 2 --seconds 2 --out 'a film.mp4'" .. small), 0, "--mp4")
     equal(stream "'a film.mp4'", "h264,160,120,yuv420p,25/1,50\n", "an MP4 of two seconds")
-  else
-    print "render: MP4 is not tested: no ffmpeg with libx264, or no ffprobe"
-  end
-  if encoders:find " libvpx%-vp9 " and there "ffprobe" then
+  end)
+else
+  print "render: MP4 is not tested: no ffmpeg with libx264, or no ffprobe"
+end
+if encoders:find " libvpx%-vp9 " and there "ffprobe" then
+  case("a WebM of VP9 is written by ffmpeg", function()
     equal(render("one --out one/film.webm" .. small), 0, "a WebM by its name")
     equal(stream "one/film.webm", "vp9,160,120,yuv420p,25/1,6\n", "a WebM")
-  else
-    print "render: WebM is not tested: no ffmpeg with libvpx-vp9, or no ffprobe"
-  end
-end)
+  end)
+else
+  print "render: WebM is not tested: no ffmpeg with libvpx-vp9, or no ffprobe"
+end
 
 -- Without ffmpeg.
 support.run(("mkdir %s/bin && cd %s/bin && for t in sh Xvfb; do ln -s $(command -v $t) $t; done"):format(quote(folder),
