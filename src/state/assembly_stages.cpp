@@ -214,7 +214,7 @@ template <bool p_delta>
         return_lanes<p_delta>(b, element, f, d, p, found);
 }
 
-/// The return to the yield surface of those of the eight elements for which f is above 1.
+/// Eq 10c: the return to the yield surface of those of the eight elements for which f is above 1.
 template <bool p_delta>
 [[gnu::always_inline]] inline void ElementAssembly::return_lanes(const Block& b, int element, const Lanes (&f)[2],
                                                                  const Lanes (&d)[6], Lanes (&p)[6],
