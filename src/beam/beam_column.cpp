@@ -3,8 +3,8 @@
 namespace hinge::beam {
 namespace {
 
-/// What a pair's energy beyond its elements' depends on: mean extension, and for each plane sum and difference of what
-/// the two elements bend by.
+/// Modes on which the additional energy of a pair depends: mean extension, and for each plane sum and difference of the
+/// bending of its two elements.
 using Modes = Eigen::Matrix<double, 5, 1>;
 
 Eigen::Matrix<double, 5, 12> to_modes() {

@@ -1,8 +1,9 @@
-// The bending of a pair of elements under an axial force: the exact beam-column between the ends of the pair.
+// Second-order bending of a pair of elements under axial force: the exact beam-column between the ends of the pair.
 //
 // A pair of elements of formulation asi-gauss has the bending stiffness of the exact beam between its ends, and the
-// chords of its two elements carry the axial force N. The chords alone are too little: the middle node of the pair goes
-// 0.4226 theta l where a half sine has 0.6366 theta l, and a pinned column of two elements buckles at 22.4 EI/L^2.
+// chords of its two elements carry the axial force N. The chords alone give too small a second-order effect: the middle
+// node of the pair deflects by 0.4226 theta l where a half sine deflects by 0.6366 theta l, and a pinned column of two
+// elements buckles at 22.4 EI/L^2.
 //
 // With p = -N l^2 / EI (l: one element; p > 0 is compression) the exact beam-column between the ends of the pair has
 // two numbers, for symmetric and antisymmetric rotations of its ends (the stability functions, Livesley and Chandler
@@ -11,7 +12,7 @@
 //   symmetric      C                 C = u cot u, u^2 = p;   in tension C = v coth v, v^2 = -p
 //   antisymmetric  p / (1 - C)
 //
-// Here the bending energy of the pair has two numbers too. kappa = t2 - t1 is what an element bends by:
+// The bending energy of the pair has two such numbers, S and A. kappa = t2 - t1 is the bending of an element:
 //
 //   W = EI/l (S (kappa_1 + kappa_2)^2 + A (kappa_1 - kappa_2)^2) / 4,    S = A = 1 at N = 0
 //
@@ -39,18 +40,18 @@
 
 namespace hinge::beam {
 
-/// S and A of a pair, with first and second derivatives with respect to p.
+/// Stability functions S and A of a pair, with first and second derivatives with respect to p.
 template <class Real>
 struct StabilityFunctions {
     Real S, S1, S2, A, A1, A2;
 };
 
-/// Where S and A become straight lines. At `pair_least` the slope of S is zero.
+/// Range of p outside of which S and A are straight lines. At `pair_least` the slope of S is zero.
 inline constexpr double pair_least = -7.204172103970679, pair_most = 6;
-/// a^2: see above.
+/// a^2, where a l is the distance of the integration points from the outer ends of the pair.
 inline constexpr double pair_sag = 0.25 * (1 - gauss_point) * (1 - gauss_point);
 
-/// `p`: -N l^2 / EI of one element.
+/// Stability functions of a pair at p = -N l^2 / EI of one element.
 template <class Real>
 [[gnu::always_inline]] inline StabilityFunctions<Real> stability_functions(const Real& p) {
     const auto c = [&](double v) { return spread(v, p); };
@@ -75,13 +76,14 @@ template <class Real>
     return out;
 }
 
-/// What the elements of a pair are, and both are alike. Index 0: bending about x; 1: about y. All zero but `axial`:
-/// elements without a partner.
+/// Stiffness and length of the two equal elements of a pair. Index 0: bending about x; 1: about y. All zero but
+/// `axial`: an element without a partner.
 template <class Real>
 struct PairKind {
     Real axial, length;  ///< EA/l, N/m; l, m
     Real b[2], c[2];     ///< EI/l, N m; l^2/EI, 1/N
 };
+/// The pair kind of elements of length L with these rigidities.
 PairKind<double> pair_kind(const Rigidity& c, double L);
 
 /// S and A of both planes at axial force N. Of eight, lanes 2 i and 2 i + 1 are the elements of one pair and have the
@@ -97,16 +99,17 @@ PairKind<double> pair_kind(const Rigidity& c, double L);
     of[1] = {odds(m.S), odds(m.S1), odds(m.S2), odds(m.A), odds(m.A1), odds(m.A2)};
 }
 
-/// What the pair's forces have beyond those of the elements by themselves.
+/// Forces of a pair in addition to those of its separate elements.
 template <class Real>
 struct PairForces {
     Real N;             ///< on the extension of each element, N
     Real N_whole;       ///< of the pair, N
     Real moment[2];     ///< on the bending of the first element, N m
-    Real symmetric[2];  ///< of that, what the second one has as well; the rest it has with the other sign
+    Real symmetric[2];  ///< part of it that acts on both elements; the rest acts on the second with the other sign
 };
 
-/// What decides N of a pair: mean elastic extension, m, and the bending of its elements, kappa.
+/// Deformations on which the axial force N of a pair depends: mean elastic extension, and bending kappa of its
+/// elements.
 template <class Real>
 struct PairShape {
     Real straight, bowing;       ///< EA/l e, N; -EA/8
@@ -114,7 +117,8 @@ struct PairShape {
     Real square[2], difference_square[2];
 };
 
-/// One step of Newton's method for N = EA/l (e + bow(N)), and the forces where it leads.
+/// One step of Newton's method for N = EA/l (e + bow(N)), and the forces at the new N. Returns the change, old N less
+/// new N.
 template <class Real>
 [[gnu::always_inline]] inline Real step_to_N(const PairKind<Real>& k, const PairShape<Real>& y, const Real& N,
                                              PairForces<Real>& out) {
@@ -138,7 +142,7 @@ template <class Real>
     return change;
 }
 
-/// Whether N may still be off by more than rounding.
+/// True while the error of N may exceed rounding.
 template <class Real>
 [[gnu::always_inline]] inline auto still_open(const PairKind<Real>& k, const Real& N, const Real& change) {
     const auto c = [&](double v) { return spread(v, N); };
@@ -146,9 +150,10 @@ template <class Real>
     return size > c(1e-6) * whole + c(1e-18) * k.axial;
 }
 
-/// Goes on from `out`, the first step of Newton's method from N. N - EA/l (e + bow(N)) grows with N, and the slopes of
-/// S and A have their bounds where they become straight lines: so there is one N, and it is known what it lies between.
-/// That is halved where a step would leave it, or is not half of the step before. Lanes that have theirs keep it.
+/// Iterates N to convergence by Newton's method with bisection; `out`: the result of the first step from N. N - EA/l (e
+/// + bow(N)) grows with N, and the slopes of S and A are bounded where they become straight lines, so there is one N
+/// between known bounds. The interval is halved where a step would leave it, or is not half of the step before.
+/// Converged lanes keep their N.
 template <class Real>
 [[gnu::noinline]] void find_N(const PairKind<Real>& k, const PairShape<Real>& y, Real N, Real change,
                               PairForces<Real>& out) {
@@ -184,7 +189,8 @@ template <class Real>
     }
 }
 
-/// `e`: mean elastic extension, m; `sum`, `difference`: of kappa of the two elements, first less second, rad.
+/// Forces of a pair in addition to those of its elements. `e`: mean elastic extension, m; `sum`, `difference`: of kappa
+/// of the two elements, first less second, rad.
 template <class Real>
 [[gnu::always_inline]] inline PairForces<Real> pair_forces(const PairKind<Real>& k, const Real& e, const Real (&sum)[2],
                                                            const Real (&difference)[2]) {
@@ -208,18 +214,21 @@ template <class Real>
     return out;
 }
 
-/// Sum and difference of what the two elements bend by (kappa), first less second, about x and about y, rad.
+/// Sum and difference of the bending kappa of the two elements, first less second, about x and about y, rad.
 struct PairShapeNumbers {
     double sum[2], difference[2];
 };
+/// The bending of a pair from the deformations of its elements.
 PairShapeNumbers shape_of(const Vec6& d1, const Vec6& d2);
 
 using PairMatrix = Eigen::Matrix<double, 12, 12>;
-/// U less the energies of the two elements by themselves, J; its derivatives with respect to their elastic deformations
-/// d1 and d2, six numbers each as everywhere: N and N m; and 12 x 12, symmetric.
+/// Energy U of a pair less the energies of its separate elements, J. d1 and d2: elastic deformations of the two
+/// elements. Forces and stiffness below are its derivatives with respect to d1 and d2.
 double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
-/// Forces: `N`, where asked for, is the axial force of the pair, N.
+/// Forces of a pair in addition to those of its elements, N and N m. `N`, if not null, receives the axial force of the
+/// pair, N.
 Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, double* N = nullptr);
+/// Stiffness of a pair in addition to that of its elements, 12 x 12, symmetric.
 PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
 
 }  // namespace hinge::beam

@@ -1,21 +1,22 @@
-// Large displacement: the element's own deformation, and its nodal forces, in a frame that moves with it.
+// Corotational formulation for large displacement: deformation and nodal forces of an element in a frame that moves
+// with it.
 //
 // The frame: e3 along the chord, e1 and e2 from the mean of the two nodes' y axes. The end rotations are the rotation
 // vectors of the nodes relative to that frame, so a rigid motion of any size leaves no deformation. Nodal rotations are
 // quaternions. The forces are the exact gradient of the deformation's work (see tangent.h for their derivative).
 //
-// The twist is the difference of the two rotation vectors along the chord. Against the chord they hold the shear angle
-// too. Where an element is bent in one plane and sheared in the other this takes the strain energy off by the shear
-// angle times (G J - E I) times the curvature, which does not vanish as elements get shorter: a right-angle cantilever
-// that is bent far out of its plane comes to within 1e-6 to 6e-6 of its answer and no nearer, and nearer where
-// G J = E I.
+// The twist is the difference of the two rotation vectors along the chord. The rotation vectors contain the shear angle
+// too. In an element that is bent in one plane and sheared in the other, this changes the strain energy by the shear
+// angle times (G J - E I) times the curvature, which does not vanish with shorter elements: a right-angle cantilever
+// that is bent far out of its plane converges to within 1e-6 to 6e-6 of its exact answer, and closer if G J = E I.
 #pragma once
 
 #include "core/lanes.h"
 
 namespace hinge::beam {
 
-/// Kernels are templates over Real: `double` for one element, `Lanes` for a block of eight (core/lanes.h).
+/// A vector of three numbers. Kernels are templates over Real: `double` for one element, `Lanes` for a block of eight
+/// (core/lanes.h).
 template <class Real>
 struct Triple {
     Real x, y, z;
@@ -122,7 +123,7 @@ inline Real inverse_tangent_coefficient(const Real& q) {
         });
 }
 
-/// Where an element is: its chord, and its frame's relation to its two nodes.
+/// Position of an element: its frame, its chord, and the rotations of its two nodes in that frame.
 template <class Real>
 struct ElementFrame {
     Triad<Real> frame;        ///< e1 e2 e3 in space
@@ -132,8 +133,8 @@ struct ElementFrame {
     Real y_mean_y, y_mean_z;  ///< the mean y axis in the frame: (0, y_mean_y, y_mean_z)
 };
 
-/// chord: vector from node 1 to node 2 as it is now (m); node: the nodes' rotations; axes: the element's axes at the
-/// start.
+/// Computes the frame of an element. chord: present vector from node 1 to node 2 (m); node1, node2: the nodes'
+/// rotations; axes: the element's axes at the start.
 template <class Real>
 [[gnu::always_inline]] inline ElementFrame<Real> place(const Triple<Real>& chord, const Quadruple<Real>& node1,
                                                        const Quadruple<Real>& node2, const Quadruple<Real>& axes) {
@@ -155,7 +156,8 @@ template <class Real>
     return p;
 }
 
-/// d = [tx1 tx2 ty1 ty2 e phi] (see timoshenko.h), in the place of the strains of eqs 7b, 10b and 12b.
+/// Basic deformations d = [tx1 tx2 ty1 ty2 e phi] of an element (timoshenko.h), which replace the strains of eqs 7b,
+/// 10b and 12b.
 template <class Real>
 inline void deformation(const ElementFrame<Real>& p, const Real& L, Real d[6]) {
     d[0] = p.theta[0].x;
@@ -166,15 +168,16 @@ inline void deformation(const ElementFrame<Real>& p, const Real& L, Real d[6]) {
     d[5] = p.theta[1].z - p.theta[0].z;
 }
 
+/// Forces and moments on the two nodes of an element.
 template <class Real>
 struct NodalForces {
     Triple<Real> force[2], moment[2];
 };
 
-/// The nodal forces and moments, in space, that do the work of p: f = (dd/du)^T p.
+/// Nodal forces and moments in space from the basic forces p: f = (dd/du)^T p.
 ///
 /// With m_i the moments on theta_i, mu_i = m_i + theta_i x m_i / 2 + eta theta_i x (theta_i x m_i) acts on the spin of
-/// the node relative to the frame, and the frame's own spin takes -(mu_1 + mu_2): about e1, e2 through the chord's
+/// the node relative to the frame, and -(mu_1 + mu_2) acts on the frame's own spin: about e1, e2 through the chord's
 /// ends, about e3 through the nodes' y axes.
 template <class Real>
 [[gnu::always_inline]] inline NodalForces<Real> nodal_forces(const ElementFrame<Real>& p, const Real f[6]) {

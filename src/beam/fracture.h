@@ -1,4 +1,4 @@
-// When an element breaks: eq 16.
+// Fracture criterion of an element: strains against limits (eq 16).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace hinge::beam {
 
-/// Strains that a limit of fracture is compared with.
+/// Strains that are compared with fracture limits.
 struct FractureStrains {
     double curvature_x, curvature_y;  ///< 1/m
     double axial;                     ///< -
@@ -19,7 +19,7 @@ struct FractureStrains {
     double shear_x = 0, shear_y = 0;  ///< -, of directions x and y
 };
 
-/// Of the whole element, as eq 16 has them: the same at every section. d: deformation of the element (timoshenko.h),
+/// Strains of the whole element as in eq 16, the same at every section. d: deformation of the element (timoshenko.h),
 /// elastic and plastic; L: its length, m. Without shear.
 inline FractureStrains fracture_strains(const Vec6& d, double L) {
     return {(d[1] - d[0]) / L, (d[3] - d[2]) / L, d[4] / L, d[5] / L};
@@ -31,8 +31,8 @@ inline double hinge_rotation(const Vec6& plastic, int end, int plane) {
     return end == 1 ? -plastic[2 * plane] : plastic[2 * plane + 1];
 }
 
-/// Of the section at end 1 or 2: as the element's, but a curvature is the elastic one and what the section's own hinge
-/// has rotated, over the element's length. The hinge at the other end does not count.
+/// Strains of the section at end 1 or 2. Its curvatures are the elastic ones plus the rotation of its own hinge over
+/// the element's length, without the hinge at the other end. The other strains are the element's.
 inline FractureStrains section_strains(const Vec6& elastic, const Vec6& plastic, double L, int end) {
     FractureStrains e = fracture_strains(elastic + plastic, L);
     e.curvature_x = (elastic[1] - elastic[0] + hinge_rotation(plastic, end, 0)) / L;
@@ -40,14 +40,14 @@ inline FractureStrains section_strains(const Vec6& elastic, const Vec6& plastic,
     return e;
 }
 
-/// Shear strains from the forces p of an element (timoshenko.h): Q / (G A), with Q_y = dM_x/dz and Q_x = dM_y/dz as
-/// means over the element. They are elastic, since shear is not part of the yield surface (eq 14).
+/// Adds the shear strains from the forces p of an element (timoshenko.h): Q / (G A), with Q_y = dM_x/dz and Q_x =
+/// dM_y/dz as means over the element. They are elastic, since shear is not part of the yield surface (eq 14).
 inline void add_shear(FractureStrains& e, const Vec6& p, double GAx, double GAy, double L) {
     e.shear_y = (p[0] + p[1]) / (L * GAy);
     e.shear_x = (p[2] + p[3]) / (L * GAx);
 }
 
-/// Limits of strain. One that is left at infinity is not tested.
+/// Fracture limits of strains. An infinite limit is not tested.
 struct FractureLimits {
     double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
     double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
@@ -61,19 +61,19 @@ struct FractureLimits {
     }
 };
 
-/// Eq 16: true when one of kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1; or, which is not in the
-/// paper, a shear strain its limit.
+/// Eq 16: true if one of the ratios kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1, or (not in the
+/// paper) a shear strain has reached its limit.
 inline bool reached(const FractureStrains& e, const FractureLimits& limit) {
     return std::abs(e.curvature_x) >= limit.curvature_x || std::abs(e.curvature_y) >= limit.curvature_y ||
            (limit.tension_only ? e.axial : std::abs(e.axial)) >= limit.axial_strain ||
            std::max(std::abs(e.shear_x), std::abs(e.shear_y)) >= limit.shear_strain;
 }
 
-/// Which limit a strain has reached; rule: a rule of the script's own said so.
+/// The limit that was reached; rule: the script's own rule decided.
 enum class Limit : std::uint8_t { rule, curvature_x, curvature_y, axial_strain, shear_strain };
 inline constexpr const char* limit_names[] = {"rule", "curvature_x", "curvature_y", "axial_strain", "shear_strain"};
 
-/// The strain that is beyond its limit by most.
+/// The strain with the largest ratio to its limit.
 struct LimitReached {
     Limit which = Limit::rule;
     double strain = 0, limit = 0;  ///< 1/m of a curvature, else -

@@ -1,5 +1,5 @@
-// The element's mass: linear as in the paper, cubic in pairs, or lumped; and what becomes of it when the element
-// breaks.
+// Mass matrices of an element: linear as in the paper, cubic in pairs, or lumped; and the mass of its rigid remains
+// after it breaks.
 #pragma once
 
 #include <cmath>
@@ -11,17 +11,18 @@ namespace hinge::beam {
 /// Rotary inertia per length of the section in local axes, kg m: about x, about y, about z (polar).
 inline Vec3 rotary_inertia(const Rigidity& c) { return {c.rhoIx, c.rhoIy, c.rhoIx + c.rhoIy}; }
 
-/// kg, of an element of length L.
+/// Mass of an element of length L, kg.
 inline double element_mass(const Rigidity& c, double L) { return c.rhoA * L; }
 
-/// The mass of an element at its two nodes. Translation resists alike in all directions; rotary inertia is about the
-/// local axes.
+/// Mass of an element at its two nodes and between them. Translational mass is the same in all directions; rotary
+/// inertia is about the local axes.
 struct Inertia {
     double own[2], across;          ///< of each node, and between the two, kg
     Vec3 rotary[2], rotary_across;  ///< likewise, kg m^2
 
-    double weight(int end) const { return own[end] + across; }  ///< what an even acceleration asks of the node, kg
+    double weight(int end) const { return own[end] + across; }  ///< mass of a node in a translation, kg
 
+    /// The same with the rotary inertia between the nodes moved to the nodes.
     Inertia with_rotary_at_nodes() const {
         return {{own[0], own[1]}, across, {rotary[0] + rotary_across, rotary[1] + rotary_across}, Vec3::Zero()};
     }
@@ -41,21 +42,21 @@ struct Inertia {
     }
 };
 
-/// Consistent mass of linear shape functions; not changed by the position of the integration point (paper, after eq
-/// 15).
+/// Consistent mass of linear shape functions. It does not depend on the position of the integration point (paper, after
+/// eq 15).
 inline Inertia linear_inertia(const Rigidity& c, double L) {
     const double m = L / 6 * c.rhoA;
     const Vec3 J = L / 6 * rotary_inertia(c);
     return {{2 * m, 2 * m}, m, {2 * J, 2 * J}, J};
 }
 
-/// What the linear mass misses of a pair of asi-gauss elements; `middle`: the element's end (0, 1) at the pair's
-/// middle. The pair's stiffness is that of a cubic, but its middle node sags only 2 - 2/sqrt 3 = 0.85 of what the cubic
-/// does. Here
+/// Mass of an element in a pair of asi-gauss elements that deflects as a cubic; `middle`: the element's end (0, 1) at
+/// the pair's middle. The pair's stiffness is that of a cubic, but its middle node deflects by only 2 - 2/sqrt 3 = 0.85
+/// of the cubic. Therefore
 ///   - a pair that bows has the momentum of the parabola: 2/3 of its mass at the true sag;
-///   - a part of its moment of inertia is the middle node's own, which rotates ahead of the chord where the pair bends
-///   like an S: so the
-///     masses off the chord count there too. A pair that does not bend has its mass and moment of inertia as before.
+///   - a part of its moment of inertia belongs to the middle node, which rotates ahead of the chord
+///     where the pair bends like an S: so the masses off the chord count there too.
+/// Without bending, mass and moment of inertia are unchanged.
 /// In parts of rho A l: 1/4 on the outer node, 1/4 + 1/sqrt 3 on the middle one, 1/4 - 1/(2 sqrt 3) between; and rho A
 /// l^3/12 on the middle node about the two axes across. Translation alone couples the nodes, so it holds in any
 /// position. Not in the paper.
@@ -69,28 +70,29 @@ inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
     return i;
 }
 
-/// Lumped: half on each node, the rotary part about every axis the section's polar inertia.
+/// Lumped mass: half at each node, with the polar rotary inertia of the section about every axis.
 inline Inertia lumped_inertia(const Rigidity& c, double L) {
     const double m = 0.5 * element_mass(c, L);
     const Vec3 J = Vec3::Constant(0.5 * (c.rhoIx + c.rhoIy) * L);
     return {{m, m}, 0, {J, J}, Vec3::Zero()};
 }
 
-/// A straight rigid bar attached to a node: `span` points from the node to its free end, in the frame wanted; `axes`
-/// likewise.
+/// Mass of a rigid bar that is attached to a node by one end.
 struct RigidOffset {
     double mass;
     Vec3 moment;   ///< kg m
     Mat3 inertia;  ///< about the node, kg m^2
 };
+/// A straight rigid bar: `span` points from the node to its free end; both `span` and `axes` in the frame of the
+/// result.
 inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3& axes) {
     const double L = span.norm(), m = element_mass(c, L);
     const Mat3 J = L * (axes * rotary_inertia(c).asDiagonal() * axes.transpose());
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// The same of an element with lumped mass: half of it at each end. An offset mass with less rotary inertia
-/// than the element's masses have would gain energy as it takes over their angular momentum.
+/// A straight rigid bar with the lumped mass of an element, half of it at each end. With less rotary inertia than the
+/// element's masses it would gain energy when it takes over their angular momentum.
 inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
     const double L = span.norm(), m = element_mass(c, L);
     return {m, 0.5 * m * span,
@@ -98,7 +100,7 @@ inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
                 0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// Mass of a rigid body attached to a node, 6 x 6 in space, for first moment and inertia in space.
+/// Mass matrix of a rigid body attached to a node, 6 x 6 in space, from its first moment and inertia in space.
 inline Mat6 offset_mass_matrix(double mass, const Vec3& moment, const Mat3& inertia) {
     Mat6 M;
     M << mass * Mat3::Identity(), -skew(moment), skew(moment), inertia;

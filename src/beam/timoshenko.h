@@ -16,7 +16,7 @@ namespace hinge::beam {
 /// of the member (eqs 11a and 11b): |s_g| = 2/sqrt(3) - 1.
 inline constexpr double gauss_point = 0.15470053837925152902;
 
-/// What a member is made of, as the element sees it. N m^2 for EI and GJ, N for EA and GA, kg/m for rhoA, kg m for
+/// Rigidities and mass per length of a cross-section: N m^2 for EI and GJ, N for EA and GA, kg/m for rhoA, kg m for
 /// rhoI.
 struct Rigidity {
     double EIx = 0, EIy = 0, EA = 0, GJ = 0, GAx = 0, GAy = 0;
@@ -51,7 +51,7 @@ struct Stiffness {
     /// Determinants of the two bending blocks, (N m)^2.
     double determinant_x() const { return x11 * x22 - x12 * x12; }
     double determinant_y() const { return y11 * y22 - y12 * y12; }
-    /// d for given p: the elastic deformation.
+    /// Elastic deformation d under the forces p.
     Vec6 solve(const Vec6& p) const {
         const double x = determinant_x(), y = determinant_y();
         Vec6 d;
@@ -59,7 +59,7 @@ struct Stiffness {
             (y11 * p[3] - y12 * p[2]) / y, p[4] / axial, p[5] / twist;
         return d;
     }
-    /// The matrix of that: the inverse of matrix(). Its products round otherwise than solve.
+    /// Flexibility matrix, the inverse of matrix(). Its products differ from solve by rounding.
     Mat6 flexibility() const {
         const double x = determinant_x(), y = determinant_y();
         Mat6 F = Mat6::Zero();
@@ -71,8 +71,9 @@ struct Stiffness {
     }
 };
 
-/// Eqs 5, 7a and 12a: K = L B(s)^T D B(s) in the frame of the chord, B of eq 2. The curvature (t2 - t1)/L is constant
-/// in the element; the shear strain is the rotation interpolated at s, so only the shear rows of B depend on s.
+/// Stiffness k(s) of an element (eqs 5, 7a and 12a): K = L B(s)^T D B(s) in the frame of the chord, B of eq 2. The
+/// curvature (t2 - t1)/L is constant in the element; the shear strain is the rotation interpolated at s, so only the
+/// shear rows of B depend on s.
 inline Stiffness stiffness(const Rigidity& c, double L, double s) {
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
     const double bx = c.EIx / L, by = c.EIy / L, qy = c.GAy * L, qx = c.GAx * L;
@@ -80,7 +81,8 @@ inline Stiffness stiffness(const Rigidity& c, double L, double s) {
             -by + qx * n1 * n2, by + qx * n2 * n2,  c.EA / L,          c.GJ / L};
 }
 
-/// d (6) from nodal displacements (12) in local axes, to first order: rotations relative to the chord.
+/// Matrix of the basic deformations d (6) from nodal displacements (12) in local axes, to first order: rotations
+/// relative to the chord.
 inline Eigen::Matrix<double, 6, 12> linear_deformation(double L) {
     Eigen::Matrix<double, 6, 12> T = Eigen::Matrix<double, 6, 12>::Zero();
     for (int row : {0, 1}) {

@@ -1,28 +1,31 @@
-// The rotary inertia of elements whose ends turn, eight at a time: that of each node by itself, and that of an element
-// whose axes are those of its frame.
+// Inertia forces of rotating elements, eight at a time: rotary inertia about the axes of each node, or about the axes
+// of the element's frame.
 #pragma once
 
 #include "beam/corotation.h"
 
 namespace hinge::beam {
 
-/// Rotary inertia of a spin w and its rate a in the frame: J a + w x J w, per share of mass.
+/// Inertia moment J a + w x J w of a spin w with rate a, in the frame's axes, per share of mass.
 inline Triple<Lanes> rotary_force(const Lanes* J, const Triple<Lanes>& w, const Triple<Lanes>& a) {
     const Triple<Lanes> h = {J[0] * w.x, J[1] * w.y, J[2] * w.z};
     return Triple<Lanes>{J[0] * a.x, J[1] * a.y, J[2] * a.z} + cross(w, h);
 }
 
-/// In the element's frame: spins of the two ends, their rates, and the velocity of end 2 against end 1.
+/// Spins of the two ends of an element, their rates, and the velocity of end 2 relative to end 1, in the element's
+/// frame.
 struct Spins {
     Triple<Lanes> w[2], rate[2], relative;
 };
 
-/// Rotary inertia whose axes are those of the element's frame, not of its nodes: J per share of mass, two shares of
-/// each end's own and one between them; `more`: what the cubic mass has at either end across. In the frame's axes.
+/// Inertia forces of rotary inertia about the axes of the element's frame, not of its nodes, in the frame's axes. J:
+/// inertia per share of mass, two shares at each end and one between them; `more`: additional transverse inertia of the
+/// cubic mass at each end.
 ///
-/// With T = L_1 w_1 / 2 + L_2 w_2 / 2 and the frame's spin W Lagrange's equations make of it dL/dt + L x w on the nodes
-/// and the sum of w x L on the frame, which passes it on as it does in nodal_forces. So the kinetic energy changes by
-/// the work of these forces alone. With w x J w on each node it would not, where ends turn fast against their frame.
+/// With the kinetic energy T = L_1 w_1 / 2 + L_2 w_2 / 2 and the frame's spin W, Lagrange's equations give dL/dt + L x
+/// w on the nodes and the sum of w x L on the frame, which is distributed to the nodes as in nodal_forces. So the
+/// kinetic energy changes by the work of these forces alone. With w x J w on each node it would not, if ends rotate
+/// fast relative to their frame.
 inline NodalForces<Lanes> turning_inertia(const ElementFrame<Lanes>& p, unsigned wound, const Lanes (&J)[3],
                                           const Lanes* more, const Spins& of) {
     const Lanes none = {}, half = spread(0.5, p.length), two = spread(2.0, p.length);

@@ -1,36 +1,37 @@
-// Plastic hinges: the yield function of eq 14 at a section, and the return of an element's forces to its surface.
+// Plastic hinges: the yield function of a section (eq 14), and the return of an element's forces to its yield surface.
 #pragma once
 
 #include "beam/timoshenko.h"
 
 namespace hinge::beam {
 
-/// 1/Mx0^2, 1/My0^2, 1/N0^2, 1/Mz0^2 (fully plastic resultants, N m and N); all zero: the section never yields.
+/// Yield surface of a section: 1/Mx0^2, 1/My0^2, 1/N0^2, 1/Mz0^2 of its fully plastic resultants (N m and N). All zero:
+/// the section never yields.
 struct YieldSurface {
     double x = 0, y = 0, n = 0, z = 0;
     bool elastic() const { return x == 0 && y == 0 && n == 0 && z == 0; }
 };
 
-/// f_y of eq 14 at section r (-1: node 1, 0: middle, +1: node 2) for the element forces p.
+/// Yield function f_y of eq 14 at section r (-1: node 1, 0: middle, +1: node 2) for the element forces p.
 template <class P>
 inline auto yield_function(const P& p, double r, const YieldSurface& w) {
     const auto mx = -p[0] * ((1 - r) / 2) + p[1] * ((1 + r) / 2), my = -p[2] * ((1 - r) / 2) + p[3] * ((1 + r) / 2);
     return w.x * mx * mx + w.y * my * my + w.n * p[4] * p[4] + w.z * p[5] * p[5];
 }
 
-/// The fixed-end part of the resultants at an element's two ends, N and N m: what loads between its nodes add there to
-/// its own p. Yield goes by the sum.
+/// Fixed-end forces at an element's two ends from loads between its nodes, N and N m. The yield function is evaluated
+/// for their sum with p.
 struct FixedEnd {
-    double moment[4] = {0, 0, 0, 0};  ///< in the places of p: -Mx at node 1, Mx at node 2, -My at node 1, My at node 2
+    double moment[4] = {0, 0, 0, 0};  ///< in the order of p: -Mx at node 1, Mx at node 2, -My at node 1, My at node 2
     double N[2] = {0, 0}, Mz[2] = {0, 0};  ///< at node 1 and at node 2
 
-    /// In the places of p, for section r.
+    /// Fixed-end forces of section r, in the order of p.
     Vec6 at(double r) const {
         const double n1 = (1 - r) / 2, n2 = (1 + r) / 2;
         return (Vec6() << moment[0], moment[1], moment[2], moment[3], n1 * N[0] + n2 * N[1], n1 * Mz[0] + n2 * Mz[1])
             .finished();
     }
-    /// Of end 0 or 1; signs of the section's resultants.
+    /// Adds resultants at end 0 or 1, with the signs of the section's resultants.
     void add(int end, double Mx, double My, double N_there, double Mz_there) {
         const double side = end == 0 ? -1 : 1;
         moment[end] += side * Mx, moment[2 + end] += side * My;
@@ -49,19 +50,20 @@ struct FixedEnd {
 };
 inline const FixedEnd no_fixed_end;
 
-/// A with f_y = p^T A p, 6 x 6.
+/// Matrix A of the yield function f_y = p^T A p, 6 x 6.
 Mat6 yield_matrix(double r, const YieldSurface& w);
 
 /// The gradient of f_y with respect to p.
 Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
 
+/// Result of the return mapping of an element.
 struct ReturnMapResult {
     Vec6 p;                       ///< forces on the surface
     Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
     double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
-    double dissipation = 0;       ///< (p and its fixed-end part) . plastic, J, >= 0
+    double dissipation = 0;       ///< (p plus fixed-end forces) . plastic, J, >= 0
     bool converged = true;        ///< false: no forces keep all sections within the surface, or none was found
-    /// Elastic deformation that the flow has left, m and rad; of pairs whose bending follows N (beam_column.h), else 0.
+    /// Elastic deformation after the flow, m and rad; only of pairs whose bending depends on N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
     bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
 
@@ -71,20 +73,20 @@ struct ReturnMapResult {
     }
 };
 
-/// Associated flow, elastic-perfectly plastic, implicit: the point of the surface(s) nearest to `trial` in the energy
-/// norm.
+/// Return mapping of an element (associated flow, elastic-perfectly plastic, implicit): the point of the yield surfaces
+/// nearest to `trial` in the energy norm.
 ///   trial     forces if the step were elastic
 ///   k         the element's elastic stiffness
 ///   sections  positions r that can yield (two ends; the middle alone for the conventional element), n of them
-/// The flow is that of p and its fixed-end part; ReturnMapResult::p is without.
+/// The flow is evaluated for p plus the fixed-end forces; ReturnMapResult::p excludes them.
 ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const double* sections,
                                   int n, const FixedEnd& fixed_end = no_fixed_end);
 
-/// The work of `part`, which is all or some of the fixed-end part, on what flows at the n sections, J.
+/// Work of fixed-end forces on the plastic flow at the n sections, J; `part`: `fixed_end` or a part of it.
 double work_of(const FixedEnd& part, const ReturnMapResult& flow, const YieldSurface& w, const double* sections, int n,
                const FixedEnd& fixed_end);
 
-/// dp/dd consistent with return_to_surface: D_p of eq 10 when lambda is infinitesimal. `active`: sections that flow.
+/// Consistent tangent dp/dd of return_to_surface; D_p of eq 10 for infinitesimal lambda. `active`: sections that flow.
 Mat6 plastic_tangent(const Vec6& p, const Stiffness& k, const YieldSurface& w, const double* sections,
                      const double* lambda, const bool* active, int n, const FixedEnd& fixed_end = no_fixed_end);
 

@@ -1,9 +1,9 @@
-// Contact at work: bars that move, which pairs of them meet, and what then acts between two.
+// Contact between moving bars: detection of pairs, contact forces, and release.
 //
 // Rule `surface`: bars that are closer than the sum of their half depths press on each other (surface_contact.h). Rule
 // `gap` (eqs 17-19, figs 6-7): elements whose axes come to lie in one plane, close enough together and approaching, are
-// bound by four gap elements, node to node, for a binding time (gap_rule.h says when, tie.h how). broad_phase.h: which
-// pairs are worth a look.
+// bound by four gap elements, node to node, for a binding time (gap_rule.h says when, tie.h how). broad_phase.h finds
+// the candidate pairs.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,11 @@ namespace hinge::contact {
 struct BarPair;
 struct Meeting;
 
-/// An element (or what is left of a broken one) as contact sees it. At most one bar per element.
+/// Contact geometry of an element, or of the remains of a broken one. At most one bar per element.
 struct Bar {
     int element = -1;
-    int body = 0;             ///< which body it belongs to
-    int node[2] = {-1, -1};   ///< which its two ends follow
+    int body = 0;             ///< the body that it belongs to
+    int node[2] = {-1, -1};   ///< the nodes of its two ends
     Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: the free end of a broken element
     double radius = 0;        ///< m, half the depth of the member
     double stiffness = 0;     ///< EA of the member, N
@@ -33,19 +33,21 @@ struct Bar {
     End end(int i) const { return {node[i], i == 1 ? arm : Vec3::Zero()}; }
 };
 
-/// Nodes now, and their motion foreseen over the coming step.
+/// Present position of the nodes, and their predicted motion over the coming step.
 struct Motion {
     const std::vector<Vec3>& position;  ///< m
     const std::vector<Quat>& rotation;  ///< of each node since it was declared, of unit length
-    const std::vector<Vec6>& velocity;  ///< m/s and rad/s, in space: the mean velocity foreseen over the step
+    const std::vector<Vec6>& velocity;  ///< m/s and rad/s, in space: the predicted mean over the step
 };
 
+/// Kinds of contact rule: gap elements of the paper, or surfaces that press on each other.
 enum class ContactRuleKind : int { gap, surface };
 
+/// Parameters of a contact rule.
 struct ContactSettings {
     ContactRuleKind rule = ContactRuleKind::gap;
 
-    bool sleep = true;  ///< pairs are looked at when they could have met; false: all of them, at every step
+    bool sleep = true;  ///< pairs are tested only when they could have met; false: all pairs at every step
 
     // surface
     double stiffness = 0;  ///< N/m; 0: of the two members, see surface_stiffness
@@ -81,9 +83,10 @@ struct ContactSettings {
     }
 };
 
-/// Which of a Contact's rules two elements meet by; -1: by none.
+/// Index of the contact rule for two elements; -1: no contact.
 using PairRule = std::function<int(int element_a, int element_b)>;
 
+/// Numbers of contacts and tests, and the energy released, since the start.
 struct ContactCounts {
     long bound = 0, released = 0, dropped = 0;  ///< ties made, or contacts begun; released; lost with a broken element
     long pair_tests = 0, list_builds = 0;
@@ -95,13 +98,13 @@ struct ContactCounts {
     }
 };
 
-/// Of the pairs of different bodies looked at in a step, the one that came nearest.
+/// The nearest pair of elements of different bodies that was tested in a step.
 struct Nearest {
     int element[2] = {-1, -1};
     double distance = 0;
-};  ///< m, of their surfaces
+};  ///< m, between their surfaces
 
-/// Something happened between two elements.
+/// Beginning or end of the contact of two elements.
 struct ContactEvent {
     double time;  ///< s; when bound, the moment of contact within the step
     int element[2];
@@ -113,69 +116,70 @@ struct ContactEvent {
     }
 };
 
-/// What a tie that was released still held.
+/// Energy and forces of a tie at its release.
 struct Released {
     double energy = 0;          ///< J
     bool springs_back = false;  ///< hold_until_parting
     End end[4];
-    Vec3 force[4];    ///< N, that it resisted with at each end
-    Vec3 opening[4];  ///< how its two bars' distance grows with a motion of each end
+    Vec3 force[4];    ///< N, its resisting force at each end
+    Vec3 opening[4];  ///< derivative of the bars' distance by the position of each end
 };
 
-/// Finds pairs, binds them or lets them press, carries the forces, releases. Copying it copies all its state.
+/// Contact of a run: finds pairs, binds them or lets them press, computes the forces, releases them. A copy has all its
+/// state.
 ///
-/// A step calls: detect; add_internal_forces and add_stiffness as often as it likes; add_internal_forces where the step
-/// has ended, release and settle; drop for what broke. A step that may be undone begins with save_step. A tie starts
-/// without force, but ends with one: an integrator that carries accelerations from step to step must find them anew
-/// after a release or a drop, or it goes on pulling for half a step.
+/// A step calls: detect; add_internal_forces and add_stiffness as often as needed; add_internal_forces at the end of
+/// the step, release and settle; drop for elements that broke. A step that may be undone begins with save_step. A tie
+/// starts without force, but ends with one: an integrator that carries accelerations from step to step must compute
+/// them anew after a release or a drop, or the tie's force acts for half a step more.
 class Contact {
 public:
     explicit Contact(ContactSettings settings) : Contact(std::vector<ContactSettings>{settings}) {}
     explicit Contact(std::vector<ContactSettings> rules) : rules_(std::move(rules)) {}
 
-    /// The number of a rule with these settings, added if there is none.
+    /// Returns the index of the rule with these settings; adds it if there is none.
     int rule(const ContactSettings& settings);
 
     /// Finds the pairs that come into contact over the coming step [time, time + dt] and binds them, in order of their
     /// element numbers. `bars` is the current list of bars; `changed` says that it differs from the last call
     /// (something broke). Pairs that share a node never bind; nor do pairs in contact when they are first seen, until
-    /// they have parted. Returns the number of pairs newly bound. `rule_of` is asked once for each pair that comes
-    /// near; without it all meet by the first rule.
+    /// they have parted. Returns the number of pairs newly bound. `rule_of` is called once for each pair that comes
+    /// near; without it the first rule applies to all.
     int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
                const PairRule& rule_of = {});
 
-    /// Forgets the ties of an element (it broke; its nodes are no longer what they were). Returns the energy released,
-    /// J.
+    /// Removes the ties of an element that broke. Returns the energy released, J.
     double drop(int element);
 
-    /// Elements broke: surface contacts go on with what is left of them, which lies where they lay. Nothing is
+    /// Transfers the surface contacts of elements that broke to their remains, which lie in the same place. Nothing is
     /// released.
     void follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3>& position,
                        const std::vector<Quat>& rotation);
 
-    /// Releases what is due at `time`. To be called once per accepted step, after its last add_internal_forces: it
-    /// compares the energies with those of the call before. Returns the energy released, J; `released` gets what each
-    /// tie held.
+    /// Releases the ties that are due at `time`. Call it once per accepted step, after its last add_internal_forces: it
+    /// compares energies with those of the previous call. Returns the energy released, J; `released` receives energy
+    /// and forces of each tie.
     double release(double time, std::vector<Released>* released = nullptr);
 
-    /// Rule surface: the step has ended where the last add_internal_forces looked. Adds the impulses that the step
-    /// missed (surface_contact.h) to `impulse`; `work` is what they do, J, `heat` what friction took in the step, J.
+    /// Result of settle: `work` of the missed impulses, J, and `heat` of friction in the step, J.
     struct Settled {
         bool missed = false;
         double work = 0, heat = 0;
     };
+    /// Rule surface: ends a step at the positions of the last add_internal_forces. Adds the impulses that the step
+    /// missed (surface_contact.h) to `impulse`.
     Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                    std::vector<Vec6>& impulse);
 
-    /// Adds the forces of ties and surface contacts to `force` (what resists: + dU/du), and stores the energies.
+    /// Adds the resisting forces + dU/du of ties and surface contacts to `force`, and stores the energies.
     void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                              std::vector<Vec6>& force);
 
-    /// Whether the tangent of the last add_internal_forces does not hold to where the nodes are now: a contact that
-    /// pressed does not, or the other way round; or friction has become another by more than 1 % of the pressure.
+    /// True if the tangent of the last add_internal_forces is not valid for these positions: a contact has opened or
+    /// closed, or friction has changed by more than 1 % of the pressure.
     bool unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const;
 
-    /// The stiffness of every tie where the nodes are, and of every surface contact as it was at the last
+    /// Adds the stiffness of every tie at these positions, and of every surface contact as at the last
     /// add_internal_forces.
     void add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                        const AddStiffness& add) const;
@@ -191,25 +195,25 @@ public:
     const Nearest& nearest() const { return nearest_; }  ///< in the last detect; {-1, -1}: none was looked at
     int candidates() const { return static_cast<int>(candidates_.size()); }
 
-    /// What happened since the log was last cleared.
+    /// Events since the log was last cleared.
     const std::vector<ContactEvent>& events() const { return events_; }
     void clear_events() { events_.clear(); }
 
-    /// Where a step begins that may be undone. roll_back: all as it was there; release_step: the step stands, nothing
-    /// more is noted.
+    /// Saves the state at the start of a step that may be undone. roll_back restores it; release_step accepts the step
+    /// and ends the recording of changes.
     void save_step();
     void roll_back();
     void release_step() { noting_ = false; }
 
     static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
-    /// All that the bits of later steps depend on (core/archive.h).
+    /// Lists all data on which later steps depend (core/archive.h).
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.rules_, s.counts_, s.ties_, s.surface_contacts_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_,
           s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.look_at_);
     }
-    /// Whether what was read can be the state of a structure with so many nodes, elements and bars: nothing refers
-    /// beyond them.
+    /// True if data read from a checkpoint fit a structure with so many nodes, elements and bars: no index exceeds
+    /// them.
     bool makes_sense(int nodes, int elements, int bars) const;
 
 private:
@@ -264,10 +268,10 @@ private:
     double stored_ = 0;  ///< J, as of the last add_internal_forces
     std::vector<ContactEvent> events_;
 
-    // Distances travelled stand for time: between two looks nothing can come closer than twice what the fastest point
-    // has travelled, however fast it has become meanwhile.
+    // Tests are scheduled by distance travelled, not by time: between two tests nothing comes closer by more than twice
+    // the way of the fastest point, at any speed.
     bool seen_ = false;
-    double now_ = 0;                     ///< s, the time last heard of
+    double now_ = 0;                     ///< s, the time of the last call
     double travelled_ = 0;               ///< m, sum over the steps of the longest way of any end
     double listed_at_ = 0;               ///< travelled_ when the list was made
     double margin_ = 0;                  ///< m, how far any end may travel before the list is made anew
@@ -275,9 +279,9 @@ private:
     std::vector<Vec3> last_;             ///< where they were
     std::vector<ArmEnd> arms_;           ///< virtual ends
     std::vector<Candidate> candidates_;  ///< sorted by element numbers
-    std::vector<double> look_at_;        ///< of each candidate: the value of travelled_ before which it cannot matter
+    std::vector<double> look_at_;        ///< of each candidate: the value of travelled_ before which it cannot touch
 
-    // For a step that is undone: of the pairs, which are many, those that it changed, unless it made their list anew.
+    // Data to undo a step: of the many pairs only those that it changed, unless it listed all pairs anew.
     auto all_but_pairs() {
         return std::tie(rules_, counts_, ties_, surface_contacts_, nearest_, stored_, events_, seen_, now_, travelled_,
                         listed_at_, margin_, nodes_, last_, arms_);

@@ -1,4 +1,4 @@
-// Contact's state, kept: for a step that is undone; and read from a record, whether it can be one.
+// Saves and restores the state of contact for a step that is undone, and checks a state read from a checkpoint.
 #include <algorithm>
 
 #include "contact/contact.h"

@@ -1,4 +1,4 @@
-// Where a bar ends: a point that belongs rigidly to a node.
+// End of a bar: a point rigidly attached to a node.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace hinge::contact {
 
-/// `arm` is zero for a real node; a broken element ends in a virtual node, whose arm turns with the node it
-/// hangs on.
+/// A point rigidly attached to a node. `arm` is zero for a real node; a broken element ends in a virtual node, whose
+/// arm rotates with the node that carries it.
 struct End {
     int node = -1;
     Vec3 arm = Vec3::Zero();  ///< m, in the node's own frame: the point is position + rotation * arm

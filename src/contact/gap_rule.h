@@ -1,4 +1,4 @@
-// The rule `gap` as geometry: eqs 17-19 of the paper, at an instant and swept over a step.
+// Geometry of the contact rule `gap`: eqs 17-19 of the paper, at an instant and over a step.
 //
 // Symbols as in the paper: A1, A2 the ends of one element, B1, B2 those of the other; L_c, L_i their lengths; C_l the
 // contact length (a factor); alpha the coplanarity tolerance. All lengths in m, f and alpha in m^3.
@@ -9,7 +9,7 @@
 
 namespace hinge::contact {
 
-/// Two bars at an instant.
+/// End points of two bars at an instant, m.
 struct BarPair {
     Vec3 a[2], b[2];
 };
@@ -30,11 +30,12 @@ bool within_contact_length(const BarPair& two, double contact_length);
 /// distance.)
 bool coplanar(const BarPair& two, double alpha, bool signed_f = false);
 
-/// Two bars over a step: where they are when it begins, and how far each end moves in it. Ends move in straight lines,
-/// so that at the part tau of the step, 0 <= tau <= 1, f is a cubic in tau.
+/// Motion of two bars over a step: their end points at its start, and the displacement of each end. Ends move in
+/// straight lines, so that f is a cubic in the part tau of the step, 0 <= tau <= 1.
 struct Moving {
     BarPair start, move;
 
+    /// The end points at the part tau of the step.
     BarPair at(double tau) const;
     /// The largest distance by which any point of a and any point of b can come closer in the whole step, m.
     double closing_bound() const;
@@ -46,6 +47,7 @@ struct Cubic {
     double operator()(double tau) const { return c[0] + tau * (c[1] + tau * (c[2] + tau * c[3])); }
     double slope(double tau) const { return c[1] + tau * (2 * c[2] + tau * 3 * c[3]); }
 };
+/// The cubic of f (eq 17) over a step.
 Cubic coplanarity_over(const Moving& moving);
 
 /// A closed part of a step.
@@ -53,9 +55,11 @@ struct Span {
     double from, to;
 };
 
-/// Where lo <= p(tau) <= hi in [0, 1]: at most three spans, ordered, touching ones not merged. Returns their number.
+/// Finds the spans of [0, 1] in which lo <= p(tau) <= hi: at most three, ordered, touching ones not merged. Returns
+/// their number.
 int spans_between(const Cubic& p, double lo, double hi, Span out[3]);
 
+/// Parameters of the rule `gap`.
 struct RuleNumbers {
     double contact_length;    ///< C_l of eq 18; infinite: eq 18 always holds
     double alpha;             ///< eq 19, m^3
@@ -63,7 +67,7 @@ struct RuleNumbers {
     bool signed_f = false;    ///< f with its sign (used by the rule as printed alone)
 };
 
-/// A contact found: when, and where on the two axes.
+/// Time and place of a contact found in a step.
 struct Meeting {
     bool found = false;
     double tau = 0;                 ///< part of the step
@@ -71,26 +75,27 @@ struct Meeting {
     Vec3 direction = Vec3::Zero();  ///< unit vector from a to b along which they approach
 };
 
-/// Motion of the bars towards each other.
+/// Rate and direction of the approach of two bars.
 struct Approach {
     double rate;     ///< as a distance per step, m; positive: they come closer
     Vec3 direction;  ///< unit vector from a to b along which it is measured
 };
 
 /// The velocity at which the bars approach, as a distance per step: minus the relative motion of the two closest points
-/// along the line from a to b. Where the axes all but cut each other, or have passed through each other, that line says
-/// nothing: then `normal`, the direction from a to b before, takes its place.
+/// along the line from a to b. If the axes nearly intersect, or have passed through each other, that line is not
+/// meaningful; `normal`, the direction from a to b before, replaces it.
 Approach approach(const Moving& moving, const BarPair& now, const Closest& closest, const Vec3& normal,
                   double contact_distance);
 
-/// The earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within the contact
-/// distance of each other, and the bars approach. `normal` is the unit direction from a to b when they last were
-/// clearly apart (zero: unknown); it tells bars that come closer from bars that have already passed a little through
-/// each other. `begin` are the closest points when the step begins. A graze shallower than 1 % of the contact distance
-/// may go unseen.
+/// Finds the earliest contact in the step: eq 19 holds (or f has changed sign), eq 18 holds, the axes are within the
+/// contact distance of each other, and the bars approach. `normal` is the unit direction from a to b when they last
+/// were clearly apart (zero: unknown); it tells bars that come closer from bars that have already passed a little
+/// through each other. `begin` are the closest points when the step begins. A graze shallower than 1 % of the contact
+/// distance may go unseen.
 Meeting first_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers);
 
-/// Eqs 17-19 as printed, looked at only when the step begins: coplanar (19), close enough (18), approaching.
+/// Finds a contact by eqs 17-19 as printed, tested only at the start of the step: coplanar (19), close enough (18),
+/// approaching.
 Meeting printed_meeting(const Moving& moving, const Closest& begin, const Vec3& normal, const RuleNumbers& numbers);
 
 }  // namespace hinge::contact

@@ -7,16 +7,17 @@
 
 namespace hinge::contact {
 
-/// Friction of a point where a step ends: the stretch of its spring, and the work that sliding lost.
+/// Friction at a point at the end of a step: the stretch of its spring, and the work dissipated by sliding.
 struct Friction {
     Vec3 slip = Vec3::Zero();  ///< e, m
     bool slides = false;
     double heat = 0;  ///< J, since the step began
 };
 
-/// Friction is a spring e of stiffness k, N/m, along the plane; its force k e is `most_force`, N, at most. A step that
-/// begins with a stretch of `before` moves the surface by `moved`, m, of which `part` counts: the part after it
-/// touched. Heat: the surface moved against the mean of the forces at the step's two ends, less what the spring stores.
+/// Coulomb friction over a step: a spring e of stiffness k, N/m, along the plane, whose force k e is limited to
+/// `most_force`, N. A step that begins with a stretch of `before` moves the surface by `moved`, m, of which `part`
+/// counts: the part after it touched. Heat: the work against the mean of the forces at the step's two ends, less the
+/// change of the spring's energy.
 inline Friction friction(const Vec3& before, const Vec3& moved, double part, double k, double most_force) {
     Friction f;
     const double most = most_force / k;

@@ -8,7 +8,7 @@
 
 namespace hinge::contact {
 
-/// What two bars do to each other while they are closer than the sum of their half depths.
+/// Contact force between two bars that are closer than the sum of their half depths.
 ///
 ///   U = k/2 g^2 where g > 0, else 0:   g = h_a + h_b - n . (q - p)
 ///
@@ -18,16 +18,16 @@ namespace hinge::contact {
 /// momentum are conserved. n keeps the direction from which b came, so that axes that have passed each other still are
 /// pushed back.
 ///
-/// Friction (Coulomb): a spring e, k as well, between the points of the two surfaces that are in contact, |k e| <= mu k
-/// g. Where it would be more, the surfaces slide and what is missing is heat. The force acts at the surface: bars are
-/// made to roll.
+/// Coulomb friction is a spring e, also of stiffness k, between the touching points of the two surfaces, |k e| <= mu k
+/// g. Beyond that limit the surfaces slide, and the difference becomes heat. The force acts at the surface, so bars can
+/// roll.
 struct SurfaceContact {
     int element[2] = {-1, -1};
     End end[4];                 ///< A1, A2, B1, B2
     double radius[2] = {0, 0};  ///< half depths, m
     double stiffness = 0;       ///< k, N/m
     double friction = 0;        ///< mu
-    double level = 0;  ///< m: how deep the two were where the contact began unforeseen: there they do not press
+    double level = 0;           ///< m: penetration at the start of a contact that was not predicted; no force up to it
 
     // as of the last look()
     double penetration = 0;       ///< g, m; negative: apart
@@ -56,28 +56,27 @@ struct SurfaceContact {
     }
 };
 
-/// k = EA / max(length, depths): EA the harmonic mean of the two members', length the mean of the two elements', so
-/// that a contact brings in no frequency above the elements' own; depths = h_a + h_b.
+/// Stiffness of a surface contact, k = EA / max(length, depths): EA the harmonic mean of the two members', length the
+/// mean of the two elements', so that a contact brings in no frequency above the elements' own; depths = h_a + h_b.
 double surface_stiffness(double ea_a, double ea_b, double length, double depths);
 
-/// The closest points of the two axes; `normal` is set to n and the result is n . (q - p), m.
+/// Signed distance n . (q - p) of two axes, m. Sets `closest` to their closest points and `normal` to n.
 double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal);
 
-/// How the two bars lie now.
+/// Updates penetration, energy and friction of a contact for these positions.
 void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-/// Adds what the contact resists with, + dU/du and friction, to `force`.
+/// Adds the resisting forces of the contact, + dU/du and friction, to `force`.
 void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
 
-/// The tangent k N N^T, N the derivative of the distance, and the same for a friction that sticks; never negative.
-/// (Left out: how n turns, which is g / (h_a + h_b) of it, and the slope of a friction that slides, which has no
-/// symmetry.)
+/// Adds the tangent k N N^T, N the derivative of the distance, and that of sticking friction; never negative. (Left
+/// out: the rotation of n, which is g / (h_a + h_b) of it, and the slope of sliding friction, which is not symmetric.)
 void add_contact_stiffness(const SurfaceContact& contact, const std::vector<Quat>& rotation, const AddStiffness& add);
 
-/// Takes what is "as of the last look()" for where the next step begins.
+/// Ends a step: the values "as of the last look()" become those at the start of the next step.
 void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-/// What a step of length dt got wrong about a contact that began or ended within it.
+/// Corrects the impulse of a contact that began or ended within a step of length dt.
 ///
 /// A step takes the mean of the forces at its two ends. The force that does just the work -(U1 - U0) is (U1 - U0) / (g1
 /// - g0); the two are the same while g > 0. Where g changes its sign the difference, times dt, is an impulse that is

@@ -1,4 +1,4 @@
-// A tie that holds two elements together: four gap elements, node to node (fig 7), rotating as one.
+// A tie between two elements: four gap elements, node to node (fig 7), that rotate together.
 #pragma once
 
 #include <vector>
@@ -18,12 +18,13 @@ struct Gap {
     }
 };
 
-/// What binds two elements.
+/// Bond of two elements in contact.
 ///
-///   U = min over rotations Q of  sum over the four gaps of k/2 |r - Q r0|^2,   r = (x_b + R_b arm_b) - (x_a + R_a
-///   arm_a) f = k (r - Q r0)  [N] resists at b, -f at a; a moment arises only from an arm.
+///   U = min over rotations Q of  sum over the four gaps of k/2 |r - Q r0|^2
+///   r = (x_b + R_b arm_b) - (x_a + R_a arm_a)
+///   f = k (r - Q r0)  [N] resists at b, -f at a; a moment arises only from an arm.
 ///
-/// Q is how the four points have rotated since binding as a whole. As it minimises U, it drops out of dU/du: the forces
+/// Q is the common rotation of the four points since binding. As it minimises U, it drops out of dU/du: the forces
 /// above are the exact derivative, they sum to zero, and so do their moments, sum r x f = -sum k r x Q r0 = 0 being the
 /// very condition that defines Q. A tie that moves as one piece stores nothing. No direction is read from the line
 /// between two nodes, which flips when they pass each other.
@@ -34,7 +35,7 @@ struct Gap {
 /// releases likewise.
 struct Tie {
     int element[2] = {-1, -1};
-    int rule = 0;                ///< of the Contact's
+    int rule = 0;                ///< index of the contact rule
     double since = 0;            ///< s
     End end[4];                  ///< A1, A2, B1, B2
     Gap gap[4];                  ///< A1B1, A1B2, A2B1, A2B2
@@ -57,22 +58,22 @@ struct Tie {
     }
 };
 
-/// Which two ends of a tie a gap element joins.
+/// The two ends of a tie that a gap element joins.
 constexpr int gap_a(int gap) { return gap / 2; }
 constexpr int gap_b(int gap) { return 2 + gap % 2; }
 
-/// k = EA / max(|r0|, shortest). EA is the harmonic mean of the two members' (one bar made half of each, so the softer
-/// member rules); shortest is a fraction of the mean length of the two elements.
+/// Stiffness of a gap element, k = EA / max(|r0|, shortest). EA is the harmonic mean of the two members' (one bar made
+/// half of each, so the softer member rules); shortest is a fraction of the mean length of the two elements.
 double gap_stiffness(double ea_a, double ea_b, double length, double shortest);
 
-/// Adds what the tie resists with, + dU/du, to `force`, and stores energy, opening and normal in the tie.
+/// Adds the resisting forces + dU/du of a tie to `force`, and stores energy, opening and normal in the tie.
 void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                     std::vector<Vec6>& force);
 
-/// The exact tangent, symmetric, as six blocks between two nodes each (the four gaps, and A1A2, B1B2, whose elements
-/// couple them already). For the points p of the four ends, with L_g dp = dr_g and s_g = Q r0_g:
+/// Adds the exact, symmetric tangent of a tie as six blocks between two nodes each (the four gaps, and A1A2, B1B2,
+/// whose elements couple them already). For the points p of the four ends, with L_g dp = dr_g and s_g = Q r0_g:
 ///   K = sum k L^T L - G^T S^-1 G,   G = sum k [s] L,   S = sum k ((r.s) 1 - (r s^T + s r^T) / 2)
-/// The second term is what the rotation of Q takes back. An arm R a carries K to its node by dp = dx - [R a] dtheta,
+/// The second term is the reduction by the rotation of Q. An arm R a carries K to its node by dp = dx - [R a] dtheta,
 /// and adds the symmetric part of [F][R a], F being the force at the point.
 void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                        const AddStiffness& add);

@@ -1,9 +1,9 @@
-// Values as bytes and back, through one list of fields for both ways: what is written and what is read cannot disagree.
+// Serialisation: writes values as bytes and reads them back. One list of fields serves both, so they always agree.
 //
-// A type tells its fields once,
+// A type lists its fields once,
 //   template <class Self, class Archive> static void fields(Self& self, Archive& a) { a(self.x, self.list); }
-// where Self is const for who writes. Little endian; a reader believes nothing: what is not whole throws Damaged, and
-// no bytes make it take more memory than a few times their own size.
+// where Self is const when writing. The byte order is little endian. Reading checks all bytes: incomplete or invalid
+// ones throw Damaged, and no input makes it allocate more than a few times its own size.
 #pragma once
 
 #include <algorithm>
@@ -26,21 +26,23 @@ namespace hinge {
 
 static_assert(std::endian::native == std::endian::little, "checkpoints are written as the numbers lie in memory");
 
+/// Raised where bytes are incomplete or hold no valid values.
 struct Damaged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 namespace archive {
 
-/// Whose bytes are their value, without gaps.
+/// True for types that are copied byte by byte: their memory holds the value without gaps.
 template <class T>
 constexpr bool is_plain = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T> ||
                           std::is_same_v<T, Quat> || std::is_base_of_v<Eigen::EigenBase<T>, T>;
 
+/// Writes or reads one value of any type.
 template <class A, class T>
 void value(A& a, T& v);
 
-/// Lists: their length, then their entries.
+/// Writes or reads a list: its length, then its entries.
 template <class A, class List>
 void list(A& a, List& v) {
     using T = typename std::remove_const_t<List>::value_type;
@@ -58,7 +60,7 @@ void list(A& a, List& v) {
     }
 }
 
-/// In the order of their keys: the same contents are the same bytes.
+/// Writes or reads a map in the order of its keys, so that equal contents give equal bytes.
 template <class A, class Map>
 void map(A& a, Map& m) {
     std::uint64_t n = m.size();
@@ -79,6 +81,7 @@ void map(A& a, Map& m) {
     }
 }
 
+/// Kind of a standard container: list, map, optional or pair.
 template <class T>
 struct ContainerTraits {
     static constexpr bool list = false, map = false, optional = false, pair = false;
@@ -139,7 +142,7 @@ void value(A& a, T& v) {
 
 }  // namespace archive
 
-/// Appends to a string.
+/// Writes values: appends their bytes to a string.
 class Writer {
 public:
     static constexpr bool reading = false;
@@ -154,7 +157,7 @@ private:
     std::string& out_;
 };
 
-/// Goes through bytes that it does not own.
+/// Reads values from bytes that it does not own.
 class Reader {
 public:
     static constexpr bool reading = true;
@@ -168,7 +171,7 @@ public:
         if (n > 0) std::memcpy(to, in_.data(), n);
         in_.remove_prefix(n);
     }
-    /// n things of at least that many bytes each lie ahead.
+    /// Throws Damaged unless the rest can hold n entries of at least `each` bytes.
     void must_hold(std::uint64_t n, std::size_t each) const { must(n <= in_.size() / each); }
     void must(bool good) const {
         if (!good) throw Damaged("its contents are not valid");

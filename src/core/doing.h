@@ -1,14 +1,15 @@
-// What takes long just now, for whoever asks the program to end meanwhile.
+// Names the long operation under way, for the message after an interrupt (Ctrl-C, SIGTERM).
 #pragma once
 
 #include <csignal>
 
 namespace hinge {
 
-/// While it lives, the script's thread is busy with this and does not look whether it is to end.
+/// Marks, for its lifetime, an operation of the script's thread during which interrupts are not checked.
 class Doing {
 public:
-    /// `what` outlives it; `size` of how many `of`, 0 for none.
+    /// `what`: name of the operation, which must outlive the mark; `size` and `of`: amount and unit of the work, 0 for
+    /// none.
     explicit Doing(const char* what, long size = 0, const char* of = "") : what(what), of(of), size(size), outer_(now) {
         now = this;
     }
@@ -18,13 +19,13 @@ public:
 
     const char *const what, *const of;
     const long size;
-    static inline const Doing* volatile now = nullptr;  ///< the innermost
+    static inline const Doing* volatile now = nullptr;  ///< the innermost operation under way, or null
 
 private:
     const Doing* const outer_;
 };
 
-/// The signal that asks the program to end, 0 for none. Work that may be left halfway ends then with Interrupted.
+/// The signal that asked the program to end, 0 for none. Operations that can be abandoned then throw Interrupted.
 inline volatile std::sig_atomic_t asked_to_end = 0;
 
 }  // namespace hinge

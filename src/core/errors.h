@@ -1,4 +1,4 @@
-// What went wrong, told apart by whose fault it is.
+// Exceptions of the engine, by source of the error: input, system, script function, interrupt.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The world outside failed (a full disk, an unreadable file). The message says what to do next.
+/// A system call failed (a full disk, an unreadable file). The message names a remedy.
 struct OutsideError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -21,7 +21,7 @@ struct HookError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Somebody asked the program to end (Ctrl-C, SIGTERM). The message says how far the run is and how to go on.
+/// The program was interrupted (Ctrl-C, SIGTERM). The message gives the progress of the run and how to resume it.
 struct Interrupted : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,5 @@
-// Files that are either whole or not there: written aside, flushed to the disk, then renamed. All throw OutsideError,
-// which names what happened and what to do.
+// Writes and reads whole files. A file is written under another name, flushed to the disk, then renamed, so that it is
+// never incomplete. All functions throw OutsideError with the cause and a remedy.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace hinge {
 
-/// Makes the folder and those above it.
+/// Makes a folder and its parent folders.
 void make_folder(const std::string& path);
 
-/// Replaces `path` by `content`; where that fails the old file, if any, stays as it was.
+/// Replaces the content of a file. If that fails, the old file remains unchanged.
 void write_whole(const std::string& path, std::string_view content);
 
-/// Appends and hands to the system: all of it or, with an error, nothing.
+/// Appends to a file: all of `content` or, with an error, nothing.
 void append(const std::string& path, std::string_view content);
 
-/// All bytes of the file, which must be a regular one.
+/// Reads all bytes of a regular file.
 std::string read_whole(const std::string& path);
 
 }  // namespace hinge

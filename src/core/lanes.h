@@ -1,7 +1,7 @@
-// One number or eight at once: the scalar that kernels are written in.
+// The scalar type of element kernels: one double, or eight doubles in a vector register.
 //
-// A kernel is a template over Real: `double` for one element, `Lanes` for a block of eight (one vector register). Both
-// do the same operations in the same order, so an element's bits do not depend on the company it keeps.
+// A kernel is a template over Real: `double` for one element, `Lanes` for a block of eight. Both do the same operations
+// in the same order, so the results of an element do not depend on the other elements of its block.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,8 @@ namespace hinge {
 
 inline constexpr int lane_count = 8;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
-/// The same in the middle of an array of doubles. (Attributes in this order: clang passes over aligned() in the other.)
+/// Eight doubles at any place in an array, without alignment. (Attributes in this order: clang passes over aligned() in
+/// the other.)
 using LanesAnywhere __attribute__((vector_size(lane_count * sizeof(double)), aligned(8), may_alias)) = double;
 
 inline double square_root(double a) { return std::sqrt(a); }
@@ -26,10 +27,11 @@ inline Lanes square_root(Lanes a) {
     return r;
 }
 
+/// A constant in all lanes; the second argument only selects the type.
 inline double spread(double a, double) { return a; }
 inline Lanes spread(double a, Lanes) { return Lanes{a, a, a, a, a, a, a, a}; }
 
-/// f(lane) for each lane in which `pick` holds; the other lanes keep `a`.
+/// Replaces a by f(lane) in each lane where pick(lane) is true.
 template <class Pick, class F>
 inline double replace_where(double a, Pick pick, F f, int = 0) {
     return pick(0) ? f(0) : a;
@@ -41,8 +43,10 @@ inline Lanes replace_where(Lanes a, Pick pick, F f, int = 0) {
     return a;
 }
 
+/// The value of one lane.
 inline double lane(double a, int) { return a; }
 inline double lane(const Lanes& a, int i) { return a[i]; }
+/// True if any lane exceeds the limit, or is not a number.
 inline bool any_above(double a, double limit) { return !(a <= limit); }
 inline bool any_above(const Lanes& a, double limit) {
 #ifdef __AVX512F__
@@ -54,7 +58,7 @@ inline bool any_above(const Lanes& a, double limit) {
     return any != 0;
 }
 
-/// Whether any lane is not below the limit (a lane that is no number is not).
+/// True if any lane is at or above the limit, or is not a number.
 inline bool any_not_below(double a, double limit) { return !(a < limit); }
 inline bool any_not_below(const Lanes& a, double limit) {
 #ifdef __AVX512F__
@@ -65,7 +69,7 @@ inline bool any_not_below(const Lanes& a, double limit) {
     return any;
 }
 
-/// Whether a comparison holds in any lane.
+/// True if a comparison holds in any lane.
 inline bool any_true(bool a) { return a; }
 template <class Mask>
 inline bool any_true(const Mask& a) {
@@ -77,16 +81,16 @@ inline bool any_true(const Mask& a) {
     return any != 0;
 }
 
-/// Lanes 0 and 1 change places, 2 and 3, and so on.
+/// Swaps lanes 0 and 1, 2 and 3, and so on.
 [[gnu::always_inline]] inline Lanes neighbours(const Lanes& a) {
     return __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
 }
 
-/// The even lanes of a and the odd lanes of b.
+/// Combines the even lanes of a with the odd lanes of b.
 [[gnu::always_inline]] inline Lanes even_and_odd(const Lanes& a, const Lanes& b) {
     return __builtin_shufflevector(a, b, 0, 9, 2, 11, 4, 13, 6, 15);
 }
-/// The even lanes, each also in the odd lane after it; and the odd lanes, each also in the even lane before it.
+/// evens copies each even lane to the odd lane after it; odds copies each odd lane to the even lane before it.
 [[gnu::always_inline]] inline Lanes evens(const Lanes& a) {
     return __builtin_shufflevector(a, a, 0, 0, 2, 2, 4, 4, 6, 6);
 }
@@ -94,7 +98,7 @@ inline bool any_true(const Mask& a) {
     return __builtin_shufflevector(a, a, 1, 1, 3, 3, 5, 5, 7, 7);
 }
 
-/// Rows and columns of eight vectors change places.
+/// Transposes an 8 x 8 matrix given by its rows.
 [[gnu::always_inline]] inline void transpose(const Lanes (&r)[lane_count], Lanes (&out)[lane_count]) {
     const auto half = [&]<int c>() {  // columns c, c + 2, c + 4, c + 6
         const auto pick = [](const Lanes& a, const Lanes& b) {
@@ -125,7 +129,7 @@ inline bool any_true(const Mask& a) {
     half.template operator()<1>();
 }
 
-/// The first n of the numbers at p, zeros behind them; and back.
+/// Loads n numbers from p and sets the other lanes to zero. store_row stores the first n lanes.
 template <int n>
 inline Lanes load_row(const double* p) {
 #ifdef __AVX512F__  // no wider than it must be: an access that crosses from one cache line to the next counts twice
@@ -158,8 +162,8 @@ inline void store_row(double* p, const Lanes& v) {
 #endif
 }
 
-/// Adds the first six to those at p, four and two at a time: a masked store would have to leave the core before the
-/// next element on the same node could read it.
+/// Adds the first six lanes to the numbers at p, in stores of four and two: the next element at the same node would
+/// have to wait for a masked store.
 inline void add_six(double* p, const Lanes& v) {
     using Four __attribute__((vector_size(32), aligned(8), may_alias)) = double;
     using BarPair __attribute__((vector_size(16), aligned(8), may_alias)) = double;
@@ -167,8 +171,8 @@ inline void add_six(double* p, const Lanes& v) {
     *reinterpret_cast<BarPair*>(p + 4) += BarPair{v[4], v[5]};
 }
 
-/// n numbers of each of eight nodes or elements, which lie `stride` numbers apart, as n lanes: whole
-/// rows are read and transposed.
+/// Gathers n numbers of each of eight nodes or elements into n vectors. Rows lie `stride` numbers apart; they are read
+/// whole and transposed.
 template <int n>
 [[gnu::always_inline]] inline void pick_rows(const double* from, const int* index, int stride,
                                              Lanes (&out)[lane_count]) {
@@ -177,7 +181,8 @@ template <int n>
     transpose(row, out);
 }
 
-/// The same of rows that follow each other; where there are fewer than eight, the last one stands for the rest.
+/// Gathers n numbers of each of eight consecutive rows into n vectors. If there are fewer rows, the last one is
+/// repeated.
 template <int n>
 [[gnu::always_inline]] inline void transpose_rows(const double* from, int rows, Lanes (&out)[lane_count]) {
     Lanes row[lane_count];

@@ -1,4 +1,5 @@
-// Arrays of many megabytes in large pages: the processor looks up 512 times fewer addresses. A tenth of a solve's time.
+// Allocator of large arrays in memory pages of 2 MB, which need 512 times fewer address translations. It saves a tenth
+// of the time of a solve.
 #pragma once
 
 #include <cstdlib>
@@ -8,6 +9,7 @@
 
 namespace hinge {
 
+/// Allocator: pages of 2 MB for arrays of 8 MB or more.
 template <class T>
 struct LargePages {
     using value_type = T;

@@ -1,4 +1,4 @@
-// Finite rotations: a rotation vector applied on top of a quaternion.
+// Finite rotations: quaternions and rotation vectors.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace hinge {
 
-/// exp(by) * q for a rotation vector in space, rad; the result is kept a unit quaternion.
+/// Rotates q by a rotation vector in space (rad): exp(by) * q, normalised.
 inline Quat rotated(const Vec3& by, const Quat& q) {
     const double h = 0.25 * (by.x() * by.x() + by.y() * by.y() + by.z() * by.z());  // square of the half angle
     double c, s;                                                                    // cos, sin(half)/(2 half)

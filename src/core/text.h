@@ -1,4 +1,4 @@
-// Numbers and vectors as messages show them.
+// Formats numbers, vectors, counts and times for messages.
 #pragma once
 
 #include <cstdio>
@@ -24,7 +24,7 @@ inline std::string count_text(long n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// A time in the unit that suits it: "2 ms", "30.5 us"
+/// A time with a suitable unit: "2 ms", "30.5 us"
 inline std::string time_text(double s, int digits = 3) {
     const double size = s < 0 ? -s : s;
     if (size == 0 || size >= 0.9995) return number_text(s, digits) + " s";

@@ -9,8 +9,8 @@
 namespace hinge {
 namespace {
 
-/// How often a thread looks again before it goes to sleep: some 100 us, about the time that waking it would take. In
-/// between it gives way to whoever else wants the core.
+/// Number of checks by a thread before it sleeps: some 100 us, about the time that waking it would take. Between checks
+/// it yields the core to other threads.
 constexpr int patience = 300;
 
 template <class Number>

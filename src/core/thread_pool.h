@@ -1,8 +1,9 @@
-// A pool of threads that share out loops. Who does which piece never shows in a result: pieces are cut the same way for
-// any number of threads, and sums are added up in the order of the pieces.
+// A pool of threads for parallel loops. Results do not depend on the number of threads: a loop is always divided into
+// the same pieces, and sums are added in the order of the pieces.
 //
-// A loop is over when its pieces are done, whether or not all threads have woken. Each thread begins with its own part
-// of the pieces, the same in every loop over as many, so its data stay near it; then it helps the others.
+// A loop ends when its pieces are done, even if some threads have not woken. Each thread begins with its own part of
+// the pieces, the same in every loop of that length, so its data stay in its cache; then it takes pieces of other
+// threads.
 //
 // OpenMP and oneTBB were measured in its place, with the same bits (us a step of frames of 1,300 and 20,202 elements on
 // two cores, medians of alternating runs):
@@ -13,12 +14,12 @@
 //   two, oneTBB 2021.8        138              47              1499               546
 //   two, OpenMP (gcc 12)      136              47              1668               605
 //
-// Where other programs want the cores too, OpenMP's threads spin on them at the end of each loop: an explicit step of
+// Where other programs use the cores too, OpenMP's threads spin on them at the end of each loop: an explicit step of
 // 1,300 elements then took 5,900 us and one by Newmark's method of 20,202 elements 14,000, where this pool is within 3
 // % of one thread. Only the environment can change that, before the program starts, and the engine also runs inside
-// programs of others. OpenMP ends the program where a thread cannot start; oneTBB tells nobody, and warns on the
-// standard error stream where there are more threads than cores. The thread sanitizer, which watches this pool
-// (tests/sanitize.sh), sees into neither.
+// programs of others. OpenMP ends the program where a thread cannot start; oneTBB does not report it, and warns on the
+// standard error stream where there are more threads than cores. The thread sanitizer, which checks this pool
+// (tests/sanitize.sh), can check neither.
 #pragma once
 
 #include <atomic>
@@ -28,14 +29,15 @@
 
 namespace hinge {
 
+/// A fixed number of threads that execute the pieces of loops.
 class ThreadPool {
 public:
     explicit ThreadPool(int threads = 1);  ///< the calling one included
     ~ThreadPool();
     int threads() const { return int(others_.size()) + 1; }
 
-    /// f(first, end, piece) for every piece of 0..count, `size` long but for the last. Returns when all are done. f
-    /// must not throw.
+    /// Calls f(first, end, piece) for every piece of 0..count; all but the last are `size` long. Returns when all are
+    /// done. f must not throw.
     template <class F>
     void share(int count, int size, F f) {
         const int pieces = (count + size - 1) / size;
@@ -45,7 +47,7 @@ public:
         else run(pieces, do_piece);
     }
 
-    /// The sum of f(first, end) over the pieces, in their order.
+    /// Sums f(first, end) over the pieces, in their order.
     template <class F>
     double sum(int count, int size, F f) {
         partial_.resize((count + size - 1) / size);
@@ -63,7 +65,7 @@ private:
 
     std::vector<double> partial_;
     const std::function<void(int)>* work_ = nullptr;
-    /// Of a loop's pieces, what one thread begins with; taken from the last to the first.
+    /// The pieces of a loop with which one thread begins, taken from the last to the first.
     struct alignas(64) Part {  // a line of the cache
         int first = 0;
         std::atomic<int> left{0};

@@ -1,4 +1,4 @@
-// The vectors, matrices and names of things that every part of the engine shares.
+// Vector and matrix types of all parts of the engine.
 #pragma once
 
 #include <Eigen/Core>

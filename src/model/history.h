@@ -1,4 +1,4 @@
-// A factor over time: a function, or points between which it is linear and at which it may jump.
+// Time history of a factor: a function, or points with linear interpolation, at which it may jump.
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 
 namespace hinge {
 
-/// Empty: constant 1. Of a function nobody can tell where it jumps.
+/// A factor over time; empty: constant 1. Jumps are known for points, not for a function.
 class History {
 public:
     using Points = std::vector<std::pair<double, double>>;  ///< time (s), factor; times never fall, two alike: a jump
@@ -21,22 +21,22 @@ public:
 
     const Points* points() const { return points_.get(); }  ///< null for a function, and for constant 1
     explicit operator bool() const { return bool(function_); }
-    /// At a jump the value up to there.
+    /// Value at a time; at a jump the value before it.
     double operator()(double time) const { return function_(time); }
-    /// At a jump the value from there on.
+    /// Value at a time; at a jump the value after it.
     double from(double time) const;
 
-    /// The factor over a step.
+    /// The factor at the two ends of a step.
     struct Over {
         double begin, end;
     };
-    /// With a jump or a kink within the step: the mean over the step at both ends. One where it begins or ends (to 1e-6
-    /// of it) is not in it.
+    /// Factor over a step. With a jump or a kink within the step: the mean over the step at both ends. A jump at the
+    /// step's start or end (to 1e-6 of its length) is not within it.
     Over over(double begin, double end) const;
-    /// Whether it jumps, or a slope may lie within a step of this length. If not, what the ends of steps make of it by
-    /// the trapezium rule misses no more than a part of second order.
+    /// True if it jumps, or a slope may lie within a step of this length. If false, the trapezium rule with the values
+    /// at the ends of steps has an error of second order.
     bool may_jump_in(double dt) const;
-    /// Whether a jump or a kink lies after `begin` and not after `end`.
+    /// True if a jump or a kink lies after `begin` and not after `end`.
     bool bends_within(double begin, double end) const;
 
 private:

@@ -1,4 +1,4 @@
-// Load cases: what a run takes of the loads that a script has declared.
+// Load cases: selects and scales the declared loads for a run.
 #pragma once
 
 #include <algorithm>
@@ -10,32 +10,32 @@ namespace hinge {
 
 class Model;
 
-/// A sum of cases, each with its factor.
+/// A load combination: load cases with factors.
 struct LoadCombination {
     std::string name;
     std::vector<std::pair<int, double>> factors;
 };
 
-/// What a run takes of the loads that a script has declared, by case.
+/// Load cases of a run with their factors.
 struct LoadChoice {
     std::vector<double> factor;  ///< of each case
-    std::vector<char> named;     ///< of each case: the script names it for this run
+    std::vector<char> named;     ///< of each case: true if the script names it for this run
     bool is_static = false;      ///< loads with a history act only where their case is named, then in full
-    /// The model of the run that it goes on from, null where there is none, and how far its loads have come, 1 in
-    /// dynamics. Statics holds what acted there and brings on the difference.
+    /// The model of the previous run, null if there is none, and the load factor that it reached, 1 in dynamics.
+    /// Statics holds the previous loads and applies the difference.
     const Model* from = nullptr;
     double reached = 1;
 };
 
-/// The same as each load sees it, with what a static run holds: of each case, and of what belongs to none.
+/// A load choice with the factors that a static run holds constant: of each case, and of loads without a case.
 struct ChosenLoads {
     const LoadChoice& choice;
     std::vector<double> held;
     double held_permanent = 0;
 };
 
-/// Leaves in the list what the run has of them; one that statics holds and changes becomes two. `before`: those of the
-/// run that it goes on from, or null. Returns how many with a history are set aside. T has a number of its own,
+/// Selects and scales the loads of a run; a load that statics holds and changes becomes two. `before`: loads of the
+/// previous run, or null. Returns the number of loads with a history that are left out. T has a unique number,
 /// load_case, held, history, forget_history() and times(factor).
 template <class T>
 int choose_loads(std::vector<T>& list, const std::vector<T>* before, const ChosenLoads& chosen) {

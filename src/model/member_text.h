@@ -1,4 +1,4 @@
-// How messages name a member.
+// Name of a member in messages.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace hinge {
 
-/// "member 3 (columns)"
+/// Name of a member with its first group: "member 3 (columns)"
 inline std::string member_text(const Model& model, int member) {
     const auto& groups = model.members()[member].groups;
     return "member " + std::to_string(member + 1) + (groups.empty() ? "" : " (" + model.groups()[groups[0]] + ")");

@@ -1,5 +1,5 @@
-// What a script declares: nodes, supports, members, loads and rules. Nothing here moves; see structure.h for what is
-// computed from it.
+// The declared model: nodes, supports, members, loads and rules of a script. The structure of a run is computed from it
+// (structure.h).
 #pragma once
 
 #include <cstdint>
@@ -49,26 +49,28 @@ enum class Displacement : std::uint8_t { small, large };  ///< the paper's TLF a
 /// The elements' mass: the paper's linear one, or that of the cubic shape which two elements of asi-gauss stand for.
 enum class MassShape : std::uint8_t { linear, cubic };
 
-/// Where the axial force of an element acts in large displacement: on its chord alone, or also on the bending of a pair
-/// between its ends (beam/beam_column.h).
+/// Second-order (P-delta) effect in large displacement: of the chord of an element alone, or also of the bending of a
+/// pair between its ends (beam/beam_column.h).
 enum class PDelta : std::uint8_t { chord, member };
 
-/// Where the weight of members acts: along them, as a load of the same size does, or at the nodes of their elements.
+/// Distribution of the members' weight: along them, like a load of the same size, or at the nodes of their elements.
 enum class Weight : std::uint8_t { nodes, members };
 
 /// Which integration points move to a plastic hinge. `plastic`: that of the plastic strain alone, so that the elastic
 /// stiffness stays exact. `elastic_and_plastic`: both, as the paper prints it.
 enum class Shift : std::uint8_t { plastic, elastic_and_plastic };
 
+/// A declared node.
 struct NodeData {
     Vec3 position;
     std::uint8_t fixed = 0;  ///< bits 0..5: ux uy uz rx ry rz
 };
 
-/// Why a member has as many elements as it has: the script says so, or its elements = "auto" and a run has decided (not
-/// yet: undecided), by what script/element_count.h says.
+/// Reason for the number of elements of a member: given by the script, or chosen by a run for elements = "auto"
+/// (undecided: not yet; see script/checks/element_count.h).
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
+/// A declared member.
 struct MemberData {
     int node[2];
     std::shared_ptr<const Section> section;
@@ -77,48 +79,52 @@ struct MemberData {
     int elements;
     std::vector<int> groups;  ///< the first one colours it
     ElementsBy elements_by = ElementsBy::script;
-    double elements_part = 0;      ///< of what decided: compression over Euler's load, moment over the plastic one
+    double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed
 };
 
+/// Force and moment at a node.
 struct NodalLoad {
     int node;
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
     History history;
-    int number = 0;  ///< its own for as long as the model lives
-    /// In the place of force or moment: what acts at the end of a step (time, s), given the state where it begins;
+    int number = 0;  ///< unique in the model
+    /// Functions of time (s) that replace force or moment: the value at the end of a step for the state at its start;
     /// dynamics only.
     std::function<Vec3(double)> force_rule = {}, moment_rule = {};
     bool follows_state() const { return force_rule || moment_rule; }
     int load_case = -1;
-    bool held = false;  ///< statics: it acts in full from the start on (Model::choose)
+    bool held = false;  ///< statics: acts in full from the start (Model::choose)
     void times(double factor);
     void forget_history() { history = {}; }
 };
 
-/// The velocity of nodes as a rigid body: `linear` of the mean of where they are, m/s, and `angular` about it, rad/s.
+/// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,
+/// rad/s.
 struct GivenVelocity {
     std::vector<int> nodes;
     Vec3 linear, angular;
 };
 
-/// A degree of freedom of a support that is moved: its displacement (m, along x, y or z) over time, counted from where
-/// the run begins.
+/// Prescribed displacement of a support (m, along x, y or z) over time, relative to its position at the start of the
+/// run.
 struct SupportMotion {
     int node, component;
     History displacement;
 };
 
-/// Of several rules the last one of the groups of both members counts, else the last one for all members.
+/// Contact rule between members. Of several rules, the last one for the groups of both members applies, else the last
+/// one for all members.
 struct ContactRule {
     contact::ContactSettings settings;
     std::vector<int> groups;  ///< both members are in one of these; empty: all members
     bool between = false;     ///< one member in the first of two groups, one in the second
     std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)>
-        pairs;  ///< asked once a pair of members: none, or by what numbers
+        pairs;  ///< called once for a pair of members: its settings, or none
     std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_contact, on_release;
 };
 
+/// Options of a model.
 struct ModelOptions {
     Formulation formulation = Formulation::asi_gauss;
     Displacement displacement = Displacement::large;
@@ -132,24 +138,23 @@ struct ModelOptions {
     double elements_accuracy = 0.01;  ///< of the members whose elements = "auto"
 };
 
-/// Effects that a model asks for and could do without, by their names in the plan, beside those that keep declarations.
+/// Names in the plan of the optional effects that have no declarations of their own.
 inline const std::vector<std::string> optional_effects = {
     "gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
 
-/// What a script declares of an effect that keeps its own declarations (effects/*.cpp), under the effect's name. A
-/// model is copied for each run, and its declarations with it.
+/// Declarations of one effect (effects/*.cpp). They are copied with the model for each run.
 class Declaration {
 public:
     virtual ~Declaration() = default;
     virtual std::shared_ptr<Declaration> copy() const = 0;
-    virtual std::size_t count() const = 0;  ///< of things declared, for the fingerprint of a checkpoint
-    /// All numbers that change bits, and of functions whether there is one, for the same.
+    virtual std::size_t count() const = 0;  ///< number of declared objects, for the fingerprint of a checkpoint
+    /// Writes all numbers that influence results, and of functions only their presence, for the same fingerprint.
     virtual void save(Writer& to) const = 0;
-    /// Of loads: choose_loads.
+    /// Selects the loads of a run (choose_loads).
     virtual int choose(const Declaration* before, const ChosenLoads& chosen) { return (void)before, (void)chosen, 0; }
 };
 
-/// A list of T. T lists its fields (core/archive.h) and holds functions only in members that it leaves out there.
+/// Declarations of an effect as a list of T. T lists its fields (core/archive.h), except those that hold functions.
 template <class T>
 class DeclaredList : public Declaration {
 public:
@@ -164,7 +169,7 @@ public:
     }
 };
 
-/// By the effect's name. A copy has its own.
+/// Declarations of all effects by name. A copy is independent.
 struct Declarations : std::map<std::string, std::shared_ptr<Declaration>> {
     Declarations() = default;
     Declarations(const Declarations& other) : std::map<std::string, std::shared_ptr<Declaration>>() {
@@ -174,8 +179,8 @@ struct Declarations : std::map<std::string, std::shared_ptr<Declaration>> {
     Declarations& operator=(Declarations&&) = default;
 };
 
-/// Everything declared. Functions that add return the index of what they added and raise InputError, leaving all as it
-/// was.
+/// The declared model. Functions that add return the index of the new object; for wrong input they raise InputError and
+/// change nothing.
 class Model {
 public:
     explicit Model(ModelOptions options);
@@ -186,7 +191,7 @@ public:
     void set_member_groups(int member, std::vector<int> groups);
     bool has_undecided_elements() const;
     void set_elements(int member, int elements, ElementsBy by, double part, bool capped);
-    /// What a copy of this model, or of a part of it, has decided.
+    /// Takes the numbers of elements that a copy of this model, or of a part of it, has chosen.
     void take_elements(const Model& decided);
     int add_load(NodalLoad load);                  ///< returns its number
     const NodalLoad* find_load(int number) const;  ///< nullptr once it is removed
@@ -194,10 +199,10 @@ public:
     void set_gravity(const Vec3& g, int load_case = -1);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
     void set_velocities(GivenVelocity given);
-    /// Of each node the place in given_velocities of the last one that it was given; -1: none.
+    /// Index in given_velocities of the last velocity of each node; -1: none.
     const std::vector<int>& velocity_given() const { return velocity_given_; }
-    /// Whether both ends of a member were given a velocity: then its inner nodes have one too, in proportion. Where
-    /// only one end was, that node moves alone.
+    /// True if both ends of a member were given a velocity: its inner nodes then have interpolated velocities. If only
+    /// one end has a velocity, that node moves alone.
     bool moves_as_a_whole(const MemberData& member) const {
         return velocity_given_[member.node[0]] >= 0 && velocity_given_[member.node[1]] >= 0;
     }
@@ -208,21 +213,21 @@ public:
     const LoadCombination* find_combination(const std::string& name) const;
     const std::vector<std::string>& cases() const { return cases_; }
     const std::vector<LoadCombination>& combinations() const { return combinations_; }
-    /// For a run's own copy: takes of the loads what the run has of them, in numbers. Without cases only what is_static
-    /// asks for.
+    /// Selects and scales the loads of a run, in the run's own copy of the model. Without cases only is_static has an
+    /// effect.
     void choose(const LoadChoice& choice);
-    /// The factors of each case in a run, and of those before them that a static run holds. Empty without cases.
+    /// Factors of the load cases in a run, and those of the previous run that a static run holds. Empty without cases.
     const std::vector<double>& case_factors() const { return case_factors_; }
     const std::vector<double>& held_factors() const { return held_factors_; }
     /// The part of gravity that a static run holds from the start on, m/s^2.
     const Vec3& held_gravity() const { return held_gravity_; }
     bool holds_loads() const { return !held_factors_.empty(); }
-    int set_aside() const { return set_aside_; }  ///< loads with a history that a static run does not take
+    int set_aside() const { return set_aside_; }  ///< number of loads with a history that a static run leaves out
     void add_fracture(FractureRule rule);
     void add_contact(ContactRule rule);
     void add_motion(SupportMotion motion);
-    /// Appends to the list of T that is kept for an effect; T is always the same for one name. `effect` is the name of
-    /// an EffectKind. Raises InputError inside a step, as all functions that declare.
+    /// Adds a declaration to the list of an effect; T is always the same for one name. `effect` is the name of an
+    /// EffectKind. Raises InputError inside a step, as all functions that declare.
     template <class T>
     void declare(const std::string& effect, T what) {
         check_open();
@@ -230,7 +235,7 @@ public:
         if (!kept) kept = std::make_shared<DeclaredList<T>>();
         static_cast<DeclaredList<T>&>(*kept).list.push_back(std::move(what));
     }
-    /// What was declared of an effect; empty where nothing was.
+    /// Declarations of an effect; empty if there are none.
     template <class T>
     const std::vector<T>& declared(const std::string& effect) const {
         static const std::vector<T> none;
@@ -238,11 +243,11 @@ public:
         return at == declared_.end() ? none : static_cast<const DeclaredList<T>&>(*at->second).list;
     }
     const Declarations& declarations() const { return declared_; }
-    /// While locked (a run of this model is inside a step) whatever would change it raises InputError.
+    /// Locks the model while a run of it is inside a step: every change then raises InputError.
     void lock(bool locked) { locked_ = locked; }
-    /// Takes back what declared one of `optional_effects`, as if the script had not; other names leave all as it is.
+    /// Removes the declarations of one of `optional_effects`; other names change nothing.
     void leave_out(const std::string& effect);
-    int group(const std::string& name);             ///< finds or makes
+    int group(const std::string& name);             ///< finds or adds it
     int find_group(const std::string& name) const;  ///< -1 when there is none
 
     const ModelOptions& options() const { return options_; }
@@ -252,11 +257,11 @@ public:
     const std::vector<std::string>& groups() const { return groups_; }
     const std::vector<FractureRule>& fracture() const { return fracture_; }
     const std::vector<ContactRule>& contact() const { return contact_; }
-    int contact_rule(int member_a, int member_b) const;  ///< by which the two meet, as their groups have it; -1: none
+    int contact_rule(int member_a, int member_b) const;  ///< index of the rule for two members; -1: none
     bool can_collide(int member) const;
     const std::vector<SupportMotion>& motions() const { return motions_; }
     const std::optional<Vec3>& gravity() const { return gravity_; }
-    /// Which line of the script asked for an effect; the first one counts. "" where none did.
+    /// Records the script line that requests an effect; the first one counts. asked_at returns it, or "".
     void ask(const std::string& effect, const std::string& line) { asked_.try_emplace(effect, line); }
     bool asked(const std::string& effect) const { return asked_.count(effect) > 0; }
     std::string asked_at(const std::string& effect) const { return asked(effect) ? asked_.at(effect) : ""; }

@@ -1,4 +1,4 @@
-// What a run works on: nodes and elements computed once from the declared model, constant while it runs.
+// The structure of a run: nodes and elements, computed once from the declared model and constant during the run.
 #pragma once
 
 #include <deque>
@@ -14,6 +14,7 @@
 
 namespace hinge {
 
+/// A finite element of a member.
 struct Element {
     int node[2];
     int member;
@@ -21,7 +22,7 @@ struct Element {
     double length;  ///< m
     Vec3 chord;     ///< from node 1 to node 2 at the start, m
     double s;       ///< normal position of the integration point
-    // the same for all elements that are alike; they stand in the structure
+    // shared by equal elements; stored in the structure
     const Quat& axes;  ///< local axes at the start (columns x y z)
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
@@ -32,12 +33,14 @@ struct Element {
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 
+/// Yield surface of a section of this material.
 beam::YieldSurface yield_surface(const Section& s, const Material& m);
 
-/// at_nodes: consistent, but the rotary inertia of the sections is the nodes' own and turns with them.
+/// Kind of mass matrix. at_nodes: consistent, but the rotary inertia of the sections belongs to the nodes and rotates
+/// with them.
 enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };
 
-/// Nodes 0..declared-1 are the script's; the rest lie inside members.
+/// Nodes and elements of a run. Nodes 0..declared-1 are the script's; the rest lie inside members.
 class Structure {
 public:
     Structure(const Structure&) = delete;  // elements refer to it
@@ -48,19 +51,20 @@ public:
     const std::vector<Vec3>& position() const { return position_; }    ///< m, at the start
     const std::vector<std::uint8_t>& fixed() const { return fixed_; }  ///< six bits a node
     const std::vector<Element>& elements() const { return elements_; }
-    /// Of each node as declared; inside members in proportion where both their ends were given one, else zero; m/s,
-    /// rad/s.
+    /// Initial velocity of each node, m/s and rad/s: as declared; inside members interpolated if both ends were given
+    /// one, else zero.
     std::vector<Vec6> initial_velocity() const;
+    /// Elements at a node, in rising order.
     std::span<const int> elements_at(int node) const {
         return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])};
-    }  ///< rising
+    }
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
     beam::Inertia inertia(int element) const;
     bool lumped() const { return mass_ == MassKind::lumped; }
     bool at_nodes() const { return mass_ == MassKind::at_nodes; }
     bool cubic() const { return !lumped() && model_->options().mass == MassShape::cubic; }
-    /// Whether the bending of pairs follows their axial force (beam/beam_column.h).
+    /// True if the bending of pairs depends on their axial force (beam/beam_column.h).
     bool p_delta() const {
         const ModelOptions& o = model_->options();
         return o.p_delta == PDelta::member && o.formulation == Formulation::asi_gauss && large() &&
