@@ -24,64 +24,73 @@ model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
   material = hinge.material { E = 1e9, density = 1000 } }
 model:load { node = b, force = { 0, 0, -1 } }
 ]]
--- The time that it takes is bounded: without an end by the first signal it would be that of `timeout`.
+-- Runs scripts at the same time, each in a folder of its own; most of their time they wait. Returns by name: status,
+-- complaint, folder, and seconds, of all of them. The time is bounded: without an end by the first signal it would be
+-- that of `timeout`.
+local function run_all(scripts, arguments)
+  local list, commands, began = {}, {}, os.time()
+  for name, text in pairs(scripts) do
+    local own = ("%s/%d"):format(folder, #commands + 1)
+    os.execute(("rm -rf '%s' && mkdir '%s'"):format(own, own))
+    support.write(own .. "/scene.lua", text)
+    commands[#commands + 1] = ("(cd '%s' && timeout -s KILL 60 '%s/hinge' %s >printed 2>complaint </dev/null; "
+      .. "echo $? >status) &"):format(own, arg[1], arguments or "run scene.lua --out out")
+    list[name] = { folder = own }
+  end
+  support.run(table.concat(commands, " ") .. " wait")
+  for _, one in pairs(list) do
+    one.status, one.seconds = tonumber(support.read(one.folder .. "/status")), os.time() - began
+    one.complaint = support.read(one.folder .. "/complaint")
+  end
+  return list
+end
 local function run(text, arguments)
-  local began = os.time()
-  support.write(folder .. "/scene.lua", text)
-  local status, printed, complaint = support.run(("cd '%s' && timeout -s KILL 60 '%s/hinge' %s"):format(folder, arg[1],
-    arguments or "run scene.lua --out out"))
-  return status, complaint, os.time() - began, printed
+  local one = run_all({ text }, arguments)[1]
+  return one.status, one.complaint, one.seconds, one.folder
 end
 
-case("Ctrl-C ends a script's endless loop, wherever it is", function()
+case("Ctrl-C and SIGTERM end a script's endless loop, wherever it is", function()
   -- A script's own endless loop, before a run, after one, and in a function of the library that calls back.
-  for what, text in pairs {
-    ["before a run"] = signals { { 0.2, "TERM" } } .. "while true do end\n",
-    ["after a run"] = bar .. "model:static { steps = 1 }:finish()\n" .. signals { { 0.2, "TERM" } }
-      .. "while true do end\n",
-    ["in a scenario"] = "return require 'hinge'.scenario { run = function()\n" .. signals { { 0.2, "TERM" } }
-      .. "while true do end end }\n",
-  } do
-    local status, complaint, seconds = run(text)
-    equal(status, 143, what .. ": status; " .. complaint)
-    local _, lines = text:gsub("\n", "")
-    expect(complaint:find("hinge: scene.lua:" .. lines .. ": interrupted by SIGTERM\n", 1, true), "%s: it says %s",
-      what,
-      complaint)
-    expect(seconds < 30, "%s: it took %d s", what, seconds)
+  local loop = signals { { 0.2, "TERM" } } .. "while true do end"
+  local scripts = {
+    ["before a run"] = loop .. "\n",
+    ["after a run"] = bar .. "model:static { steps = 1 }:finish()\n" .. loop .. "\n",
+    ["in a scenario"] = "return require 'hinge'.scenario { run = function()\n" .. loop .. " end }\n",
+    ["Ctrl-C"] = signals { { 0.2, "INT" } } .. "while true do end\n",
+  }
+  for what, ended in pairs(run_all(scripts)) do
+    local _, line = scripts[what]:gsub("\n", "")
+    equal(ended.status, what == "Ctrl-C" and 130 or 143, what .. ": status; " .. ended.complaint)
+    expect(ended.complaint:find(("hinge: scene.lua:%d: interrupted by %s\n"):format(line, what == "Ctrl-C" and what
+      or "SIGTERM"), 1, true), "%s: it says %s", what, ended.complaint)
+    expect(ended.seconds < 30, "%s: it took %d s", what, ended.seconds)
   end
-  local status, complaint = run(signals { { 0.2, "INT" } } .. "while true do end\n")
-  expect(status == 130 and complaint:find("hinge: scene.lua:2: interrupted by Ctrl-C\n", 1, true), "Ctrl-C: %s %s",
-    status, complaint)
 end)
 
 case("a script that catches the interrupt goes on to its own end", function()
-  -- A script that catches it goes on, for instance to its own end.
-  local status, complaint = run(signals { { 0.2, "TERM" } } .. "local ok, why = pcall(function() while true do end "
-    .. "end)\n"
-    .. "return { ok = ok, why = why }\n")
+  local status, complaint, _, own = run(signals { { 0.2, "TERM" } } .. "local ok, why = pcall(function() while true do "
+    .. "end end)\nreturn { ok = ok, why = why }\n")
   equal(status, 0, "caught: status; " .. complaint)
-  local results = support.json(support.read(folder .. "/out/summary.json")).results
+  local results = support.json(support.read(own .. "/out/summary.json")).results
   expect(results.ok == false and results.why:find "scene.lua:2: interrupted by SIGTERM", "caught: %s", results.why)
 end)
 
 case("what cannot be left is named, and the second signal ends it", function()
-  -- What cannot be left is named, and the second signal ends it.
-  local status, complaint = run(signals { { 0.2, "TERM" }, { 1.6, "TERM" } }
-    .. "coroutine.wrap(function() while true do end end)()\n")
-  expect(complaint:find("hinge: SIGTERM: it ends after the call that the script is in, or the coroutine; once "
-    .. "more ends it at once\n", 1, true), "a coroutine: %s", complaint)
-  expect(tostring(status):find "signal 15" or status == 143, "a coroutine: status %s", status)
-  for what, text in pairs {
-    ["the step of the run that is under way"] = "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
-      .. "run:on_step(function() while true do end end)\n",
-    ["a step of the dynamic run"] = "model:fracture { where = 'all', rule = function() while true do end end }\n"
-      .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n",
-  } do
-    status, complaint = run(bar .. text .. signals { { 0.2, "INT" }, { 1.4, "INT" } } .. "run:finish()\n")
-    expect(complaint:find(("hinge: Ctrl-C: it ends after %s; once more ends it at once\n"):format(what), 1, true),
-      "%s: %s", what, complaint)
-    expect(tostring(status):find "signal 2" or status == 130, "%s: status %s", what, status)
+  local function twice(signal) return signals { { 0.2, signal }, { 1.6, signal } } end -- it is named after 1 s
+  local named = {
+    ["the call that the script is in, or the coroutine"] = twice "TERM"
+      .. "coroutine.wrap(function() while true do end end)()\n",
+    ["the step of the run that is under way"] = bar .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n"
+      .. "run:on_step(function() while true do end end)\n" .. twice "INT" .. "run:finish()\n",
+    ["a step of the dynamic run"] = bar .. "model:fracture { where = 'all', rule = function() while true do end end }\n"
+      .. "local run = model:dynamic { dt = 1e-5, duration = 1e-3 }\n" .. twice "INT" .. "run:finish()\n",
+  }
+  for what, ended in pairs(run_all(named)) do
+    local signal, status = "Ctrl-C", 130
+    if what:find "coroutine" then signal, status = "SIGTERM", 143 end
+    expect(ended.complaint:find(("hinge: %s: it ends after %s; once more ends it at once\n"):format(signal, what), 1,
+      true), "%s: %s", what, ended.complaint)
+    equal(ended.status, status, what .. ": status")
   end
 end)
 
@@ -126,14 +135,14 @@ case("a study ends with its cases and goes on with --resume", function()
     .. "if p.stop and p.x == 2 then\n"
     .. "os.execute 'p=$(ps -o ppid= -p $PPID); (sleep 0.3; kill -TERM $p) >/dev/null 2>&1 &'\n"
     .. "while true do end end return { x2 = p.x } end }\n"
-  local status, complaint, seconds = run(study, "study scene.lua x=1,2,3 -j 1 --out study -q")
+  local status, complaint, seconds, own = run(study, "study scene.lua x=1,2,3 -j 1 --out study -q")
   equal(status, 3, "a study: status; " .. complaint)
   expect(complaint:find("hinge: interrupted: waits at most 10 s for 1 case under way; once more ends it at once\n", 1,
     true), "a study: it says %s", complaint)
   expect(seconds < 9, "a study: it took %d s", seconds)
-  local journal = support.read(folder .. "/study/cases.jsonl") or ""
+  local journal = support.read(own .. "/study/cases.jsonl") or ""
   expect(journal:find '"number":1,' and not journal:find '"number":2,', "a study: its journal: %s", journal)
-  expect((support.read(folder .. "/study/cases/00002/output.txt") or ""):find "scene.lua:4: interrupted by SIGTERM",
+  expect((support.read(own .. "/study/cases/00002/output.txt") or ""):find "scene.lua:4: interrupted by SIGTERM",
     "a study: what its case says")
 end)
 
