@@ -217,10 +217,10 @@ return model:dynamic { dt = 1e-4, duration = 0.05, iterations = 1, record = 3 }:
   checks.expect(rows > 3, "%d rows", rows)
   -- The last row is that of the moment of failure, as summary.json has it.
   local text = support.read(folder .. "/summary.json")
-  local values, initial = {}, tonumber(text:match '"initial": ([%d.e+-]+)')
+  local summary = support.json(text)
+  local values, initial = {}, summary.energy.initial
   for field in last_row:gmatch "[^,]+" do values[#values + 1] = tonumber(field) end
-  local said, of_state = tonumber(text:match '"energy_error": ([%d.e+-]+)'),
-    tonumber(text:match '"energy_error_of_state": ([%d.e+-]+)')
+  local said, of_state = summary.energy_error, summary.energy_error_of_state
   checks.expect(said and math.abs(said) > 0.005 and of_state and math.abs(of_state) < math.abs(said),
     "summary.json: energy_error %s, of the state %s", said, of_state)
   checks.near(values[#values] / initial, said, 0.05 * math.abs(said), "the energy error of the last row")

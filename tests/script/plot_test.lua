@@ -286,7 +286,9 @@ hinge.plot({ x_range = { 0.2, 0.8 }, series = { { x = { 0, 1 }, y = { -100, 100 
   equal(#log + 10 * log.gaps, 12, "rows and a gap on a logarithmic axis")
   -- A long history stays a small file with its extremes and ends.
   local long_rows, highest, lowest = rows "long" [0] or {}, -math.huge, math.huge
-  for _, row in ipairs(long_rows) do highest, lowest = math.max(highest, row[2]), math.min(lowest, row[2]) end
+  for _, row in ipairs(long_rows) do
+    highest, lowest = support.largest_of(highest, row[2]), support.smallest_of(lowest, row[2])
+  end
   expect(#long_rows > 2000 and #long_rows < 10000, "%d rows of a long history", #long_rows)
   equal(highest, 10.0, "its highest value")
   near(lowest, -1, 1e-6, "its lowest value")
