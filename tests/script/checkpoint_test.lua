@@ -197,9 +197,14 @@ local victim = small(1e-4)
 case("every byte that is changed and every length that is cut is noticed", function()
   local before = victim.hash
   local quiet = { expect = 0 }
+  -- A file of its own each time: some file systems write to the disk at once what replaces the content of a file.
+  local function write_anew(text)
+    os.remove(file)
+    support.write(file, text)
+  end
   for i = 1, #bytes do -- every byte
     local flipped = (i % 2 == 0) and 255 or 1 << (i % 8)
-    support.write(file, bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
+    write_anew(bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
     local ok, failure = pcall(victim.resume, victim, file)
     if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before
       or victim.index ~= 0 then
@@ -209,7 +214,7 @@ case("every byte that is changed and every length that is cut is noticed", funct
   end
   equal(quiet.expect, 0, "byte changed that was not noticed")
   for length = 0, #bytes - 1 do -- every length
-    support.write(file, bytes:sub(1, length))
+    write_anew(bytes:sub(1, length))
     local ok, failure = pcall(victim.resume, victim, file)
     if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then
       quiet.expect = length + 1

@@ -250,11 +250,11 @@ end
 -- `saves`: how many times fewer pairs are looked at, at least; bodies that stay near each other
 -- are looked at whenever they move.
 for what, c in pairs {
-  ["surfaces, two portals"] = { rule = "surface", saves = 8, duration = 0.06, at = { 0, 2 }, gap = 0.41 },
+  ["surfaces, two portals"] = { rule = "surface", saves = 8, duration = 0.045, at = { 0, 2 }, gap = 0.41 },
   ["surfaces, with friction"] = { rule = "surface", friction = 0.3, saves = 5, duration = 0.03, gap = 0.41,
     spin = { 5, 0, 3 } },
-  ["gaps, bound most of the time"] = { rule = "gap", saves = 1.2, duration = 0.06, at = { 0, 2 }, gap = 0.41 },
-  ["gaps, debris"] = { rule = "gap", saves = 2, duration = 0.06, at = { 0, 2 }, gap = 1, spin = { 20, 0, 10 },
+  ["gaps, bound most of the time"] = { rule = "gap", saves = 1.2, duration = 0.045, at = { 0, 2 }, gap = 0.41 },
+  ["gaps, debris"] = { rule = "gap", saves = 2, duration = 0.045, at = { 0, 2 }, gap = 1, spin = { 20, 0, 10 },
     fracture = 0.6, debris = true },
   ["surfaces, Case I"] = { rule = "surface", saves = 20, case = true },
   ["gaps, Case I"] = { rule = "gap", saves = 20, case = true, debris = true },
