@@ -1,4 +1,4 @@
-// What the program is asked for: its verbs, and what their options say.
+// Command line of the program: its verbs and their options.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,7 +20,7 @@ struct Request {
     script::Limits limits;
 };
 
-/// Declares all verbs; what is read of the command line goes into `request`, but for the verb's name.
+/// Declares all verbs; the options of the command line are stored in `request`, but not the verb's name.
 void declare_verbs(CLI::App& app, Request& request);
 
 }  // namespace hinge

@@ -1,4 +1,4 @@
-// What a shell completes after `hinge`: a script for it, made from the verbs and options that --help tells of.
+// Shell completion for `hinge`: makes a script from the verbs and options of --help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,7 +6,7 @@
 
 namespace hinge {
 
-/// The shells that there is a script for.
+/// The supported shells.
 inline const std::vector<std::string> completed_shells = {"bash", "fish", "zsh"};
 
 std::string completion_script(const CLI::App& app, const std::string& shell);

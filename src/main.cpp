@@ -1,4 +1,4 @@
-// The program: runs scripts, says what would be simulated, draws what was written.
+// The program hinge: runs scripts, describes planned simulations, draws written results.
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Lines typed at a terminal: editing, a history that outlives the session, and completion of names. By libedit.
+// Reads lines from a terminal with editing, a saved history and completion of names, by libedit.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,17 @@ namespace hinge {
 
 class Terminal {
 public:
-    /// What the last word of a line, up to the cursor, may become.
+    /// Returns the completions of the last word of a line, up to the cursor.
     using Complete = std::function<std::vector<std::string>(const std::string& line)>;
 
     explicit Terminal(Complete complete);
 
-    /// One line; nothing at the end of the input. A line given up with Ctrl-C is `given_up`.
+    /// Reads a line; no value at the end of the input. After Ctrl-C, given_up() is true.
     std::optional<std::string> read(const char* ask);
     bool given_up() const { return given_up_; }
 
 private:
-    std::string history_;  ///< its file; empty where there is no place for one
+    std::string history_;  ///< its file; empty if there is no folder for one
     bool given_up_ = false;
 };
 

@@ -1,4 +1,4 @@
-// What hinge --version says.
+// Text of hinge --version.
 #pragma once
 
 #include <string>

@@ -8,17 +8,17 @@
 
 namespace hinge::blocks {
 
-/// Eight doubles from a place in an array of sixes; of a node's six, the last two belong to the next node and are
-/// masked out. Arrays end with room for two more.
+/// A vector of eight doubles read from an array with six per node; the last two belong to the next node and are masked
+/// out. Arrays end with room for two more.
 using Wide = LanesAnywhere;
 constexpr Wide six = {1, 1, 1, 1, 1, 1, 0, 0};
 
-/// Vectors that are read and written in turn keep eight numbers a node, the last two of no meaning: a load of eight
-/// over two stores of six waits until both have left the core.
+/// Numbers per node in vectors that are read and written in turn, the last two unused: a load of eight over two stores
+/// of six waits until both have left the core.
 constexpr int stride = 8;
 
 inline Wide load(const double* p) { return *reinterpret_cast<const Wide*>(p); }
-/// The same from single precision.
+/// Reads eight numbers in single precision.
 inline Wide load(const float* p) {
 #ifdef __AVX512F__
     return reinterpret_cast<Wide>(_mm512_cvtps_pd(_mm256_loadu_ps(p)));  // the compiler makes two halves of it
@@ -26,7 +26,7 @@ inline Wide load(const float* p) {
     using Narrow __attribute__((vector_size(32), aligned(4), may_alias)) = float;
     return __builtin_convertvector(*reinterpret_cast<const Narrow*>(p), Wide);
 }
-/// Six numbers with nothing behind them.
+/// Reads six numbers and none behind them.
 inline Wide load_six(const double* p) {
 #ifdef __AVX512F__
     return reinterpret_cast<Wide>(_mm512_maskz_loadu_pd(0x3f, p));
@@ -39,7 +39,7 @@ inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(
 inline void store(double* p, const Wide& v) { *reinterpret_cast<Wide*>(p) = v; }
 inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
 
-/// A row of blocks times a vector, as two sums side by side: neither waits for the other.
+/// Product of a row of blocks and a vector, as two independent sums: neither waits for the other.
 struct Row {
     Wide even = {}, odd = {};
     /// Adds B x for a 6x6 block stored by columns.
@@ -63,7 +63,7 @@ inline Wide times(const Number* B, const double* x) {
     return row.sum();
 }
 
-/// B^T x; x is masked: its last two numbers are zero.
+/// Product B^T x; x is masked: its last two numbers are zero.
 template <class Number>
 inline Wide times_transposed(const Number* B, const Wide& x) {
     const Wide p0 = load(B) * x, p1 = load(B + 6) * x, p2 = load(B + 12) * x, p3 = load(B + 18) * x,

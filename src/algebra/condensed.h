@@ -1,11 +1,11 @@
-// The system that conjugate gradients work on, and they themselves: a frame's nodes in three colours.
+// Conjugate gradients with condensed inner nodes and two colours of joints.
 //
-// A member's inner nodes hang between two neighbours each. Every other one of them (`between`) is taken out exactly,
+// An inner node of a member has two neighbours. Every other one (`between`) is condensed exactly,
 //   S = A_kk - A_km A_mm^-1 A_mk,   x_m = A_mm^-1 (r_m - A_mk x_k),
-// which leaves, at two elements a member, the joints alone. Of those, `red` are as many as a walk finds without two
-// being neighbours, the rest `black`. Every vector is held where the red rows are zero, d_r = -D_r^-1 S_rb d_b, so that
-// the iteration is one on the black nodes: it costs the same product and takes half as many steps (Reid 1972), each
-// time for half of the vectors.
+// which leaves the joints alone if a member has two elements. Of these, a walk over the frame colours as many `red` as
+// it finds without two neighbours, the rest `black`. Every vector satisfies the red rows, d_r = -D_r^-1 S_rb d_b, so
+// the iteration runs on the black nodes: it has the same cost per product and half as many steps (Reid 1972), each time
+// for half of the vectors.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct SolverSettings {
     bool direct = false;      ///< sparse LDLT in place of conjugate gradients
     double tolerance = 1e-8;  ///< of the residual, relative to the right side, in the norm of the preconditioner
     int max_iterations = 500;
-    double floor = 0;  ///< of r . A^-1 r: below it nothing is left to solve
+    double floor = 0;  ///< of r . A^-1 r: the iteration ends below it
 };
 
 struct SolveReport {
@@ -29,30 +29,30 @@ struct SolveReport {
     bool indefinite = false;  ///< not converged because d . A d <= 0 for the search direction d (Condensed::direction)
 };
 
-/// Number: of the blocks; vectors are double.
+/// Solver of A x = b. Number: type of the blocks; vectors are double.
 template <class Number>
 class Condensed {
 public:
     Condensed(const Structure& structure, ThreadPool& pool);
 
-    /// These couplings, with what is held taken out. Their nodes stay, whatever else they are; nodes whose rows must be
-    /// renewed for it are added to `changed`.
+    /// Sets the couplings, held degrees of freedom removed. Their nodes are not condensed; nodes whose rows must be
+    /// renewed for this are added to `changed`.
     void couple(const std::vector<Coupling>& couplings, std::vector<int>& changed);
-    /// Passes over these nodes, whose right side is zero and which nothing couples to others.
+    /// Excludes these nodes: their right side is zero and nothing couples them to others.
     void leave_out(const std::vector<int>& resting);
-    /// Renews what depends on the blocks of these nodes (each once, rising).
+    /// Recomputes all that depends on the blocks of these nodes (each once, rising).
     void renew(const std::vector<int>& nodes, const ElementMatrices& parts);
-    /// A x = right by preconditioned conjugate gradients from x = 0; six numbers a node.
+    /// Solves A x = right by preconditioned conjugate gradients from x = 0; six numbers a node.
     SolveReport solve(const double* right, double* x, const SolverSettings& settings);
-    /// After a solution that ended as indefinite: d with d . A d <= 0, six numbers a node.
+    /// Search direction d with d . A d <= 0 of an indefinite solution, six numbers a node.
     void direction(double* d) const;
 
 private:
     enum class Colour : char { between, red, black };
     struct CondensedNode {
-        int node, count;  ///< of its neighbours, 0 to 2
-        int side[2];      ///< which they are
-        int element[2];   ///< that leads there
+        int node, count;  ///< number of its neighbours, 0 to 2
+        int side[2];      ///< its neighbours
+        int element[2];   ///< that joins it to that neighbour
         bool kept = false;
         Number inverse[38];  ///< A_mm^-1; blocks are read two numbers past their end
         Number pull[2][38];  ///< A_mm^-1 A_m,side

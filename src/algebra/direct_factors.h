@@ -21,20 +21,20 @@ public:
     /// Adds a 6x6 block of the matrix at these nodes; blocks at the same place add up. Of a symmetric matrix the lower
     /// half counts.
     void add(int row_node, int column_node, const Mat6& block);
-    /// Factorises what was added since the last call, a matrix of that many nodes. False when it is singular.
+    /// Factorises the matrix added since the last call, of that many nodes. False when it is singular.
     bool factorise(int nodes);
     bool good() const;
-    /// x = A^-1 right, six numbers a node. False where x is not finite.
+    /// Solves x = A^-1 right, six numbers a node. False where x is not finite.
     bool solve(const double* right, double* x, int nodes) const;
-    /// Of the symmetric factors: the degree of freedom (6 node + component) whose pivot is the smallest part, below
-    /// `ratio`, of its diagonal entry: it can move with next to no resistance. -1 when there is none.
+    /// The degree of freedom (6 node + component) that moves with next to no resistance: its pivot is the smallest
+    /// part, below `ratio`, of its diagonal entry. -1 if there is none. Symmetric factors.
     int loosest_degree_of_freedom(double ratio) const;
-    /// Of the symmetric factors: how many eigenvalues of the matrix are negative. Pivots within rounding of zero, 1e-12
-    /// of their diagonal entry, count as positive.
+    /// Number of negative eigenvalues, from the symmetric factors. Pivots within rounding of zero, 1e-12 of their
+    /// diagonal entry, count as positive.
     int negative_pivots() const;
-    /// Of the symmetric factors: x with x^T A x < 0, by the last negative pivot. Empty where there is none.
+    /// A vector x with x^T A x < 0, from the last negative pivot; empty if none. Symmetric factors.
     Eigen::VectorXd negative_direction() const;
-    /// Of the unsymmetric factors: whether the determinant is negative, an odd number of its eigenvalues.
+    /// True if the determinant is negative (odd number of negative eigenvalues). Unsymmetric factors.
     bool negative_determinant() const;
 
 private:

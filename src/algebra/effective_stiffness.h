@@ -1,5 +1,5 @@
-// The left side of a step: A = m M + k K by blocks of 6x6, rebuilt only where something changed, and its solution: by
-// conjugate gradients (condensed.h), or by factors.
+// Effective stiffness A = m M + k K in blocks of 6x6, rebuilt only where something changed, and its solution by
+// conjugate gradients (condensed.h) or by factors.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace hinge {
 
-/// How A is kept, and so how it can be solved.
+/// Storage of A, which decides how it can be solved.
 enum class MatrixStorage : std::uint8_t {
-    direct,            ///< for factors: initial stress stays in, whatever it does to an element's part
-    unsymmetric,       ///< the tangent's unsymmetric part too (an applied moment is not conservative); for LU
-    iterative,         ///< for conjugate gradients: initial stress stays out of a part that it would make indefinite
+    direct,            ///< for factors; includes initial stress, even if an element's part is indefinite
+    unsymmetric,       ///< with the tangent's unsymmetric part (an applied moment is not conservative); for LU
+    iterative,         ///< for conjugate gradients; without initial stress where a part would be indefinite
     single_precision,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A
                        ///< (steps no longer than the fastest waves need): the solution is a change of the
                        ///< accelerations, and what it lacks the next step sees
 };
 
-/// dp/dd of an element that flows, or whose partner does.
+/// Tangent dp/dd of an element that yields, or whose partner yields.
 struct ElementTangent {
     int element;
     Mat6 own;
@@ -39,52 +39,52 @@ public:
     void build(const std::vector<int>& elements, const State& state, const Configuration& pose,
                const std::vector<ElementTangent>& given);
     void remove(int element);
-    /// Of each element, empty for none; `by_damping`: what C counts for in the matrix, gamma dt. Elements must be built
-    /// anew.
+    /// Sets the damping of each element, empty for none; `by_damping`: factor of C in the matrix, gamma dt. Then every
+    /// element must be built again.
     void set_damping(std::vector<ElementDamping> damping, double by_damping) {
         damping_ = std::move(damping), by_damping_ = by_damping;
     }
     void set_damping_factor(double by_damping) { by_damping_ = by_damping; }
-    /// Another k: every element must be built anew, and couplings set.
+    /// Changes k: every element must be built again, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
-    /// Replaces all that effects add beside the elements, already as a stiffness (but offset masses, set one by one).
+    /// Replaces all blocks of effects, given as stiffness (except offset masses, set one by one).
     void set_blocks(Blocks blocks);
-    /// Of those, what joins two nodes.
+    /// Replaces the blocks that join two nodes.
     void set_couplings(std::vector<Coupling> couplings);
     void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
 
-    /// Conjugate gradients pass over the nodes of which `resting` is not negative: nothing acts on them and nothing
+    /// Excludes the nodes of which `resting` is not negative from conjugate gradients: nothing acts on them, nothing
     /// couples them to others, and their solution is zero. Empty: none.
     void leave_out(const std::vector<int>& resting);
 
-    /// Takes up what changed.
+    /// Updates the solver after changes.
     void assemble();
-    /// A x = right, six numbers a node.
+    /// Solves A x = right, six numbers a node.
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
-    /// After a solution that ended as indefinite: what has the most negative part in d . A d.
+    /// The element or block with the most negative part of d . A d, after an indefinite solution.
     struct Weakest {
-        int node = -1;     ///< that moves most in d, of those that the part is attached to
-        int element = -1;  ///< -1: what effects add at the node, or between it and `other`
+        int node = -1;     ///< the node of the part that moves most in d
+        int element = -1;  ///< -1: a block of effects at the node, or between it and `other`
         int other = -1;
     };
     Weakest weakest_part() const;
     /// Factorises A as it stands. False when it is singular.
     bool factorise();
     const DirectFactors& factors() const { return factors_; }
-    /// How many ways of moving A, factorised, does not resist but drives on: its negative eigenvalues, real ones where
-    /// A is not symmetric.
+    /// Number of negative eigenvalues of the factorised A, that is of unstable modes; only real ones if A is not
+    /// symmetric.
     int negative_modes();
-    /// Whether there are more of them than `known`; where A is not symmetric, whether their number differs from it by
-    /// one, three, five: that costs next to nothing.
+    /// True if there are more unstable modes than `known`; if A is not symmetric, if their number differs from it by
+    /// one, three, five. Costs next to nothing.
     bool more_negative_modes(int known) const;
-    /// One of these, the one nearest to resisting, no component larger than 1. All zero where there is none.
+    /// The unstable mode nearest to stability, no component larger than 1. All zero if there is none.
     std::vector<Vec6> negative_mode();
     /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the
     /// yardstick of a step.
     double time_product(int repeats) const;
 
-    /// An element's part, nothing of it held. `given`: as in build.
+    /// Part of one element in A, without supports. `given`: as in build.
     ElementPart part(int element, const State& state, const Configuration& pose,
                      const std::vector<ElementTangent>& given) const;
 
@@ -93,8 +93,8 @@ public:
     };
     const Counts& counts() const { return counts_; }
 
-    /// What a checkpoint holds: the blocks as they were built, at one time or another. What follows from them is found
-    /// anew.
+    /// Fields of a checkpoint: the blocks as they were built. All that follows from them is computed
+    /// again.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,

@@ -1,4 +1,4 @@
-// The blocks of A = m M + k K, element by element, with supports taken out: what every solver reads.
+// Blocks of A = m M + k K for each element, supports taken out: the input of every solver.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@ namespace hinge {
 
 class ElementMatrices {
 public:
-    /// `single_precision`: kept in single precision. `symmetric`: half of each part stands for both.
+    /// Blocks of zero. `single_precision`: storage. `symmetric`: half of each part is stored.
     ElementMatrices(const Structure& structure, bool single_precision, bool symmetric);
 
     void set(int element, const Mat12& A);
     void clear(int element);  ///< it broke
-    /// What a pair of elements, which share its middle node, has between its outer ends: rows of the first element's
-    /// node, columns of the second one's.
+    /// Sets the block between the outer ends of a pair of elements that share a middle node: rows of the first
+    /// element's node, columns of the second one's.
     void set_bridge(int first, const Mat6& between);
-    /// Its block in the row of the node at `end` (0, 1) of the pair; zero where there is none.
+    /// That block in the row of the node at `end` (0, 1) of the pair; zero if there is none.
     Mat6 bridge(int first, int end) const;
     bool has_bridges() const { return !double_bridge_.empty() || !single_bridge_.empty(); }
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     void set_offset_mass(int node, const Mat6& mass);
-    /// What effects add to nodes by themselves; several of one node add up. Replaces what was there.
+    /// Replaces the blocks that effects add to single nodes; several of one node add up.
     void set_node_blocks(std::vector<Blocks::Node> blocks) { node_blocks_ = std::move(blocks); }
     const std::vector<Blocks::Node>& node_blocks() const { return node_blocks_; }
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
     const std::vector<std::uint8_t>& held() const { return held_; }
 
-    /// The diagonal block of a node: of all its elements and what is attached to it; one for a degree of
-    /// freedom that is held.
+    /// The diagonal block of a node: of all its elements, its offset mass and its blocks; one for a degree of freedom
+    /// that is held.
     Mat6 own(int node) const;
     /// The block in the row of the element's node at `end` (0, 1) and the column of its other node.
     Mat6 across(int element, int end) const;
-    /// x . A x of an element's own part, with half of what its pair has between its outer ends; x: six numbers a node,
-    /// zero where held.
+    /// Product x . A x of an element's own part, with half of the block between the outer ends of its pair; x: six
+    /// numbers a node, zero where held.
     double product(int element, const double* x) const;
-    /// The same of the masses that hang rigidly on a node.
+    /// Product x . A x of the offset mass of a node.
     double product_of_offset_mass(int node, const double* x) const;
     const Structure& structure() const { return structure_; }
 

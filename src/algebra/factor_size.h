@@ -1,4 +1,4 @@
-// How large the factors of a stiffness matrix will be, from its pattern alone.
+// Size of the factors of a stiffness matrix, from its pattern alone.
 #pragma once
 
 #include <utility>
@@ -11,8 +11,8 @@ struct FactorSize {
     double operations = 0;  ///< multiplications and additions of a factorisation
 };
 
-/// Of a symmetric matrix with six unknowns a node and a block for each pair of nodes, in the order of least degree that
-/// DirectFactors takes.
+/// Size of the factors of a symmetric matrix with six unknowns a node and a block for each pair of nodes, in the order
+/// of least degree that DirectFactors takes.
 FactorSize factor_size(int nodes, const std::vector<std::pair<int, int>>& pairs);
 
 }  // namespace hinge

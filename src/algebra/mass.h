@@ -1,10 +1,10 @@
-// M by itself: what an impulse does to the nodes. Needed whenever forces begin or end at once, and in every explicit
-// step.
+// Mass matrix M alone: changes of velocity from impulses. Needed whenever forces begin or end at once, and in every
+// explicit step.
 //
-// Consistent (paper, after eq 15): the first solution, a run's start, goes over the elements and puts nothing together;
-// a run that needs more keeps M by blocks (parts.h) and solves on its joints (condensed.h). Lumped: half of each
-// element on each of its nodes, the rotary inertia the section's polar one about every axis, so that a node's spin
-// needs no frame and no gyroscopic moment.
+// Consistent (paper, after eq 15): the first solution, at a run's start, assembles nothing; a run that needs more
+// stores M in blocks (element_matrices.h) and solves on its joints (condensed.h). Lumped: half of each element on each
+// of its nodes, the rotary inertia the section's polar one about every axis, so that a node's spin needs no frame and
+// no gyroscopic moment.
 #pragma once
 
 #include <memory>
@@ -16,26 +16,26 @@ namespace hinge {
 
 class Mass {
 public:
-    /// Of all whole elements and the rigid offset masses, where `state` has them.
+    /// Mass of all whole elements and rigid offset masses, at the positions of `state`.
     Mass(const Structure& structure, const State& state);
 
-    /// Computes anew the mass of these elements at `pose`, and that of the rigid offset masses. A broken element has no
-    /// mass but that of its offset mass. Before the first call of it a solution takes the elements where `state` has
-    /// them.
+    /// Computes again the mass of these elements at `pose`, and that of the rigid offset masses. A broken element
+    /// has no mass but that of its offset mass. Before its first call, solutions use the element positions of
+    /// `state`.
     void renew(const std::vector<int>& elements, const State& state, const Configuration& pose);
-    /// Offset masses alone: where `pose` has rotated them.
+    /// Computes the offset masses alone again, as rotated at `pose`.
     void rotate_offset_masses(const State& state, const Configuration& pose);
-    /// change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
+    /// Solves change = M^-1 impulse (N s, N m s -> m/s, rad/s), zero where `state` holds a degree of freedom.
     /// `tolerance`: of the residual, relative; lumped masses need none. Without an answer the report says so (an
     /// indefinite M, a right side that is not finite, 500 iterations), and `change` is not to be used.
     SolveReport solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state,
                       double tolerance);
 
-    /// Lumped: of each node's elements, a number for each degree of freedom, 1/kg and 1/(kg m^2); zero where it
-    /// is held or nothing is left.
+    /// Inverse lumped mass of each node's elements for each degree of freedom, 1/kg and 1/(kg m^2); zero where it is
+    /// held or no mass is left.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Lumped, of the nodes with offset masses: the mass of their elements, their offset mass, and the inverse of both;
-    /// 6x6 in space. The inverse is of the degrees of freedom that are not held; one for those that are.
+    /// Lumped mass of a node with offset masses: mass of its elements, its offset mass, and the inverse of the sum; 6x6
+    /// in space. The inverse is of the free degrees of freedom; one for those that are held.
     struct Heavy {
         int node;
         Mat6 elements, offsets, inverse;
@@ -46,7 +46,7 @@ public:
     };
     const std::vector<Heavy>& heavy() const { return heavy_; }
 
-    /// What a checkpoint holds.
+    /// Fields of a checkpoint.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         const std::size_t nodes = s.lumped_inverse_.size();
@@ -81,12 +81,12 @@ private:
     std::unique_ptr<Blocks> blocks_;  ///< consistent, from the first renew on
 };
 
-/// The free end of a broken element was not moving rigidly with its carrier. Of all motions in which it does, this
-/// takes the one nearest to the motion of before, the nearest in kinetic energy: M v' = T^T M v, which is M (v' - v) =
-/// impulse with M as it is after the breaks. It keeps both momenta, and as a projection it cannot gain energy. (When
-/// the carrier's velocity alone was made to keep the momenta, debris with little inertia was flung about: 51 MJ out of
-/// nothing in one impact of 112 MJ.) Counts and returns the kinetic energy lost in this, J; counts the work of moving
-/// supports too. Not a number, and nothing is changed, where M v' - M v = impulse could not be solved.
+/// Makes the free ends of broken elements move rigidly with their carriers. Of all such motions, this takes the one
+/// nearest to the motion before in kinetic energy: M v' = T^T M v, which is M (v' - v) = impulse with M as it is after
+/// the breaks. It keeps both momenta, and as a projection it cannot gain energy. (When the carrier's velocity alone was
+/// made to keep the momenta, debris with little inertia was flung about: 51 MJ out of nothing in one impact of 112 MJ.)
+/// Counts and returns the kinetic energy lost in this, J; counts the work of moving supports too. Not a number, and
+/// nothing is changed, where M v' - M v = impulse could not be solved.
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse);
 
 }  // namespace hinge

@@ -1,5 +1,5 @@
-// Natural vibration, K x = w^2 M x, of a structure as it is declared, without load; and the rigid motions that its
-// supports leave it.
+// Natural frequencies, K x = w^2 M x, of a structure as declared, without load; and the rigid motions that its supports
+// allow.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace hinge {
 
-/// A motion of a body as if it were rigid, that strains nothing and moves no support: the rotation w (rad) about
-/// `centre` (m) and the shift v (m) of that point.
+/// A rigid motion of a body that strains nothing and moves no support: rotation w (rad) about `centre` (m) and the
+/// shift v (m) of that point.
 struct RigidMotion {
     Vec3 centre, v, w;
 };
 
-/// All of them that are independent of each other, for the body that these nodes make up: six where it is free, none
-/// where its supports hold it. Members join their nodes rigidly, so what a body can do without resistance is this and
-/// no more.
+/// All independent rigid motions of the body of these nodes: six if it is free, none if its
+/// supports hold it. Members join their nodes rigidly, so a body has no other motion without
+/// resistance.
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes);
 
-/// How a body moves that its supports (nodes) do not hold, in words: along or about an axis of space where it can, else
-/// about its own line: "rotate about z through that node", that is the first of the supports.
+/// Text that names the motion of a body that its supports (nodes) do not hold: along or about an axis of space if
+/// possible, else about its own line: "rotate about z through that node", that is the first of the supports.
 std::string ways_to_move(const Structure& structure, const std::vector<int>& supports,
                          const std::vector<RigidMotion>& motions);
 
@@ -34,10 +34,10 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 /// of the ratio of the sums of their diagonals. Lanczos' method starts from one vector and may miss copies of a
 /// repeated frequency, as symmetric frames have them. So the pivots of K - w^2 M count how many there must be below the
 /// last one (a millionth of its square aside), and while one is missing the method starts again without the modes that
-/// it has found. Throws std::runtime_error if it does not converge.
-/// `added`: what effects add to K, and rigid offset masses on nodes (6x6 in space, in the place of K); those at other
-/// nodes count for nothing. Where it adds stiffness, `rigid` is the most that there may be: motions whose w^2 is less
-/// than 1e-11 of the ratio of the sums of the diagonals count as rigid.
+/// it has found. Throws std::runtime_error if it does not converge. `added`: stiffness of effects, and rigid offset
+/// masses on nodes (6x6 in space, in the place of K); those at other nodes count for nothing. Where it adds stiffness,
+/// `rigid` is the most that there may be: motions whose w^2 is less than 1e-11 of the ratio of the sums of the
+/// diagonals count as rigid.
 struct AddedToModes {
     Blocks stiffness = Blocks();
     std::vector<Blocks::Node> mass = {};

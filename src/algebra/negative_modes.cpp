@@ -1,4 +1,4 @@
-// Ways of moving that a stiffness drives on: its negative eigenvalues, how many and one of them.
+// Unstable modes of a stiffness: the number of its negative eigenvalues, and one eigenvector.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

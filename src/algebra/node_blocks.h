@@ -1,4 +1,4 @@
-// What effects add to the left side of eq 15 beside the elements, in blocks of one node or of two.
+// Blocks of one node or of two that effects add to the left side of eq 15.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ struct ElementDamping {
     double of_mass = 0, of_stiffness = 0;
 };
 
-/// What joins two nodes beside the elements: a stiffness, 12x12.
+/// Stiffness, 12x12, that an effect adds between two nodes.
 struct Coupling {
     int a, b;
     Mat12 K;
@@ -22,27 +22,27 @@ struct Coupling {
     }
 };
 
-/// An element's part of the effective stiffness, order [u1 t1 u2 t2], and what its pair has between its two outer
-/// ends: the row of its own one, the column of its partner's; zero without a pair.
+/// An element's part of the effective stiffness, order [u1 t1 u2 t2], and the block between the two outer ends of its
+/// pair: row of its own end, column of its partner's; zero without a pair.
 struct ElementPart {
     Mat12 A;
     Mat6 bridge;
 };
 
-/// The left side is (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
+/// Blocks of effects in the left side, (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
 class Blocks {
 public:
     /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves. Without stiffness: damping alone.
     explicit Blocks(double of_damping = 0, bool with_stiffness = true)
         : of_damping_(of_damping), with_stiffness_(with_stiffness) {}
-    /// d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], and of one node against the ground; N/m, N, N m.
+    /// Adds d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], or of one to ground; N/m, N, N m.
     void stiffness(int a, int b, const Mat12& K) {
         if (with_stiffness_) pairs.push_back({a, b, K});
     }
     void stiffness(int node, const Mat6& K) {
         if (with_stiffness_) nodes.push_back({node, K});
     }
-    /// d(force)/d(velocity), N s/m, N s, N m s.
+    /// Adds d(force)/d(velocity), N s/m, N s, N m s.
     void damping(int a, int b, const Mat12& C) {
         if (of_damping_ != 0) pairs.push_back({a, b, of_damping_ * C});
     }

@@ -1,4 +1,4 @@
-// The longest step in which central differences stay stable.
+// Longest stable time step of central differences.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace hinge {
 
-/// 2 / omega, s, for the highest frequency that any single element has with its lumped mass, which no structure of them
-/// exceeds (Irons 1970); `element` is the one that has it. As the script declared it, without load: contact and initial
-/// stress come on top. Damping of the elements (empty: none) takes part with the velocity that a step predicts,
+/// Stable step 2 / omega, s, for the highest frequency of any single element with its lumped mass, which no structure
+/// of them exceeds (Irons 1970); `element` is the one that has it. As the script declared it, without load: contact and
+/// initial stress come on top. Damping of the elements (empty: none) takes part with the velocity that a step predicts,
 /// v + dt a, and shortens it to 2 / (c + sqrt(c^2 + omega^2)), c = of_mass + of_stiffness omega^2: beyond it the
 /// fastest motion changes its sign with every step and grows.
 struct StableStep {
@@ -19,11 +19,11 @@ struct StableStep {
 };
 StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping = {});
 
-/// The same where effects join nodes by stiffness and damping of their own, over and above the elements': 2 / (c +
-/// sqrt(c^2 + omega^2)), omega^2 and c the sums of the elements' highest at the nodes that are connected so and of a
-/// bound for what the effects add to them there (that of the matrix of the blocks' norms, by Collatz and Wielandt: no
-/// less than the highest, and the highest itself for a chain of springs). Masses are lumped, rigid offset masses with
-/// them. `node`: one of those that ask for it.
+/// Stable step where effects join nodes by stiffness and damping in addition to the elements: 2 / (c + sqrt(c^2 +
+/// omega^2)), omega^2 and c the sums of the elements' highest at the nodes that are connected so and of a bound for
+/// what the effects add to them there (that of the matrix of the blocks' norms, by Collatz and Wielandt: no less than
+/// the highest, and the highest itself for a chain of springs). Masses are lumped, rigid offset masses with them.
+/// `node`: one of those that ask for it.
 struct JoinedStep {
     double dt;
     int node;
@@ -35,10 +35,10 @@ JoinedStep stable_step_of_joined(const Structure& structure, const State& state,
 /// rotations held.
 double fastest_of_joined(const Structure& structure, const State& state, const Blocks& stiffness);
 
-/// The part of it that a run takes of itself: room for large rotations, for what contact adds, and for accuracy. A
-/// touch is as stiff as its softer element, which takes a node's frequency up by the root of 3/2; gap elements are four
-/// springs of half an element's length each, which take it up three times (Case I of the ten-storey impact holds its
-/// energy to 0.1 % at 0.22 of the limit, to 0.35 % at 0.37, and not at all at 0.7). Where hinges form or elements
+/// Default step of a run, a part of the stable step: room for large rotations, for what contact adds, and for accuracy.
+/// A touch is as stiff as its softer element, which takes a node's frequency up by the root of 3/2; gap elements are
+/// four springs of half an element's length each, which take it up three times (Case I of the ten-storey impact holds
+/// its energy to 0.1 % at 0.22 of the limit, to 0.35 % at 0.37, and not at all at 0.7). Where hinges form or elements
 /// touch, the energy error goes with the square of the step: of 68 random scenes in explicit steps 10 were over 0.1 %
 /// at 0.9 and 0.7 of the limit, 2 at half of that.
 inline double usual_step(const StableStep& limit, const Structure& structure) {

@@ -1,5 +1,5 @@
-// hinge run --live: the page of hinge report about a run that goes on. The server's thread takes the page's wishes, the
-// run's thread makes what it wishes between two steps, and the server's thread packs it.
+// hinge run --live: the page of hinge report for a run in progress. The server's thread receives the page's requests,
+// the run's thread takes a snapshot between two steps, and the server's thread encodes it.
 #pragma once
 
 #include <mutex>
@@ -14,12 +14,12 @@ namespace hinge::live {
 
 using script::Json;
 
-/// Rows of a history, every so many of them, so that they are never too many; and the last.
+/// Rows of a history, thinned out evenly to a limited number, and the last row.
 class Rows {
 public:
     explicit Rows(const std::string& heading = "");
     void add(const std::string& row);       ///< of CSV
-    void end_with(const std::string& row);  ///< the last one is this until another is added
+    void end_with(const std::string& row);  ///< sets the last row until another is added
     Json columns;
     std::string json() const;  ///< a list of them
 
@@ -34,7 +34,7 @@ public:
     explicit Live(int port);
     ~Live() override;
 
-    const std::string& id() const { return id_; }  ///< tells this program from others that were at the same port
+    const std::string& id() const { return id_; }  ///< differs from that of other programs at the same port
     int shown() const { return shown_; }           ///< number of the run that is shown, 0 before any
     void show(std::string page);                   ///< the page that is served
     std::string address() const;
@@ -45,13 +45,13 @@ public:
                  std::chrono::steady_clock::time_point now) override;
     void forked() override { server_->leave_to_parent(); }
 
-    /// The program ends. Who looks is told, which takes a second at most; what: fields of the last state.
+    /// Tells open pages that the program ends, in a second at most; what: fields of the last state.
     void end(const Json& what);
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// What is known of the run shown, for whoever asks.
+    /// State of the run shown, for answers to pages.
     struct State {
         long version = 0;
         Json fields = {{"program", "running"}};  ///< all but what follows
@@ -68,7 +68,7 @@ private:
     Answer state_for(const Request& request, const State& state);
     void take_shot(const script::Context& context, const script::RunRecord& run);
     void change_to(const script::RunRecord& run);
-    bool anybody_left();  ///< who looks and does not know of the end
+    bool anybody_left();  ///< true if an open page does not know of the end
 
     const std::string id_;
     // of the run's thread

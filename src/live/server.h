@@ -18,12 +18,12 @@
 
 namespace hinge::live {
 
-/// What a GET request asks for: path?query.
+/// A GET request: path?query.
 struct Request {
     std::string path;
     std::map<std::string, std::string> query;
 
-    /// A whole number in the query; `otherwise` where there is none.
+    /// An integer of the query; `otherwise` if there is none.
     long number(const std::string& name, long otherwise) const;
 };
 

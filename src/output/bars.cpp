@@ -1,4 +1,4 @@
-// The bars that a view shows: which, where they are drawn, and where their colours change.
+// Selects the bars of a view and computes their drawn positions and changes of colour.
 #include "output/bars.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The bars that a view shows: which, where they are drawn, and where their colours change.
+// Selects the bars of a view and computes their drawn positions and changes of colour.
 #pragma once
 
 #include <span>
@@ -17,9 +17,9 @@ struct DrawnBar {
     Shape shape;
     Vec a, b;         ///< its ends as drawn, m
     Vec up;           ///< the section's y axis, of unit length, across the bar
-    Vec tangent[2];   ///< of its centreline at its ends, m: as long as the bar would be if it were straight
+    Vec tangent[2];   ///< of its centreline at its ends, m; length: that of the straight bar
     Vec cut[2];       ///< normal of the plane that its end lies in, along the bar
-    double reach[2];  ///< so far beyond its ends it is drawn, to fill the corners where members meet, m
+    double reach[2];  ///< length drawn beyond its ends, to fill the corners where members meet, m
     bool curved;
     Resultants carries;
 
@@ -35,14 +35,14 @@ struct DrawnBars {
     double scale;  ///< of displacements
 };
 
-/// The bars of `snapshot` that `view` asks for, without those whose ends are not finite. Throws InputError where it
-/// asks for what the snapshot does not have.
+/// Returns the bars of `snapshot` that `view` selects, without those whose ends are not finite. Throws InputError if
+/// the view selects something that the snapshot does not have.
 DrawnBars choose_bars(const Snapshot& snapshot, const View& view);
 
-/// Where a point is drawn.
+/// Drawn position of a point.
 Vec drawn_at(const Snapshot& snapshot, std::size_t point, double scale);
 
-/// Adds where the bars' ends were at the start.
+/// Adds the initial positions of the bars' ends.
 void add_start(std::vector<Vec>& to, const Snapshot& snapshot, std::span<const DrawnBar> bars);
 
 std::vector<Vec> ends_of(std::span<const DrawnBar> bars);

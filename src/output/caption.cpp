@@ -1,4 +1,4 @@
-// What stands around the drawn structure: title, time, legend of colours and the directions of the axes.
+// Caption of a picture: title, time, legend of colours and directions of the axes.
 #include "output/caption.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What stands around the drawn structure: title, time, legend of colours and the directions of the axes.
+// Caption of a picture: title, time, legend of colours and directions of the axes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace hinge::output {
 
-/// What the caption tells about.
+/// Contents of the caption.
 struct CaptionInput {
     const View& view;
     const Snapshot& snapshot;
@@ -21,7 +21,7 @@ struct CaptionInput {
     int words_left_out = 0;
 };
 
-/// The size of plain text, pixels; everything else is measured by it.
+/// The size of plain text, pixels; all other sizes follow from it.
 double text_size(const View& view);
 
 /// Pixels kept free above and below the structure.
@@ -31,7 +31,7 @@ struct Margins {
 
 Margins caption_margins(const CaptionInput& told);
 
-/// The moment of a snapshot as pictures show it: "t = 12.5 ms", "load factor 0.62".
+/// Text of the time or load factor of a snapshot in pictures: "t = 12.5 ms", "load factor 0.62".
 std::string moment_text(const Snapshot& snapshot);
 
 void draw_caption(Pen& pen, const CaptionInput& told, const Camera& camera);

@@ -1,4 +1,4 @@
-// The colours of pictures. Any two that stand for f_y, and the black of broken elements, can be told apart by readers
+// The colours of pictures. Any two that represent f_y, and the black of broken elements, can be told apart by readers
 // with normal sight, protanopia, deuteranopia and tritanopia: in CIE L*a*b* they are at least 20 apart in each, with
 // the matrices of Machado, Oliveira and Fernandes (2009). tests/unit/colours_test.cpp computes that. The page of `hinge
 // report` has the same colours (src/viewer/src/colouring.js).
@@ -13,16 +13,16 @@ using Colour = std::array<std::uint8_t, 3>;
 
 constexpr Colour ink = {34, 38, 44}, faint_ink = {110, 116, 124}, white = {255, 255, 255};
 
-/// 0 to 4 are f_y in fifths, 5 is f_y = 1: a section that is fully plastic; then a broken element.
+/// Colour classes: 0 to 4 are f_y in fifths, 5 is f_y = 1, a fully plastic section; then a broken element.
 constexpr int plastic_class = 5, broken_class = 6, n_classes = 7;
 constexpr std::array<Colour, n_classes> class_colours = {
     {{40, 66, 140}, {70, 136, 200}, {150, 212, 226}, {250, 214, 80}, {236, 126, 44}, {172, 20, 44}, {10, 10, 12}}};
 
-/// Of groups, in their order; they repeat.
+/// Colours of groups, in their order; they repeat.
 constexpr Colour group_colours[] = {{31, 119, 180}, {224, 134, 45},  {63, 155, 79},   {178, 58, 72},  {123, 94, 167},
                                     {140, 109, 77}, {208, 118, 171}, {127, 135, 144}, {166, 168, 50}, {42, 166, 181}};
 
-constexpr Colour plain_bar = {168, 175, 184};  ///< members that show nothing by their colour
+constexpr Colour plain_bar = {168, 175, 184};  ///< members whose colour has no meaning
 constexpr Colour member_number = {96, 102, 110};
 constexpr Colour ghost_colour = {124, 130, 138};
 constexpr Colour support_colour = {84, 92, 102};

@@ -1,4 +1,4 @@
-// The course of a resultant along the members, drawn beside them.
+// Diagrams of a resultant along the members.
 #include "output/diagram.h"
 
 #include <vtkActor.h>

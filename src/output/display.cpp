@@ -1,4 +1,4 @@
-// A connection to an X display that can draw: checked before VTK sees it, because VTK aborts where there is none.
+// Connection to an X display that can draw, checked before VTK uses it, because VTK aborts without one.
 #include "output/display.h"
 
 #include <GL/glx.h>

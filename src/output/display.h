@@ -1,9 +1,9 @@
-// A connection to an X display that can draw: checked before VTK sees it, because VTK aborts where there is none.
+// Connection to an X display that can draw, checked before VTK uses it, because VTK aborts without one.
 #pragma once
 
 namespace hinge::output {
 
-/// While it lives, an X error is remembered instead of ending the process.
+/// During its lifetime, an X error is stored and does not end the process.
 class CalmX {
 public:
     CalmX();
@@ -16,15 +16,15 @@ private:
     void* io_errors_;
 };
 
-/// The connection (a Display*) pictures are drawn through: to DISPLAY where that is local and can do OpenGL 3.2,
-/// else to a virtual display. Opened once; opened anew after a fork or when the server has gone. `fresh` tells.
+/// The connection (a Display*) for drawing pictures: to DISPLAY if that is local and supports OpenGL 3.2, else to a
+/// virtual display. Opened once, and again after a fork or the end of the server; `fresh` is then true.
 void* drawing_display(bool& fresh);
 
 /// Sets DISPLAY to a virtual display, unless it names one that answers: for processes that are started from this one.
-/// Opens no connection that lasts, so that they begin with none.
+/// Leaves no connection open, so that they start with none.
 void share_display();
 
-/// Whether the server still answers.
+/// True if the server still answers.
 bool display_alive();
 
 }  // namespace hinge::output

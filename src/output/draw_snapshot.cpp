@@ -1,4 +1,4 @@
-// A snapshot as a picture.
+// Draws a snapshot as a picture.
 #include "output/draw_snapshot.h"
 
 #include <vtkActor.h>

@@ -1,4 +1,4 @@
-// A snapshot as a picture.
+// Draws a snapshot as a picture.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace hinge::output {
 
-/// PNG bytes.
+/// Returns the picture of a snapshot as PNG bytes.
 std::string draw_snapshot(const Snapshot& snapshot, const View& view);
 
-/// PNG bytes: snapshots side by side, `columns` in a row, each of the first one's size.
+/// Returns snapshots side by side as PNG bytes, `columns` in a row, each of the first one's size.
 std::string draw_strip(int count, const Snapshot* const* snapshots, const View* views, int columns);
 
 }  // namespace hinge::output

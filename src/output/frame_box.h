@@ -1,11 +1,11 @@
-// Where a frame's bars lie, for one camera over all frames of a film.
+// Box around the bars of a frame, for one camera over all frames of a film.
 #pragma once
 
 #include "output/film.h"
 
 namespace hinge::output {
 
-/// The box holds what a picture without one would be fitted to, but for the few ends that lie farthest out.
+/// Computes the box that a picture would be fitted to, without the few ends that lie farthest out.
 FrameBox frame_box(const Snapshot& snapshot, const View& view);
 
 }  // namespace hinge::output

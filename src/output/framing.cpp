@@ -1,4 +1,4 @@
-// Where the eye stands: what of a scene a picture should show, and the camera that shows just that.
+// Camera of a picture: selects the points of a scene to show, and fits the camera to them.
 #include "output/framing.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Where the eye stands: what of a scene a picture should show, and the camera that shows just that.
+// Camera of a picture: selects the points of a scene to show, and fits the camera to them.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@ inline Vec cross(Vec a, Vec b) {
 double length(Vec a);
 inline Vec unit(Vec a) { return (1 / length(a)) * a; }
 bool finite(Vec a);
-/// A direction across another one, of unit length: level where that is possible, else along y.
+/// A unit vector perpendicular to `along`: horizontal if possible, else along y.
 Vec across(Vec along);
 
 /// The diagonal of the box around the points, m.
 double size_of(std::span<const Vec> points);
 
-/// The points without strays: those much farther from the middle than 98 % of all points are.
+/// Returns the points without strays, which are much farther from the middle than 98 % of all points.
 std::vector<Vec> without_strays(std::span<const Vec> points);
 
 struct Camera {
@@ -37,16 +37,16 @@ struct Camera {
     double metres_per_pixel;   ///< at the target; without perspective everywhere
     double width, height;      ///< pixels
 
-    /// Pixels from the lower left corner of what it shows, and how far in front of the eye, m.
+    /// Position of p in pixels from the lower left corner, and its distance in front of the eye, m.
     Vec project(Vec p) const;
-    /// Metres of a pixel where p is.
+    /// Size of a pixel at p, m.
     double pixel_at(Vec p) const;
-    /// The point moved to the eye by so much: it stays where it is in the picture.
+    /// The point moved towards the eye by `by`; its place in the picture stays the same.
     Vec nearer(Vec p, double by) const;
 };
 
-/// The camera that looks along -`from` and just holds all `points`, and what lies within `reach` of them, in a picture
-/// of this many pixels. Throws InputError when `from` is no direction.
+/// Fits a camera that looks along -`from` to all `points`, with a margin `reach` around them, in a picture of this many
+/// pixels. Throws InputError when `from` is no direction.
 Camera fit_camera(std::span<const Vec> points, double reach, Vec from, Vec up, bool parallel, int width, int height);
 
 }  // namespace hinge::output

@@ -1,4 +1,4 @@
-// Hinges compared with limits: what a picture is told of them in the bits of Bar::hinges that their places leave free.
+// Hinges compared with limits, encoded for pictures in the unused bits of Bar::hinges.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace hinge::output {
 
-/// In a snapshot that has this bit in a bar, dots are those of hinges with a limit alone, and Bar::rotation is rotation
+/// Bit of a snapshot with limits: if a bar has it, only hinges with a limit have dots, and Bar::rotation is rotation
 /// over limit.
 constexpr std::uint8_t hinges_compared = 128;
-/// 0: no limit; 1: up to half of it; 2: up to it; 3: beyond.
+/// Number of bands. Band 0: no limit; 1: up to half of it; 2: up to it; 3: beyond.
 constexpr int hinge_bands = 3;
 constexpr const char* hinge_band_names[hinge_bands] = {"to half", "to the limit", "beyond"};
 constexpr double most_of_limit = 2;  ///< of the largest dot

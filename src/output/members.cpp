@@ -1,4 +1,4 @@
-// Bars made into solids of their true sections, or into plain lines where there are very many.
+// Draws bars as solids with their true sections, or as plain lines if there are very many.
 #include "output/members.h"
 
 #include <vtkActor.h>

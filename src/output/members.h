@@ -1,4 +1,4 @@
-// Bars made into solids of their true sections, or into plain lines where there are very many.
+// Draws bars as solids with their true sections, or as plain lines if there are very many.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@ class vtkActor;
 
 namespace hinge::output {
 
-/// What to put into a renderer to see the bars.
+/// Actors of the bars, for a renderer.
 std::vector<vtkSmartPointer<vtkActor>> member_actors(std::span<const DrawnBar> bars, const View& view,
                                                      const Camera& camera);
 
-/// The shape at the start, as lines behind the rest.
+/// Actor of the initial shape, as lines behind the rest.
 vtkSmartPointer<vtkActor> ghost_actor(const Snapshot& snapshot, std::span<const DrawnBar> bars, const Camera& camera,
                                       double pixels);
 

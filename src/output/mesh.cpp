@@ -1,4 +1,4 @@
-// A surface that grows triangle by triangle, and what a renderer shows of it.
+// A triangle mesh, built triangle by triangle, and its actor for a renderer.
 #include "output/mesh.h"
 
 #include <vtkActor.h>

@@ -1,4 +1,4 @@
-// A surface that grows triangle by triangle, and what a renderer shows of it.
+// A triangle mesh, built triangle by triangle, and its actor for a renderer.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ class vtkActor;
 
 namespace hinge::output {
 
-/// Kept relative to `origin`, because single precision would show far from zero.
+/// Triangles and lines relative to `origin`, because single precision is visible far from zero.
 class Mesh {
 public:
     explicit Mesh(Vec origin) : origin_(origin) {}
@@ -22,7 +22,7 @@ public:
     void triangle(Index a, Index b, Index c) { cells_.insert(cells_.end(), {a, b, c}); }
     void line(Index a, Index b) { cells_.insert(cells_.end(), {a, b}); }
     void line(Vec a, Vec b, Colour colour) { line(vertex(a, {}, colour), vertex(b, {}, colour)); }
-    /// Four corners in order; one normal: flat.
+    /// Adds a flat quadrilateral: four corners in order, one normal.
     void quad(Vec a, Vec b, Vec c, Vec d, Vec normal, Colour colour);
     bool empty() const { return cells_.empty(); }
 
@@ -38,7 +38,7 @@ private:
     std::vector<Index> cells_;
 };
 
-/// Shapes made of triangles. `sides`: of their circles.
+/// Adds a shape made of triangles. `sides`: of its circles.
 void add_box(Mesh& mesh, Vec centre, Vec half_x, Vec half_y, Vec half_z, Colour colour);
 void add_cone(Mesh& mesh, Vec tip, Vec foot, double radius, int sides, Colour colour);
 void add_rod(Mesh& mesh, Vec a, Vec b, double radius, int sides, Colour colour);

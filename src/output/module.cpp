@@ -1,4 +1,4 @@
-// The module's functions as the program finds them: C names, and no exception crosses them.
+// Functions that the module exports: with C names, and without exceptions to the caller.
 #include <fcntl.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The colours of a GIF: at most 255 for all of its pictures.
+// Colour palette of a GIF: at most 255 colours for all of its pictures.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace hinge::output {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// How often each colour occurs, to six bits a channel.
+/// Histogram of colours, with six bits a channel.
 class Histogram {
 public:
     static constexpr int bits = 6;
@@ -34,14 +34,14 @@ private:
     std::vector<Bin> bins_ = std::vector<Bin>(size);
 };
 
-/// Colours that stand for all in a histogram, and which of them stands for each of its bins.
+/// Representative colours of a histogram, and the index of the one for each of its bins.
 struct Palette {
     std::vector<Rgb> colours;          ///< at most `most`
     std::vector<std::uint8_t> of_bin;  ///< 0 for bins where there is nothing
     static constexpr std::size_t most = 255;
 };
 
-/// By median cut: the box of colours that spreads most, weighed by the root of its count, is halved again and again.
+/// Computes a palette by median cut: halves the box of colours with the largest spread times the root of its count.
 Palette make_palette(const Histogram& histogram);
 
 }  // namespace hinge::output

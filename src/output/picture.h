@@ -1,8 +1,8 @@
-// What a picture shows, without a picture library: the interface of the output module.
+// Contents of a picture, without a picture library: the interface of the output module.
 //
-// Only the files behind this header know VTK. They form a module of their own (libhinge_output.so), loaded when a
-// picture or a ParaView frame is asked for, so that a run without pictures starts in milliseconds.
-// Line plots have their own header, plot.h.
+// Only the files behind this header use VTK. They form a separate module (libhinge_output.so), loaded for the first
+// picture or ParaView frame, so that a run without pictures starts in milliseconds. Line plots have their own header,
+// plot.h.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace hinge::output {
 
 enum class BarState : std::uint8_t { elastic = 0, yielded = 1, broken = 2 };
 
-/// The shape of a cross-section, for drawing; x across and y along the member's `up`.
+/// The shape of a cross-section, for drawing; y along the member's `up`, x across.
 struct Shape {
     enum Kind : std::uint8_t { rectangle = 0, h = 1, round = 2 };
     Kind kind = rectangle;
@@ -37,12 +37,12 @@ struct Bar {
     double Mx[2] = {0, 0}, My[2] = {0, 0}, Mz = 0;  ///< N m, at its first and its second end
     double Qx[2] = {0, 0}, Qy[2] = {0, 0};          ///< N; dMx/dz = Qy, dMy/dz = -Qx
     double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;       ///< fully plastic resultants, N and N m; 0 without limit
-    std::uint8_t hinges = 0;        ///< where it has ever been fully plastic: 1 first end, 2 second end, 4 middle
+    std::uint8_t hinges = 0;        ///< sections that were ever fully plastic: 1 first end, 2 second end, 4 middle
     std::uint8_t touched = 0;       ///< 1: it has been in contact
     double rotation[2] = {0, 0};    ///< plastic rotation of its hinges about x and y together, rad, not negative
     std::array<double, 3> up = {};  ///< direction of the section's y axis now, of unit length; zero: not known
     int shape = -1;                 ///< index into Snapshot::shapes; -1: a square of its width
-    int node[2] = {-1, -1};         ///< points at which it was declared to end, also where it broke off; -1: not known
+    int node[2] = {-1, -1};         ///< its declared end points, also of a broken end; -1: not known
 };
 
 /// A load that acts at this instant.
@@ -79,18 +79,18 @@ struct Snapshot {
     std::vector<std::array<int, 2>> connected;    ///< points that connectors join, as declared
 };
 
-/// What is shown of the members: their colour, or a diagram along them.
+/// Quantity shown on the members: by their colour, or as a diagram along them.
 enum class Show : std::uint8_t { yield, group, nothing, N, Qx, Qy, Mx, My, Mz };
 
-/// What render() draws; every field has a default that shows the whole structure in six colours of f_y.
+/// Settings of a picture; every field has a default that shows the whole structure in six colours of f_y.
 struct View {
     int width = 1600, height = 1200;                  ///< pixels
     std::array<double, 3> from = {-1.0, -1.4, 0.55};  ///< direction from the middle of the scene to the eye
     std::array<double, 3> up = {0, 0, 1};
     bool parallel = false;  ///< without perspective
-    double scale = 1;       ///< displacements are drawn so many times as large; 0: chosen so that they can be seen
+    double scale = 1;       ///< factor of drawn displacements; 0: chosen so that they can be seen
     Show show = Show::yield;
-    double largest = 0;  ///< what a diagram draws in full size, N or N m; 0: the largest value
+    double largest = 0;  ///< value that a diagram draws in full size, N or N m; 0: the largest value
     bool ghost = false;  ///< the shape at the start, behind
     bool supports = true, ground = true, hinges = true;
     bool loads = false;

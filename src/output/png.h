@@ -1,4 +1,4 @@
-// Pictures as PNG bytes, and back.
+// Encodes and decodes PNG pictures.
 #pragma once
 
 #include <string>
@@ -6,16 +6,16 @@
 
 namespace hinge::output {
 
-/// Three bytes a pixel, from the lower left corner, row by row.
+/// A picture of three bytes a pixel, from the lower left corner, row by row.
 struct Pixels {
     int width = 0, height = 0;
     std::vector<unsigned char> rgb;
 };
 
-/// Quick: pictures of lines on white paper need no filter, and higher levels of zlib save little.
+/// Encodes quickly: pictures of lines on white need no filter, and higher levels of zlib save little.
 std::string encode_png(const Pixels& pixels);
 
-/// `name` is the file's, for messages.
+/// Decodes a PNG. `name`: name of the file, for messages.
 Pixels decode_png(const std::string& name);
 
 }  // namespace hinge::output

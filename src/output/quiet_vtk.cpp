@@ -1,4 +1,4 @@
-// Keeps VTK off stdout and stderr: what it complains of becomes part of our own message.
+// Redirects VTK's messages from stdout and stderr into our own error messages.
 #include "output/quiet_vtk.h"
 
 #include <vtkLogger.h>

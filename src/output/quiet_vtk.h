@@ -1,4 +1,4 @@
-// Keeps VTK off stdout and stderr: what it complains of becomes part of our own message.
+// Redirects VTK's messages from stdout and stderr into our own error messages.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace hinge::output {
 
 void silence_vtk();
 
-/// The first complaint since the last call, in one line; empty if there was none.
+/// The first VTK message since the last call, in one line; empty if there was none.
 std::string take_vtk_complaint();
 
 }  // namespace hinge::output

@@ -1,4 +1,4 @@
-// What a bar carries along its length: from the forces at its ends and the loads on it.
+// Section forces along a bar, from the forces at its ends and the loads on it.
 #include "output/resultants.h"
 
 #include <algorithm>

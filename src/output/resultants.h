@@ -1,4 +1,4 @@
-// What a bar carries along its length: from the forces at its ends and the loads on it.
+// Section forces along a bar, from the forces at its ends and the loads on it.
 #pragma once
 
 #include <span>
@@ -14,17 +14,17 @@ public:
     /// `x`, `y`: the section's axes in space, of unit length. `loads`: those of the snapshot that act on the bar.
     Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<const Load* const> loads);
 
-    /// One of N to Mz, N or N m, at a share t of the length, 0 to 1. Moments have the shear forces as slopes.
+    /// Value of one of N to Mz, N or N m, at a share t of the length, 0 to 1. Moments have the shear forces as slopes.
     double at(Show which, double t) const;
-    /// f_y of eq 14 there, or the larger of the ends' where the snapshot has no forces.
+    /// f_y of eq 14 at t, or the larger of the ends' values if the snapshot has no forces.
     double yield_at(double t) const;
-    /// Its class of colour there.
+    /// Colour class at t.
     int class_at(double t) const;
-    /// Where along the bar the class of its colour changes: rising, from 0 to 1.
+    /// Positions of the changes of its colour class: rising, from 0 to 1.
     std::vector<double> class_changes() const;
-    /// Where point loads act between its ends: the shear force jumps there.
+    /// Positions of point loads between its ends: the shear force jumps there.
     std::vector<double> jumps() const;
-    /// Where one of N to Mz is largest or smallest between t0 and t1, in between; there is no point load between them.
+    /// Positions of extreme values of one of N to Mz strictly between t0 and t1, without a point load between them.
     std::vector<double> peaks(Show which, double t0, double t1) const;
 
 private:
@@ -36,7 +36,7 @@ private:
         double M[2], Q[2], sign, length;
         double q[2] = {0, 0}, m[2] = {0, 0};  ///< per length, linear between the ends
         std::vector<Point> points = {};
-        double shear_left = 0, moment_left = 0;  ///< what inertia adds to Q and M from end to end, linearly
+        double shear_left = 0, moment_left = 0;  ///< part of Q and M from inertia, linear from end to end
 
         void close();
         double shear(double t) const;

@@ -1,4 +1,4 @@
-// Flat drawing over a whole picture, on VTK's canvas.
+// Two-dimensional drawing over a whole picture, on VTK's canvas.
 #include "output/sketch.h"
 
 #include <vtkBrush.h>

@@ -1,4 +1,4 @@
-// Flat drawing over a whole picture, on VTK's canvas.
+// Two-dimensional drawing over a whole picture, on VTK's canvas.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@ class vtkRenderer;
 
 namespace hinge::output {
 
-/// A renderer that fills the picture with what `draw` draws.
+/// A renderer whose contents are drawn by `draw`, over the whole picture.
 vtkSmartPointer<vtkRenderer> sketch(std::function<void(Pen&)> draw);
 
 }  // namespace hinge::output

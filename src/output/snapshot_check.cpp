@@ -1,4 +1,4 @@
-// Whether the parts of a snapshot agree with each other, checked before anything walks its indices.
+// Checks that the parts of a snapshot are consistent, before its indices are used.
 #include "output/snapshot_check.h"
 
 #include "core/errors.h"

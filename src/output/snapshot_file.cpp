@@ -1,4 +1,4 @@
-// Stills as VTP, and the collection that lets ParaView play them.
+// Snapshots as VTP files, and the collection file for an animation in ParaView.
 #include "output/snapshot_file.h"
 
 #include <vtkCellArray.h>

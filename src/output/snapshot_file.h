@@ -1,4 +1,4 @@
-// Stills as VTP, and the collection that lets ParaView play them.
+// Snapshots as VTP files, and the collection file for an animation in ParaView.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace hinge::output {
 
 std::string encode_snapshot(const Snapshot& snapshot);
 
-/// `name` is the file's, for messages.
+/// Decodes a VTP file. `name`: name of the file, for messages.
 Snapshot decode_snapshot(const std::string& bytes, const std::string& name);
 
 std::string encode_collection(int n, const double* times, const char* const* files);

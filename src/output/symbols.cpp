@@ -1,4 +1,4 @@
-// Signs in a scene: plastic hinges, supports, loads and the ground.
+// Symbols in a scene: plastic hinges, supports, loads and the ground.
 #include "output/symbols.h"
 
 #include <vtkActor.h>

@@ -1,4 +1,4 @@
-// The one off-screen window all pictures are taken in.
+// The off-screen window that renders all pictures.
 #include "output/window.h"
 
 #include <GL/gl.h>

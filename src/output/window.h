@@ -1,4 +1,4 @@
-// The one off-screen window all pictures are taken in.
+// The off-screen window that renders all pictures.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@ class vtkRenderer;
 
 namespace hinge::output {
 
-/// Throws InputError unless a picture of this size can be taken.
+/// Throws InputError unless a picture of this size is possible.
 void check_size(int width, int height);
 
-/// Draws the layers, the first lowest.
+/// Renders the layers, the first lowest.
 Pixels take_pixels(int width, int height, std::span<vtkRenderer* const> layers);
 
 }  // namespace hinge::output

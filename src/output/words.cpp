@@ -1,4 +1,4 @@
-// Words that stand at points of a scene: numbers of nodes and members, values of diagrams and loads.
+// Labels at points of a scene: numbers of nodes and members, values of diagrams and loads.
 #include "output/words.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A virtual X server of our own, for machines without a display.
+// Virtual X server (Xvfb) for machines without a display.
 #include "output/xvfb.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// Which parts of a structure are connected.
+// Connected parts (bodies) of a structure.
 #pragma once
 
 #include "state/state.h"
@@ -10,7 +10,7 @@ struct Bodies {
     std::vector<int> of_node;  ///< -1: without an element
 };
 
-/// Bodies that whole elements hold together in `state`; numbered by their first nodes.
+/// Finds the bodies that whole elements connect in `state`, numbered by their first nodes.
 Bodies find_bodies(const Structure& structure, const State& state);
 /// The nodes of each body, rising.
 std::vector<std::vector<int>> nodes_of(const Bodies& bodies);

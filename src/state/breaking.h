@@ -1,5 +1,5 @@
-// What happens when an element breaks (paper, section 2.3, figs 4 and 5): its forces go to zero, it becomes a rigid
-// offset mass on its other node, and the mass is rebuilt so that linear and angular momentum stay what they were.
+// Breaks elements (paper, section 2.3, figs 4 and 5): the forces of one go to zero, it becomes a rigid offset mass on
+// its other node, and the mass is rebuilt so that linear and angular momentum stay what they were.
 #pragma once
 
 #include "state/node_mass.h"
@@ -14,9 +14,9 @@ struct BreakReport {
     bool orphaned = false;  ///< the node at the broken end has nothing left and leaves the solve
 };
 
-/// Breaks `element` at `end` (1 or 2) in `state`; velocities stay. `impulse` (of each node, six) gets what pass_on
-/// (algebra/mass.h) needs. The other element of a pair whose bending follows N keeps its forces as far as the energy
-/// allows: a break frees no more than was there.
+/// Breaks `element` at `end` (1 or 2) in `state`; velocities stay. `impulse` (of each node, six) receives the input of
+/// pass_on (algebra/mass.h). The other element of a pair whose bending follows N keeps its forces as far as the energy
+/// allows: a break releases no more than was stored.
 BreakReport break_off(const Structure& structure, State& state, int element, int end, std::vector<Vec6>& impulse);
 
 /// Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s), and the mass (kg).

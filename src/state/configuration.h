@@ -1,5 +1,5 @@
-// Where the nodes are or are tried to be, and where one element is then: its frame, deformation and tangent. Eight at a
-// time the assembly does it itself (element_assembly.h).
+// Configuration of the nodes, of a state or on trial, and of one element: frame, deformation and tangent. The assembly
+// computes eight elements at a time itself (element_assembly.h).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace hinge {
 
-/// Where the nodes are tried to be, and how they move there.
+/// Trial configuration of the nodes: positions, velocities, accelerations.
 struct Configuration {
     std::vector<Vec3> displacement;
     std::vector<Quat> rotation;
@@ -20,10 +20,10 @@ struct Configuration {
     std::vector<TurnedEnds> turned;  ///< the same (State::turned)
 };
 
-/// A state's nodes as a pose.
+/// Configuration of a state's nodes.
 Configuration configuration_of(const State& state);
 
-/// Where the nodes are, of a state or of a pose.
+/// Reference to the node positions of a state or a configuration.
 struct ConfigurationView {
     const std::vector<Vec3>& displacement;
     const std::vector<Quat>& rotation;
@@ -43,26 +43,26 @@ private:
           turned(from.turned) {}
 };
 
-/// Where an element is. Where it is wound, its end rotations and y axes say nothing: `wound` has its deformation.
+/// Frame of an element. If it is wound, its end rotations and y axes have no meaning: `wound` has its deformation.
 struct ElementFrame : beam::ElementFrame<double> {
     std::optional<beam::Winding> wound;
 };
 
-/// Where one element is (for its tangent and for reading it).
+/// Functions of one element, for its tangent and for output.
 Mat3 axes_of(const beam::ElementFrame<double>& placement);  ///< columns: the local axes in space
 ElementFrame element_frame(const Structure& structure, int element, const ConfigurationView& at);
 Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at);
 Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at,
                          const ElementFrame& placement);
 Eigen::Matrix<double, 12, 6> forces_at_nodes(const ElementFrame& placement);  ///< times p: nodal forces, in space
-/// Large displacement: see beam/tangent.h.
+/// Element stiffness in space; large displacement: see beam/tangent.h.
 Mat12 element_tangent(const ElementFrame& placement, const Vec6& p, const Mat6& k, bool geometric);
 
-/// From node 1 to node 2, m.
+/// Vector from node 1 to node 2, m.
 Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement);
-/// Large displacement: the rotation of the node at an end (0, 1), and of what hinges have turned that end by.
+/// Large displacement: rotation of the node at an end (0, 1), with the turn of that end by hinges.
 Quat end_rotation(const Element& e, int index, int end, const ConfigurationView& at);
-/// An element as winding.h takes it.
+/// Input of winding.h for an element.
 beam::Winding winding_of(const Element& e, int index, const ConfigurationView& at);
 
 }  // namespace hinge

@@ -15,7 +15,7 @@ template <class Real>
 struct PairKind;
 }
 
-/// What one element did on the way to the pose.
+/// Plastic flow of one element between the state and the pose.
 struct PlasticIncrement {
     int element;
     beam::ReturnMapResult flow;
@@ -31,19 +31,19 @@ public:
     ElementAssembly(const Structure& structure, ThreadPool& pool, bool inertia);
     ~ElementAssembly();
 
-    /// Takes up which elements are whole and where their points stand. Call when a point has moved.
+    /// Reads which elements are whole and where their integration points are. Call when a point has moved.
     void take_up(const State& state);
     void drop(int element);   ///< it broke, or rests
     void raise(int element);  ///< it no longer rests
 
-    /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; what resists), writes p of each element to
+    /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; resisting), writes p of each element to
     /// `force`, and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes
     /// nothing in it.
     void run(const State& state, const Configuration& pose, std::vector<Vec6>& nodal, std::vector<Vec6>& force,
              std::vector<PlasticIncrement>& yielding);
 
-    /// What loads between the nodes do at the ends of each element, as of the pose that run is asked for next; empty
-    /// where there are none.
+    /// Fixed-end forces of each element from loads between its nodes, at the pose of the next call of run; empty if
+    /// there are none.
     std::vector<beam::FixedEnd>& fixed_ends() { return fixed_ends_; }
     const beam::FixedEnd& fixed_end(int element) const {
         return fixed_ends_.empty() ? beam::no_fixed_end : fixed_ends_[element];
@@ -53,30 +53,30 @@ public:
     /// follows the axial force, that have bent by more. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
     void watch_rotation(double tolerance);
-    /// Takes up in the state, whose nodes are where run has found them, how far its elements are wound, and what hinges
-    /// have turned their ends by; and in the pose that the next step is tried with. Returns the elements whose ends
-    /// have new axes.
+    /// Saves the winding of elements and the turns of their ends by hinges, in the state, whose nodes are at the
+    /// pose of the last run, and in the trial pose of the next step. Returns the elements whose ends have new
+    /// axes.
     std::vector<int> keep_turns(State& state, Configuration& trial) const;
     /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
     /// there is none. Filled by run; large displacement.
     int folded() const { return folded_; }
     /// An element whose return to its yield surface has not converged; -1 when there is none. Filled by run.
     int unreturned() const { return unreturned_; }
-    /// Why a step cannot go on from here, "" where it can: an element has folded, or the return of one to its yield
+    /// Reason why a step cannot continue, "" if it can: an element has folded, or the return of one to its yield
     /// surface has not converged. Filled by run.
     std::string failure() const;
-    /// Marks where the element is at `pose` as what its stiffness was built for.
+    /// Records the frame of the element at `pose` as the one of its stiffness.
     void mark_built(int element, const State& state, const Configuration& pose);
 
-    /// How far the plastic flow of pairs is found (pair_return.h), as a part of the elastic deformation. Newton's
-    /// method needs forces without steps, 1e-9, the default. Where a step is solved once 1e-4 is enough: the forces
-    /// follow from what is left elastic, whatever this is.
+    /// Tolerance of the plastic flow of pairs (pair_return.h), as a part of the elastic deformation. Newton's method
+    /// needs forces without steps, 1e-9, the default. Where a step is solved once 1e-4 is enough: the forces follow
+    /// from the elastic part, whatever the tolerance.
     void set_return_tolerance(double tolerance) { return_tolerance_ = tolerance; }
 
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
 
-    /// What a checkpoint holds, read after take_up: who takes part, and the frames of the last builds.
+    /// Fields of a checkpoint, read after take_up: active elements, and the frames of the last builds.
     template <class A>
     static void fields(const ElementAssembly& s, A& a) {
         a(s.taking_part(), s.frames(), s.updates_);
@@ -93,7 +93,7 @@ private:
     struct Block;
     struct Kind;
     const Kind& add_kind(const State& state, const int* index);
-    struct Found;  ///< what one piece of the assembly came upon
+    struct Found;  ///< results of one piece of the assembly
     unsigned find_wound(const Block& b, int element, const Lanes& rotated, const State&, const Configuration&,
                         Found& found) const;
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
@@ -138,7 +138,7 @@ private:
     std::deque<Kind> kinds_;
     std::vector<beam::FixedEnd> fixed_ends_;
     std::vector<Found> found_;
-    // several threads: what elements of several pieces do to one node is left in `left_` and added up afterwards
+    // several threads: forces that elements of several pieces put on one node are in `left_` and added up afterwards
     struct Shared {
         int node, first, end;
     };

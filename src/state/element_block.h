@@ -1,4 +1,4 @@
-// Eight elements at once: what the stages of the assembly share. Only for the files of ElementAssembly.
+// Data of eight elements that the stages of the assembly share. Only for the files of ElementAssembly.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,14 @@ struct ElementAssembly::Block {
     unsigned whole;  ///< a bit for each element that takes part
 };
 
-/// What blocks of the same eight sections, lengths and directions share: in a regular frame, nearly all of them.
+/// Data of blocks with the same eight sections, lengths and directions: nearly all blocks of a regular frame.
 struct ElementAssembly::Kind {
     Lanes length, axes[4];                       // w x y z
     Lanes k[8];                                  // x11 x12 x22 y11 y12 y22 axial twist
     Lanes yield[4];                              // x y n z
     Lanes mass, rotary[3];                       // rho A L/6, rho I L/6: the linear mass
-    Lanes more[2], more_across, more_rotary[2];  // what the cubic mass has beyond it
-    beam::PairKind<Lanes> pair;                  // what N does to the bending of pairs
+    Lanes more[2], more_across, more_rotary[2];  // additional terms of the cubic mass
+    beam::PairKind<Lanes> pair;                  // effect of N on the bending of pairs
     bool can_yield;
 
     beam::Stiffness stiffness(int i) const {

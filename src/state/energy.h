@@ -1,5 +1,5 @@
-// The energy balance (eq 20 and what it leaves out) as a list of named accounts, J. Effects register them; whoever
-// prints, sums up or checks them reads the list.
+// Energy balance (eq 20 and further terms) as a list of named accounts, J. Effects register the accounts; code that
+// prints, sums or checks them reads the list.
 #pragma once
 
 #include <string>
@@ -35,20 +35,20 @@ private:
     std::vector<Sum> sums_;  // a handful: going through them beats any map
 };
 
-/// What an effect registers.
+/// An account, as an effect registers it.
 struct AccountInfo {
     std::string_view name;
-    int place;                      ///< where it stands in the list: rising
+    int place;                      ///< order in the list: rising
     std::string_view meaning;       ///< for people
     std::string_view part_of = {};  ///< the account that it is a part of; "" for one that stands in the balance itself
     bool always = false;            ///< in every list, as the contract of summary.json asks, whatever a scene calls for
     bool may_give = false;  ///< below zero it has given energy, as a potential does; another one below zero is an error
 };
 
-/// Supplied: what raises the sum. Everything else is held, or was taken out.
+/// The account of supplied energy. All other accounts are stored energy, or energy taken out.
 inline constexpr std::string_view supplied_account = "work";
 
-/// The balance of a state: error = initial + work - (all other accounts), which is what the numerics made or lost.
+/// Energy balance of a state: error = initial + work - (all other accounts), the energy made or lost by the numerics.
 struct Energy {
     double initial = 0;  ///< kinetic + elastic at the start of the run
     Accounts accounts;   ///< those registered, parts included; an account with parts is their sum
@@ -57,7 +57,7 @@ struct Energy {
     double operator[](std::string_view name) const;
 };
 
-/// Rising by place.
+/// Accounts, rising by place.
 using AccountList = std::vector<AccountInfo>;
 
 /// Sums parts into the accounts that they are part of and finds the energy balance error. `sums` holds the others.

@@ -1,4 +1,4 @@
-// What each plastic hinge has gone through: when it first yielded, how far it has rotated, what it has dissipated.
+// History of each plastic hinge: first yield, rotation, dissipated energy.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct HingeRecord {
     }
 };
 
-/// All of them, in the order of their places.
+/// Records of all hinges, in the order of their places.
 struct HingeRecords {
     static constexpr bool in_state_hash = false;  ///< they follow from the steps, and no step depends on them
     std::vector<HingeRecord> list;
@@ -50,7 +50,7 @@ struct HingeRecords {
     }
 };
 
-/// A step is kept in which these elements flow. `at`: its end, s or load factor. Costs nothing where nothing flows.
+/// Records plastic flow in a committed step. `at`: its end, s or load factor. Costs nothing without flow.
 void record_flow(const Structure& structure, const std::vector<PlasticIncrement>& yielding, double at, bool statics,
                  HingeRecords& records);
 

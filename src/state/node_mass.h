@@ -1,12 +1,12 @@
-// What elements and offset masses weigh on their nodes. Eight elements at a time the assembly does it itself
-// (element_assembly.cpp).
+// Mass of elements and offset masses at their nodes. The assembly computes eight elements at a time itself
+// (assembly_stages.cpp).
 #pragma once
 
 #include "state/state.h"
 
 namespace hinge {
 
-/// Calls f(node, kg) for both nodes of each whole element: what the element asks of the node in an even acceleration.
+/// Calls f(node, kg) for both nodes of each whole element: the element's share at the node in a uniform acceleration.
 template <class F>
 void for_each_weight(const Structure& structure, const State& state, F f) {
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
@@ -20,7 +20,7 @@ void for_each_weight(const Structure& structure, const State& state, F f) {
 struct LumpedMass {
     double mass = 0;    ///< kg
     double rotary = 0;  ///< kg m^2, about every axis
-    /// Of each degree of freedom, 1/kg and 1/(kg m^2); zero where `held` has it or nothing is left.
+    /// Inverse for each degree of freedom, 1/kg and 1/(kg m^2); zero where `held` or massless.
     Vec6 inverse(std::uint8_t held) const;
 };
 LumpedMass lumped_mass_at(const Structure& structure, const State& state, int node);

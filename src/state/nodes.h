@@ -1,4 +1,4 @@
-// Loops over nodes: how they are shared out, and a node's six numbers as one vector.
+// Helpers of loops over nodes: pieces for threads, and a node's six numbers as one vector.
 #pragma once
 
 #include "core/lanes.h"

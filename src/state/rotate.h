@@ -1,4 +1,4 @@
-// All nodes' rotations moved on by rotation vectors, eight at a time.
+// Updates all nodes' rotations by rotation vectors, eight at a time.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace hinge {
 
-/// to[i] = rotated(by[i], from[i]) for first <= i < end, with the same bits.
+/// Computes to[i] = rotated(by[i], from[i]) for first <= i < end, with the same bits.
 inline void rotate_all(const std::vector<Vec3>& by, const std::vector<Quat>& from, std::vector<Quat>& to,
                        std::size_t first, std::size_t end) {
     constexpr int n = lane_count;

@@ -1,4 +1,4 @@
-// Everything that changes while a run goes on: dense arrays, and one list of them that drives copies, snapshots and
+// State of a run, all that changes during it: dense arrays, and one list of them that drives copies, snapshots and
 // hashes.
 #pragma once
 
@@ -28,8 +28,8 @@ struct OffsetMass {
 
 enum HingeBits : std::uint8_t { hinge_at_1 = 1, hinge_at_2 = 2, hinge_at_middle = 4 };
 
-/// What an effect keeps from step to step beside the arrays of the state. It is copied with the state, so that a run
-/// may go on from another, and a step be taken back.
+/// Data that an effect keeps from step to step, in addition to the arrays. They are copied with the state, so that a
+/// run may continue another, and a step be rolled back.
 class EffectData {
 public:
     virtual ~EffectData() = default;
@@ -54,7 +54,7 @@ public:
     }
 };
 
-/// The data of all effects that keep any, each under the effect's name.
+/// Data of all effects that have any, each under the effect's name.
 class EffectDataList {
 public:
     EffectDataList() = default;
@@ -92,7 +92,7 @@ private:
     std::vector<std::pair<std::string, std::unique_ptr<EffectData>>> list_;
 };
 
-/// What hinges have turned the ends of an element by (state/turned_ends.h).
+/// Turns of the ends of an element by its hinges (state/turned_ends.h).
 struct TurnedEnds {
     double by[2][4] = {{1}, {1}};  ///< of each end's axes against its node's, at the start: quaternion w x y z
     double flowed[6] = {};         ///< the plastic deformation that this stands for
@@ -178,8 +178,8 @@ struct State {
 /// The state at the start: declared positions and velocities, no stress.
 State initial_state(const Structure& structure);
 
-/// Whether what was read can be a state of the structure: each array as long as it must be, nothing that refers beyond
-/// it.
+/// True if a state that was read fits the structure: each array has the right length, and no index is out of
+/// range.
 bool makes_sense(const State& state, const Structure& structure);
 bool is_finite(const State& state);  ///< each of its numbers
 

@@ -1,4 +1,4 @@
-// Elements wound by more than a third of a turn: the stage of the assembly that finds them, and what the state keeps.
+// Elements wound by more than a third of a turn: the assembly stage that finds them, and their part of the state.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

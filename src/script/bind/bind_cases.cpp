@@ -1,4 +1,4 @@
-// Load cases: model:case, model:combination, and what a run says of them.
+// Load cases: model:case, model:combination, and the cases of a run.
 #include <algorithm>
 
 #include "core/text.h"

@@ -1,4 +1,4 @@
-// run:checkpoint and run:resume, and what the program does by itself so that no run is lost.
+// run:checkpoint and run:resume, and the automatic checkpoints of the program.
 #include "script/files/run_checkpoint.h"
 
 #include <algorithm>

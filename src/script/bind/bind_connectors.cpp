@@ -1,5 +1,5 @@
 // model:connector: springs, dashpots, curves and laws of the script between two nodes, or a node and the ground; and
-// what a connector tells of a run.
+// the results of a connector in a run.
 #include "effects/connectors.h"
 
 #include "script/lua/objects.h"

@@ -1,4 +1,4 @@
-// model:contact: which members meet, by which rule, and what the script hears of it.
+// model:contact: members that may touch, contact rules, and callbacks of the script.
 #include "script/lua/objects.h"
 
 namespace hinge::script {

@@ -1,4 +1,4 @@
-// What hinge render takes and Lua lacks: a display and a number that several processes share, folders, and GIF.
+// System functions for hinge render: a display and a number that several processes share, folders, and GIF.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// model:fracture: limits, or a rule of the script's own that is shown sections, one by one or all at once.
+// model:fracture: limits, or a rule of the script that checks sections, one by one or all at once.
 #include <algorithm>
 #include <bitset>
 #include <cmath>

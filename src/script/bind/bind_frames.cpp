@@ -1,4 +1,4 @@
-// core.pack_frames: the frames of a run as a page takes them.
+// core.pack_frames: the frames of a run, packed for a page.
 #include "script/record/frame_pack.h"
 #include "script/lua/picture_module.h"
 

@@ -1,4 +1,4 @@
-// What the method run:hinges is made of (lua/hinge/hinges.lua).
+// Binding of the method run:hinges (lua/hinge/hinges.lua).
 #pragma once
 
 #include <lua.hpp>

@@ -1,4 +1,4 @@
-// model:load and model:move: what acts on a structure from outside, over time or by its state.
+// model:load and model:move: external loads and support motions, over time or as functions of the state.
 #include <cmath>
 
 #include "script/lua/objects.h"

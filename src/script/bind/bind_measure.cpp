@@ -1,5 +1,5 @@
-// What measuring runs takes and Lua lacks: a clock, the most memory held at once, word of every run that is made, and
-// runs without one of their effects.
+// System functions for measuring runs: a clock, peak memory, a callback for every run that is made, and runs without
+// one of their effects.
 #include <malloc.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Nodes, members, groups and loads in a script's hands: what they tell of themselves, and what is said of those that
-// are gone.
+// Nodes, members, groups and loads as objects of a script: their fields, and error messages for those that are
+// gone.
 #include <algorithm>
 
 #include "core/text.h"

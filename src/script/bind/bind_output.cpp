@@ -1,4 +1,4 @@
-// What a script leaves behind: summary.json, other files, and where they go.
+// Output files of a script: summary.json and others, and their folder.
 #include <algorithm>
 #include <filesystem>
 

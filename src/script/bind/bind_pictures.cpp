@@ -1,4 +1,4 @@
-// What a script draws of a run: frames and pictures.
+// Pictures and frames of a run that a script draws.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Plots: what gnuplot is to draw is written beside the picture, and gnuplot draws it.
+// Plots: writes commands and data for gnuplot beside the picture, and runs gnuplot.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>

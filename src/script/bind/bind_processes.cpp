@@ -1,5 +1,5 @@
-// What a study needs of the system and Lua lacks: cases in processes of their own, with limits of time and memory; what
-// a file holds, as a number; JSON as Lua values.
+// System functions for studies: cases in separate processes, with limits of time and memory; a number for the contents
+// of a file; JSON as Lua values.
 #include <dlfcn.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>

@@ -1,4 +1,4 @@
-// What a script reads of a state: of a node or member of a run, and of all of them in one array.
+// Results of a run that a script reads: of a node or member, and of all of them in one array.
 #include <algorithm>
 #include <cmath>
 

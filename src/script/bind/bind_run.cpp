@@ -1,4 +1,4 @@
-// A run in a script's hands: its steps, and what can be read of it.
+// A run as an object of a script: its steps and methods.
 #include "effects/contact.h"
 #include <algorithm>
 #include <cstring>

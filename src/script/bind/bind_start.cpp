@@ -1,4 +1,4 @@
-// model:static{} and model:dynamic{}: what a script may say of a run, and the run made of it.
+// model:static{} and model:dynamic{}: the settings of a run, and the run made from them.
 #include <algorithm>
 #include <cmath>
 

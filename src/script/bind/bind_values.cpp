@@ -1,4 +1,4 @@
-// hinge.material and hinge.section: what members are made of.
+// hinge.material and hinge.section: the material and section of members.
 #include <cmath>
 
 #include "model/plastic_shape.h"

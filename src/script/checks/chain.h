@@ -1,30 +1,30 @@
-// Runs that go on from one another (from =): a chain is as good as its weakest run.
+// Chains of runs that continue one another (from =): a failed run makes the later ones fail.
 #pragma once
 
 #include "script/lua/objects.h"
 
 namespace hinge::script {
 
-/// Of a run that did not come to the end that the script asked for, or that goes on from such a run: which run, how far
-/// it came, where it was made. "" for others, and where allow_failed = true accepts it.
+/// Text on a run that did not reach its requested end, or that continues such a run: which run, how far it came, where
+/// it was made. "" for others, and if allow_failed = true accepts it.
 std::string weak_link(const RunRecord& r);
 
-/// Whether it goes on from a run that did not come to its end, and nothing accepts that.
+/// True if it continues a run that did not reach its end, and nothing accepts that.
 inline bool is_weak(const RunRecord& r) { return !r.weak.empty() && !r.weak_allowed; }
 
-/// How a run went. One that has ended has failed if a run that it goes on from did not come to its end.
+/// Verdict of a run. A run that has ended has failed if a run that it continues did not reach its end.
 Verdict verdict_of(const RunRecord& r);
 
-/// The first run that has failed and of which the script has never asked how it went, but for the last run; "" for
+/// The first failed run whose verdict the script has never read, without the last run; "" for
 /// none.
 std::string unasked_failure(const Context& c);
 
-/// What a new run takes over from the one that it goes on from, and the field allow_failed.
+/// Data that a new run inherits from the run that it continues, and the field allow_failed.
 class Chain {
 public:
-    /// Tells that the run before did not come to its end. `before`: null for none.
+    /// Warns if the run before did not reach its end. `before`: null for none.
     Chain(Options& o, const RunRecord* before);
-    /// Gives it to the run on top of the stack; returns 1.
+    /// Stores the data in the run on top of the stack; returns 1.
     int keep(lua_State* L);
 
 private:

@@ -1,4 +1,4 @@
-// hinge check: what a run would work on, and what in it is a likely mistake, without a step.
+// hinge check: summary of the model of a run and its likely mistakes, without a step.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace hinge::script {
 
-/// The run's counts and mass in a line.
+/// Line with the run's counts and mass.
 std::string checked_run(const RunRecord& record);
 
-/// What it works on: its bodies with their masses and lowest natural periods, the shortest time that an axial wave
+/// Summary of the model: its bodies with their masses and lowest natural periods, the shortest time that an axial wave
 /// takes through an element, and warnings that name the culprit, the script's line and what to do.
 std::string checked_model(const RunRecord& record);
 
-/// What of that is found quickly, beside hinge::warnings of its model: what was seen where the run was made
+/// Warnings that are found quickly, in addition to hinge::warnings of its model: those from the start of the run
 /// (RunRecord::likely_mistakes), mechanisms, a long step, loads that are far too large, columns that may buckle (the
 /// last two of models of at most `most_solved` nodes, by a linear solution; periods of bodies of as many). `all`: a
-/// long step also where nothing strikes, and members whose axial force makes eq 14 unsafe, which a run tells of its own
-/// forces; `loads`: those that are too large.
+/// long step also without impact, and members whose axial force makes eq 14 unsafe, which a run checks by its forces;
+/// `loads`: those that are too large.
 std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads);
 
 /// Pairs of nodes that connectors join.
@@ -28,16 +28,16 @@ std::vector<std::pair<int, int>> joined_by_connectors(const Model& model);
 /// "what (line, and 3 more like it); advice"
 std::string warning_text(const Warning& d);
 
-/// What a run says of itself, with the line of the member that it speaks of.
+/// A run's own warning, with the line of the member concerned.
 Warning warning_of(const Run& run, const RunWarning& w);
 
-/// Tells of a likely mistake, once.
+/// Prints a likely mistake, once.
 void tell(Context& c, const Warning& w);
 
-/// Tells what effects say of a run as a whole, where it ends or is left; nothing of one that has taken no step.
+/// Prints the findings of effects on a run as a whole, when it ends or is left; nothing for a run without a step.
 void tell_findings(Context& c, const RunRecord& r);
 
-/// hinge run: tells of likely mistakes, each once, in ten lines at most; of a model before it is run, and of the run.
+/// hinge run: prints likely mistakes, each once, in ten lines at most; of a model before its run, and of the run.
 void look_over(Context& c, const Model& model);
 void look_over(Context& c, RunRecord& record);
 

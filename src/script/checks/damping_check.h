@@ -1,4 +1,4 @@
-// What Rayleigh damping makes of a body's lowest modes.
+// Damping ratios of a body's lowest modes under Rayleigh damping.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace hinge::script {
 
-/// "; damping ratios 5, 4.1, 5 %" of a body's circular frequencies, rad/s; "" where nothing damps it.
+/// Text such as "; damping ratios 5, 4.1, 5 %" for a body's circular frequencies, rad/s; "" without damping.
 std::string damping_ratios(const Structure& structure, const std::vector<int>& nodes,
                            const std::vector<double>& frequencies);
 
-/// A first mode that is damped far more or far less than model:damping asks for at its two periods. `body`: its name.
+/// Warns of a first mode with far more or less damping than model:damping has at its two periods. `body`: its name.
 std::optional<Warning> damped_otherwise(const Structure& structure, const std::vector<int>& nodes,
                                         const std::vector<double>& frequencies, const std::string& body);
 

@@ -1,8 +1,8 @@
-// elements = "auto": how many elements a member gets.
+// elements = "auto": the number of elements of a member.
 //
 // One linear static solution of what the model declares (loads and gravity in full, without contact) says how far each
-// member is compressed, and whether it yields inside. Two elements are exact for what is neither; the number is 2, 4, 8
-// or 16.
+// member is compressed, and whether it yields inside. Two elements are exact for a member that does neither; the number
+// is 2, 4, 8 or 16.
 //
 // Compression counts in large displacement. With n elements a pinned member buckles at (1 + e) times Euler's load P_E
 // (README, "Columns in compression"), so at a compression P its bending stiffness 1 - P / P_E is P / ((1 + e) P_E) less
@@ -14,7 +14,7 @@
 // fully plastic one, its ends carrying no more than theirs and compression adding its part; and to one with loads of
 // its own that yields anywhere, because the moments at its ends count as if the loads acted on its nodes.
 //
-// What the solution does not have: impacts, motions of supports, loads that are functions of the state.
+// The solution does not include impacts, motions of supports, loads that are functions of the state.
 #pragma once
 
 #include <string>
@@ -24,8 +24,8 @@
 
 namespace hinge::script {
 
-/// Of all members that are undecided; without any it does nothing. Bodies that supports do not hold have no static
-/// solution and keep two.
+/// Sets the number of elements of all undecided members; without any it does nothing. Bodies that supports do not hold
+/// have no static solution and keep two.
 void decide_elements(Model& model);
 
 /// Members that elements = "auto" gave the same number for the same reason.

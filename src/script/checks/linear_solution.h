@@ -1,4 +1,4 @@
-// One linear static solution of what a model declares: loads and gravity in full, without contact and without yield.
+// Linear static solution of a model as declared: loads and gravity in full, without contact and without yield.
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@ namespace hinge::script {
 
 struct LinearSolution {
     std::unique_ptr<Statics> run;  ///< null where there is none
-    std::vector<char> solved;      ///< of each node: whether it takes part; bodies that supports do not hold stay put
+    std::vector<char> solved;      ///< of each node: true if solved; bodies that supports do not hold do not move
 };
-/// `held`: six bits a node that do not move, over and above the supports; empty for none.
+/// Solves a model. `held`: six bits a node, fixed in addition to the supports; empty for none.
 LinearSolution solve_linearly(const Model& model, std::vector<std::uint8_t> held = {});
 
 /// Euler's load of a pinned member about its weaker axis, pi^2 E I_min / L^2 between its nodes, N.

@@ -1,4 +1,4 @@
-// Likely mistakes that hinge run tells of, before the mechanism or the failure that they may end in.
+// Likely mistakes that hinge run prints before the mechanism or the failure that may follow.
 #include <algorithm>
 
 #include "effects/connectors.h"

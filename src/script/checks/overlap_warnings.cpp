@@ -1,4 +1,4 @@
-// Bars of different bodies that lie in each other where a run begins: contact does not see them until they have parted.
+// Bars of different bodies that overlap at the start of a run: contact ignores them until they have separated.
 #include <algorithm>
 
 #include "contact/broad_phase.h"

@@ -1,4 +1,4 @@
-// hinge plan: what a run would simulate, and why, without a step.
+// hinge plan: the effects that a run would simulate, and the reasons, without a step.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace hinge::script {
 
-/// The effects of a run, the recording that the script layer does among them.
+/// The effects of a run, including recording by the script layer.
 std::vector<PlanLine> effects_of(const RunRecord& record);
 
-/// A line with the kinetic energy, J, that a dynamic run begins with; "" where there is none.
+/// A line with the initial kinetic energy, J, of a dynamic run; "" if there is none.
 std::string kinetic_at_start(const Run& run);
 
 /// The run and its effects as a table: name, on or off, why, the script's line.

@@ -1,4 +1,4 @@
-// What pulls along gravity, by source; loads that are no mass, floors that count twice, gravity that comes too late.
+// Forces along gravity by source; warnings of loads without mass, floors counted twice, and late gravity.
 #include <cmath>
 #include <optional>
 

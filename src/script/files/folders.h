@@ -1,4 +1,4 @@
-// Output folders: whose each is. run.json says it: script, case, parameters, hinge's version.
+// Output folders and their owners. run.json has the owner: script, case, parameters, hinge's version.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace hinge::script {
 
-/// The output folder of a run by `owner` (JSON without a version): `wanted`, or, where that holds a run with another
+/// The output folder of a run by `owner` (JSON without a version): `wanted`, or, if that holds a run with another
 /// script or other parameters, the first of wanted-2, wanted-3, ... that does not.
 std::string free_folder(const std::string& wanted, const std::string& owner);
 
-/// Makes the output folder and writes run.json into it, once. Says so where it held a run of something else.
+/// Makes the output folder and writes run.json into it, once. Prints a notice if another run was in it.
 void take_folder(Context& c);
 
-/// hinge history: a paragraph for each folder in `folders`, or in those that they hold, that a run was written to.
-/// False where there is none.
+/// hinge history: prints a paragraph for each folder with a run, in `folders` or one level below. False if there is
+/// none.
 bool print_history(const std::vector<std::string>& folders);
 
 }  // namespace hinge::script

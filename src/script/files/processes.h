@@ -1,4 +1,4 @@
-// Cases of a study in processes of their own (bind_processes.cpp), and what those of hinge render share
+// Bindings for separate processes: cases of a study (bind_processes.cpp) and shared data of hinge render
 // (bind_film.cpp).
 #pragma once
 

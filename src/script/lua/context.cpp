@@ -1,4 +1,4 @@
-// The state a script runs in.
+// The context in which a script runs.
 #include "script/lua/objects.h"
 
 namespace hinge::script {

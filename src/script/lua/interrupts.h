@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM: the first one ends the script, or says what it waits for; the second one ends the program at
+// Ctrl-C and SIGTERM: the first one ends the script, or prints why it has to wait; the second one ends the program at
 // once.
 #pragma once
 
@@ -6,18 +6,18 @@
 
 namespace hinge::script {
 
-/// From now on. A run that is under way ends after its step, with its checkpoint. A script's own loop ends at the line
-/// where it is; if a run is under way, in ten seconds. What takes longer than a second is named on stderr.
+/// Makes signals end the script: a run under way after its step, with its checkpoint; a script's own loop at its
+/// present line, or in ten seconds if a run is under way. Longer operations are named on stderr after a second.
 void end_on_signals(lua_State* L);
 void forget_signals();
 
-/// Whether Lua works on the script itself, not on a study of it, which looks for signals by itself. Returns what was.
+/// Sets whether Lua runs the script itself, not a study of it, which checks signals itself. Returns the old value.
 bool script_runs(bool is_script);
 
-/// Whether the script steps a run, which looks for signals before each step.
+/// Sets whether the script steps a run, which checks signals before each step.
 void run_is_under_way(bool is);
 
-/// What is said where work that was left halfway (Interrupted without a text) or the script's own line ends the script.
+/// Message if abandoned work (Interrupted without a text) or the script's own line ends the script.
 std::string ended_halfway(lua_State* L);
 
 /// "interrupted by Ctrl-C"

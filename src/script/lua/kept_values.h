@@ -1,4 +1,4 @@
-// A table of the script's own values as bytes, and back: booleans, numbers, strings, and tables of them.
+// Converts a table of the script to bytes and back: booleans, numbers, strings, and tables of them.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace hinge::script {
 
-/// The table at `index`. Throws InputError, naming the place as `what`.field, where it holds anything else.
+/// Packs the table at `index`. Throws InputError, naming `what`.field, if it contains anything else.
 std::string pack_table(lua_State* L, int index, const std::string& what);
 
-/// Throws Damaged (core/archive.h) where these are not the bytes of a table.
+/// Throws Damaged (core/archive.h) if these are not the bytes of a table.
 void check_packed_table(const std::string& bytes);
 
-/// The table at `index` gets these contents in the place of its own.
+/// Replaces the contents of the table at `index`.
 void unpack_table(lua_State* L, int index, const std::string& bytes);
 
 }  // namespace hinge::script

@@ -1,4 +1,4 @@
-// Lua's calls that may run out of memory, made safe for C++: where Lua would jump over destructors they throw.
+// Lua's calls that may run out of memory, made safe for C++: they throw instead of jumping over destructors.
 //
 // Inside hinge::script each of these names stands for the object here and not for Lua's function (an object also keeps
 // C++ from looking for functions by their arguments). It makes the call within lua_pcall, which takes some 50 ns. Calls
@@ -15,7 +15,7 @@ namespace hinge::script {
 /// Raised unchanged: a Lua error value that is already on the stack (a hook's own error).
 struct LuaErrorOnStack {};
 
-/// Throws what a status other than LUA_OK means; the error value is on top.
+/// Throws an exception for a status other than LUA_OK; the error value is on top.
 inline void must_be_ok(lua_State* L, int status) {
     if (status == LUA_ERRMEM) lua_settop(L, -2), throw std::bad_alloc();
     if (status != LUA_OK) throw LuaErrorOnStack();

@@ -1,4 +1,4 @@
-// The boundary to Lua: errors that cross it, values that come in, objects that live behind userdata.
+// The boundary to Lua: errors, values from scripts, and C++ objects in userdata.
 //
 // Lua's errors are longjmps, so none may start while a C++ destructor is pending. Every function that Lua calls is
 // wrapped by `guarded`: it catches C++ exceptions, leaves the catch, and only then raises. Inside, arguments are read
@@ -34,7 +34,7 @@ int guarded(lua_State* L) {
 /// "script.lua:12" for the innermost level outside the hinge library, or "" when there is none.
 std::string where(lua_State* L);
 
-/// Remembers what kind of error a message is (see core.error_kind).
+/// Stores the kind of error of a message (see core.error_kind).
 void note_error(lua_State* L, const std::string& message, const char* kind);
 
 /// The folder of the Lua library; its chunks are skipped by `where`.
@@ -48,7 +48,7 @@ std::string show(double value);
 
 // ---- objects ------------------------------------------------------------------------------------------------------
 
-/// T declares `static constexpr const char* lua_name`.
+/// The T in the userdata at `index`, or null. T declares `static constexpr const char* lua_name`.
 template <class T>
 T* find(lua_State* L, int index) {
     return static_cast<T*>(luaL_testudata(L, index, T::lua_name));
@@ -62,8 +62,8 @@ T* push(lua_State* L, Args&&... args) {
     return object;
 }
 
-/// Leaves a userdata that no function takes: a script may call this by hand (debug.getmetatable), or a finalizer of its
-/// own bring the userdata back.
+/// Destroys the T of a userdata, which no function accepts after that: a script may call this by hand
+/// (debug.getmetatable), or a finalizer revive the userdata.
 template <class T>
 int collect(lua_State* L) {
     T* object = find<T>(L, 1);
@@ -74,7 +74,7 @@ int collect(lua_State* L) {
     return 0;
 }
 
-/// Raises where what stands behind a handle is gone; objects.h says of which handles.
+/// Raises an error if the object of a handle is gone; objects.h defines it for the handles.
 inline void refuse_gone(const auto&, const std::string&) {}
 
 template <class T>
@@ -95,18 +95,18 @@ T& self(lua_State* L, const std::string& function) {
 void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields,
                     lua_CFunction collect, lua_CFunction to_string, lua_CFunction equal);
 
-/// Which fields its objects have: for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
+/// Registers the fields of its objects, for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
 void name_fields(lua_State* L, const char* name, const std::vector<const char*>& fields);
 /// Methods for a metatable that make_metatable made.
 void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);
 
-/// For a metatable's `fields`: the key asked for as text; whether it is a method, which is then pushed; and the
-/// complaint if it is neither.
+/// For a metatable's `fields`: the key as text; true if it is a method, which is then pushed; and the error if it is
+/// neither.
 std::string key_argument(lua_State* L);
 bool push_method(lua_State* L);
 [[noreturn]] void refuse_field(lua_State* L, const char* object, const std::string& key);
 
-/// body; arguments beyond the first `most` (an object with its `:` counts) are refused.
+/// Calls body; refuses more than `most` arguments (an object with its `:` counts).
 int taking(lua_State* L, const char* name, int most, Body body);
 template <std::size_t n>
 struct Name {
@@ -146,7 +146,7 @@ public:
     /// Pushes the field's raw value (nil if absent) and counts it as known.
     int push_field(const char* field);
     int push_item(int i);
-    /// Complains about a field that is none of these, before anything is said to be missing.
+    /// Raises an error for a field that is none of these, before any missing field is reported.
     void expect(std::vector<std::string> fields, int items_allowed = 0) {
         known_ = std::move(fields), finish(items_allowed);
     }
@@ -154,7 +154,7 @@ public:
     void former_name(const char* field, const char* before);
     /// `before` is an older word for `word` in this field.
     void former_word(const char* field, const char* word, const char* before);
-    /// Complains about a field nobody asked for.
+    /// Raises an error for a field that was never read.
     void finish(int items_allowed = 0);
 
     [[noreturn]] void complain(const std::string& field, const std::string& value, const std::string& allowed) const;

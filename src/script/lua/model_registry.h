@@ -1,5 +1,5 @@
-// What keeps a model's Lua functions: one table a model, its registry, held by every object of the script that keeps
-// the model.
+// Registry of a model's Lua functions: one table a model, referred to by every object of the script that keeps the
+// model.
 #pragma once
 
 #include <memory>
@@ -18,14 +18,14 @@ struct Context;
 /// Pushes the model's registry, a Lua table made when it is first asked for.
 void push_registry(lua_State* L, const Model& model);
 
-/// Has the userdata on top of the stack hold the model's registry. Whatever keeps a model alive for the script must.
+/// Makes the userdata on top of the stack refer to the model's registry. Every object that keeps a model alive must.
 void hold_registry(lua_State* L, const Model& model);
 
-/// Pushes the registry, and its table of the handles of one kind that are in use, by number. It does not keep them.
+/// Pushes the registry, and its table of handles of one kind in use, by number: weak references.
 void push_handles(lua_State* L, const Model& model, const char* kind);
 
-/// A Lua value that C++ holds. The model's registry keeps it, not the registry: a rule that refers to its own model is
-/// then a cycle that Lua sees and collects. It may be used as long as an object of the script holds that registry.
+/// A Lua value that C++ holds. The model's registry keeps it, not Lua's: a rule that refers to its own model is then a
+/// cycle that Lua sees and collects. It may be used as long as an object of the script holds that registry.
 class LuaValue {
 public:
     LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index
@@ -48,7 +48,7 @@ private:
     std::string place_;
 };
 
-/// Calls the function below its arguments; a Lua error becomes HookError with the message it had, and `what` failed.
+/// Calls the function below its arguments; a Lua error becomes HookError with its message and `what`.
 void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what = "");
 
 }  // namespace hinge::script

@@ -1,4 +1,4 @@
-// What a host that runs scripts needs: the module, and the context behind it.
+// The module for a host that runs scripts, and its context.
 #pragma once
 
 #include <lua.hpp>
@@ -8,7 +8,7 @@ namespace hinge::script {
 
 struct Context;
 
-/// Makes `require "hinge"` work in this state, and returns what the host may set before a script runs. Once per state.
+/// Makes `require "hinge"` work in this state, and returns its context, for the host's settings. Once per state.
 std::shared_ptr<Context> prepare(lua_State* L);
 
 }  // namespace hinge::script

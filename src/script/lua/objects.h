@@ -1,4 +1,4 @@
-// What stands behind the userdata a script holds.
+// C++ objects in the userdata of a script, and the script's context.
 #pragma once
 
 #include <chrono>
@@ -18,9 +18,9 @@
 
 namespace hinge::script {
 
-/// What the Lua state that runs the script shares: where output goes, and the run that the summary speaks of.
+/// Data shared by a Lua state that runs a script: the output folder, messages, and the run of the summary.
 struct Context {
-    /// Where the script writes, and what could not be written.
+    /// The script's output: its folder, and files that could not be written.
     struct Output {
         std::string folder;                                  ///< empty: nothing is written unless a path is given
         std::string owner;                                   ///< run.json of that folder; "": none is written
@@ -29,7 +29,7 @@ struct Context {
         std::set<std::string> checkpoints;                   ///< files that runs have named
         std::vector<std::string> lost;  ///< pictures, frames and checkpoints that could not be written, and why
     };
-    /// What the program prints on stderr, and has printed.
+    /// Messages of the program on stderr: settings, and those already printed.
     struct Messages {
         bool progress = false;                   ///< progress of runs, and their changes of state
         bool warns = false;                      ///< likely mistakes
@@ -101,7 +101,7 @@ struct SectionBox {
     std::shared_ptr<const Section> value;
 };
 
-/// A model in a script's hands.
+/// A model that a script has made.
 struct ScriptModel : Model {
     using Model::Model;
     std::string closed_at;  ///< the script's line that closed it, "" while it is open
@@ -142,15 +142,15 @@ struct CaseBox {
     int index;
 };
 
-/// A quantity of a node, or the difference of two nodes' recorded at every step.
+/// A quantity of a node, or its difference between two nodes, recorded at every step.
 struct Probe {
     int node;
     enum class Quantity { displacement, velocity, acceleration, reaction } quantity;
     int component;
     std::string name;
     std::vector<double> time, value;
-    int relative_to = -1;  ///< the node whose value is taken off, -1: none
-    double height = 0;     ///< m, that the difference is divided by: a drift; 0: it is not
+    int relative_to = -1;  ///< the node whose value is subtracted, -1: none
+    double height = 0;     ///< m, divisor of the difference for a drift; 0: none
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.node, s.quantity, s.component, s.name, s.time, s.value, s.relative_to, s.height);
@@ -161,21 +161,21 @@ struct ProbeBox {
     std::shared_ptr<Probe> value;
 };
 
-/// Something that happened to an element for the first time.
+/// First contact, yield or fracture of an element.
 struct ElementEvent {
     enum class What : int { contact, yield, fracture } what;
     double at;          ///< s; in statics the load factor
     int element, end;   ///< end 1 or 2; 0: no end, or both
-    int limit;          ///< beam::Limit that a break had reached
-    double strain, of;  ///< the strain that did, and its limit
+    int limit;          ///< beam::Limit reached at a break
+    double strain, of;  ///< the strain that reached it, and its limit
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.what, s.at, s.element, s.end, s.limit, s.strain, s.of);
     }
 };
 
-/// Rows of the energy balance that are kept for plots, whether or not there is a history.csv: time, load factor, all
-/// accounts, energy error. Where they are many, every second one goes, and so on.
+/// Rows of the energy balance for plots, with or without a history.csv: time, load factor, all accounts, energy error.
+/// If they are many, every second one is removed, and so on.
 struct KeptRows {
     static constexpr long most = 8192;
     long stride = 1, seen = 0;
@@ -186,7 +186,7 @@ struct KeptRows {
     }
 };
 
-/// What a run's steps have left that a checkpoint keeps.
+/// Recorded results of a run's steps that a checkpoint contains.
 struct Recorded {
     bool started = false, closed = false;
     long breaks_noted = 0;
@@ -205,16 +205,16 @@ struct Recorded {
     }
 };
 
-/// Where a run is kept, and how often.
+/// Checkpoint file of a run, and the interval between writes.
 struct CheckpointPlan {
     std::string file;
     double every = 60;             ///< s
-    std::optional<LuaValue> keep;  ///< the script's table that is kept with it
+    std::optional<LuaValue> keep;  ///< the script's table that is saved with it
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
     bool ended = false;  ///< it holds the end of the run
 };
 
-/// A run with what is recorded of it.
+/// A run with its recorded results.
 struct RunRecord : Recorded {
     std::shared_ptr<Run> run;
     std::shared_ptr<ScriptModel> model;  ///< the script's own, to know its nodes and groups again
@@ -224,14 +224,14 @@ struct RunRecord : Recorded {
     std::string history_path, events_path;
     std::size_t events_written = 0;        ///< of the happenings
     std::string asked_at;                  ///< the script's line that made the run
-    std::vector<Warning> likely_mistakes;  ///< likely mistakes that are seen where it is made
-    std::optional<Warning> of_units;       ///< of its model: what looks as if it were in another unit
-    std::string weak;                      ///< the run before that did not come to its end (weak_link); "" for none
+    std::vector<Warning> likely_mistakes;  ///< likely mistakes found when it was made
+    std::optional<Warning> of_units;       ///< of its model: a value that looks as if in another unit
+    std::string weak;                      ///< the run before that did not reach its end (weak_link); "" for none
     bool weak_allowed = false;             ///< allow_failed = true
-    std::string changed;                   ///< what was declared first since, and where; "" for nothing
+    std::string changed;                   ///< the first declaration since, and its line; "" for none
     bool begun = false;                    ///< its files are open
-    bool stepping = false;                 ///< a step is going on: the script's functions may not ask for another
-    bool mid_step = false;                 ///< the state is between two
+    bool stepping = false;                 ///< inside a step: the script's functions may not start another
+    bool mid_step = false;                 ///< inside a step that was not completed
     std::optional<CheckpointPlan> checkpoint;
     std::string past;                  ///< of history.csv, from a checkpoint
     long resumed_at = 0;               ///< steps
@@ -244,11 +244,11 @@ struct RunRecord : Recorded {
         double last = 0;  ///< s
     };
     std::map<std::string, Changes>
-        changes;  ///< of state, by effect: the first of each kind is told, the others counted
+        changes;  ///< of state, by effect: the first of each kind is printed, the others counted
     bool instability_shown = false;
     std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
-    double last_energy_share = 0;   ///< the energy error as a part of it; of a balance that no longer closed, that
-    double state_energy_share = 0;  ///< likewise of the state alone, to which such a run went back
+    double last_energy_share = 0;   ///< the energy error as a part of it, also of a balance that no longer closed
+    double state_energy_share = 0;  ///< likewise of the last state, to which such a run went back
 };
 struct RunBox {
     static constexpr const char* lua_name = "hinge.run";
@@ -263,7 +263,7 @@ std::string name_of(const CaseBox& c);
 std::string name_of(const ModelBox& m);
 std::string name_of(const RunBox& r);
 
-/// "" for what is there, else since when it is not, as " of a model that was closed at script.lua:12".
+/// "" for an object that exists, else the reason, as " of a model that was closed at script.lua:12".
 std::string gone(const ScriptModel& model);
 template <class T>
 std::string gone(const T& handle) {
@@ -309,12 +309,12 @@ void open_values(lua_State* L, int module);  ///< hinge.material, hinge.section
 void open_model(lua_State* L, int module);   ///< hinge.model
 void open_objects(lua_State* L);             ///< nodes, members, groups, loads
 void open_run(lua_State* L);
-void open_reading(lua_State* L);             ///< what runs, nodes and members tell of a state
+void open_reading(lua_State* L);             ///< results of runs, nodes and members
 void open_output(lua_State* L, int module);  ///< summary and other files
 void open_pictures(lua_State* L, int module);
 void open_plots(lua_State* L, int module);
-void open_frames(lua_State* L, int module);   ///< frames as a page takes them
-void open_measure(lua_State* L, int module);  ///< clock, memory, word of every run
+void open_frames(lua_State* L, int module);   ///< frames for a page
+void open_measure(lua_State* L, int module);  ///< clock, memory, callback of every run
 
 #define HINGE_MODEL_METHOD(name, function) int function(lua_State* L);
 #define HINGE_MODEL_RUN(name, function) int function(lua_State* L);
@@ -326,12 +326,12 @@ int set_gravity(lua_State* L);
 #include "script/bind/load_targets.inc"
 #undef HINGE_LOAD_ON
 
-/// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
-/// point has beside its time. Empty where the field is absent.
-/// `jumps`: two points may have the same time.
+/// Reads a quantity over time from a field of the options: a function, or points with linear interpolation.
+/// `each`: the value of a point beside its time. Empty if the field is absent. `jumps`: two points may have the
+/// same time.
 History read_history(Options& o, const char* field, const std::string& each, const Model& model, bool jumps);
 
-/// body, which changes the model that it is called on: runs made before take note (advance).
+/// Calls body, which changes its model: runs made before are then refused (advance).
 int declaring(lua_State* L, const char* name, Body body);
 void note_change(lua_State* L, ScriptModel& model, const char* name);
 template <Name name, int most, Body body>
@@ -342,7 +342,7 @@ int declares(lua_State* L) {
 /// The case in field 'case' of a load, by name or handle; -1 where there is none.
 int case_of(Options& o, const Model& model);
 int case_argument(lua_State* L, int index, const std::string& what, const Model& model);
-/// What a run takes of the loads: its field 'loads', or what the run before had.
+/// The loads of a run: its field 'loads', or those of the run before.
 LoadChoice read_choice(Options& o, const Model& model, const RunRecord* from, bool is_static);
 void open_cases(lua_State* L);
 
@@ -350,7 +350,7 @@ void open_cases(lua_State* L);
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int record_every,
              std::vector<Warning> likely_mistakes = {});
 
-/// Why a run failed, or the run that it goes on from, and which warning may tell the cause.
+/// Reason for the failure of a run or of the run that it continues, with a warning that may be the cause.
 std::string reason_of(const RunRecord& record);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
@@ -358,21 +358,21 @@ MemberBox& member_argument(lua_State* L, int index, const std::string& what, con
 const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what,
                                                const Model* model = nullptr);
 void prepare_folder(const Context& c, const std::string& file);
-/// Whether somebody listens (core.on_run): such runs leave nothing.
+/// True if core.on_run is set: such runs write no files.
 bool runs_are_measured(lua_State* L);
 /// The run made last of the model, nullptr when there is none.
 std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model);
 /// The index of a group given by handle or name. `copy`: the model's copy that a run or a picture holds, if that is
 /// what is asked.
 int group_argument(lua_State* L, int index, const std::string& what, const Model& model, const Model* copy = nullptr);
-/// Tells who listens (core.on_run) of the run on top of the stack.
+/// Calls the function of core.on_run with the run on top of the stack.
 void tell_of_run(lua_State* L);
 /// The index of a node that the run has.
 int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what);
-/// Refuses a node that was fixed after the run was made: the run knows no reaction of it.
+/// Refuses a node that was fixed after the run was made: the run has no reaction there.
 void must_be_fixed_in(const RunRecord& r, int node, const std::string& what);
-/// What probes and run:read know of a node: displacement, velocity, acceleration and reaction, six each, in the order
-/// of Probe::Quantity.
+/// Names of nodal quantities for probes and run:read: displacement, velocity, acceleration and reaction, six each, in
+/// the order of Probe::Quantity.
 const std::vector<std::string>& node_quantities();
 /// Number of the member's element that broke first and the time (s) of it, -inf where that was before this run.
 std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member);

@@ -20,7 +20,7 @@ F picture_function(const Context& c, const char* name) {
     return f;
 }
 
-/// Throws what a function of the module has said, where it has failed.
+/// Throws the message of a function of the module if it has failed.
 inline void must_work(int status, const char* error) {
     if (status != 0) throw OutsideError(error);
 }

@@ -1,5 +1,5 @@
-// Somebody who looks on while runs go on (hinge run --live). Called on the thread of the run, between its steps;
-// changes nothing of a run, and throws nothing.
+// Observer of runs in progress (hinge run --live). Called on the thread of the run, between its steps; changes nothing
+// of a run, and throws nothing.
 #pragma once
 
 #include <chrono>
@@ -17,10 +17,10 @@ struct RunObserver {
     virtual void begun(const RunRecord& run, const std::string& history) = 0;
     /// A row of its history.csv, with the line's end.
     virtual void row(const RunRecord& run, const std::string& row) = 0;
-    /// It has taken a step. `over`: it takes no more.
+    /// The run has taken a step. `over`: it takes no more.
     virtual void stepped(const Context& context, const RunRecord& run, bool over,
                          std::chrono::steady_clock::time_point now) = 0;
-    /// This is a process of its own now, in which nobody looks.
+    /// The process was forked: nothing is observed in the child.
     virtual void forked() = 0;
 };
 

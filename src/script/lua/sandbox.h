@@ -1,21 +1,21 @@
-// The limits of a script that is not trusted. What it may call is in lua/hinge/sandbox.lua; where it may write, in
-// output_file.
+// Limits of a script that is not trusted. Calls that it may use are in lua/hinge/sandbox.lua; folders that it may write
+// to, in output_file.
 #pragma once
 
 #include <lua.hpp>
 
 namespace hinge::script {
 
-/// What the process may use from here on, whichever part of it does.
+/// Resources that the whole process may use from here on.
 struct Limits {
     double memory = 1 << 30;    ///< bytes
     double seconds = 60;        ///< of wall time
     double instructions = 1e9;  ///< of Lua's machine, in all coroutines together
 };
 
-/// Holds the process to the limits. An allocation beyond `memory` fails as if there were no more; past the other two
-/// the process says so and ends with status 1, in the midst of a native call too. Once per process, before the script
-/// is loaded.
+/// Applies the limits to the process. An allocation beyond `memory` fails as if there were no more; beyond the other
+/// two the process prints a message and ends with status 1, even inside a native call. Once per process, before the
+/// script is loaded.
 void confine(lua_State* L, const Limits& limits);
 
 }  // namespace hinge::script

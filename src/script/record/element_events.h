@@ -1,29 +1,29 @@
-// What happened to the elements of a run, in order: events.csv, and the damage in summary.json.
+// Events of the elements of a run, in order: events.csv, and the damage in summary.json.
 #pragma once
 
 #include "script/record/events.h"
 
 namespace hinge::script {
 
-/// After a step: elements that have been in contact, flowed or broken for the first time. Before the first step: what
-/// has happened before this run does not count.
+/// Records elements that have been in contact, yielded or broken for the first time, after a step. Before the first
+/// step: excludes events before this run.
 void note_happenings(RunRecord& record);
 
-/// The columns of events.csv, and what it has in them of one event: text, "" for nothing.
+/// The columns of events.csv, and the text of one event in each; "" for nothing.
 std::vector<std::string> event_columns(const Run& run);
 std::vector<std::string> event_fields(const Run& run, const ElementEvent& happening);
 
-/// From now on the run's events go to that file, with those that it has already: it may go on from a checkpoint. There
-/// is no file where nothing has happened.
+/// Opens events.csv of a run, with the events that a run from a checkpoint already has. There is no file without
+/// events.
 void begin_happenings(RunRecord& record, const std::string& path);
 
-/// Events that are not yet in the file, where the run has one.
+/// Writes events that are not yet in the file, if the run has one.
 void write_happenings(RunRecord& record);
 
-/// events.csv in the output folder as it is at the end, also of a run that kept no history.
+/// Writes the final events.csv in the output folder, also for a run without history.
 void leave_happenings(const Context& c, RunRecord& record);
 
-/// Of each group: members, elastic, yielded, broken, and touched, whatever else they are.
+/// Damage of each group: members, elastic, yielded, broken, and touched (also if elastic or not).
 Json damage_by_group(const Run& run);
 
 }  // namespace hinge::script

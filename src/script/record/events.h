@@ -1,4 +1,4 @@
-// hinge run --json: what a run says as objects, one a line.
+// hinge run --json: messages of a run as JSON objects, one a line.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,11 +9,11 @@ namespace hinge::script {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes { "event": kind, ... } as a line, where somebody listens.
+/// Writes { "event": kind, ... } as a line, if --json is on.
 void write_event(const Context& c, const char* kind, Json fields);
 
-/// A Lua value: tables with items are lists, others objects with their keys in order; a number that is not finite is
-/// its text.
+/// A Lua value as JSON: tables with items are lists, others objects with their keys in order; a number that is not
+/// finite is its text.
 Json to_json(lua_State* L, int index, int depth = 0);
 
 }  // namespace hinge::script

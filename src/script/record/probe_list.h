@@ -6,11 +6,11 @@
 namespace hinge::script {
 
 /// For `probe.time` and `probe.value`, the probe at index 1: pushes a new table that reads the first n numbers, those
-/// recorded so far, where they are. It works as a list of them does, for #, ipairs, pairs and the functions of `table`,
-/// and becomes one where it is written to or pairs is called.
+/// recorded so far, without a copy. It works like a list for #, ipairs, pairs and the functions of `table`, and becomes
+/// one when it is written to or pairs is called.
 int push_probe_list(lua_State* L, bool times);
 
-/// Makes the table at `index` a plain list if it is one of those: for who reads it without its metamethods.
+/// Makes the table at `index` a plain list if it is one of those: for readers without metamethods.
 void fill_probe_list(lua_State* L, int index);
 
 }  // namespace hinge::script

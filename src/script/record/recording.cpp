@@ -1,4 +1,4 @@
-// What a run keeps as it goes: probes, rows of history.csv, and what a user sees meanwhile.
+// Recording during a run: probes, rows of history.csv, and progress messages.
 #include "script/record/recording.h"
 
 #include <algorithm>

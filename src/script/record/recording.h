@@ -1,4 +1,4 @@
-// Recording: what a run's steps leave in its probes and in history.csv.
+// Recording of a run's steps in its probes and in history.csv.
 #pragma once
 
 #include "script/lua/objects.h"
@@ -9,10 +9,10 @@ double value_of(const Run& run, const Probe& probe);  ///< the probe's quantity 
 double abscissa(const Run& run);                      ///< time, s; in statics the load factor
 const char* unit_of(const Probe& probe);              ///< "m", "rad", "m/s", ..., "N m"
 void keep_row(RunRecord& r, const Energy& energy, const LostBalance* lost = nullptr);  ///< for plots; see KeptRows
-int run_history(lua_State* L);  ///< core.run_history(run): what has been kept
+int run_history(lua_State* L);  ///< core.run_history(run): the recorded rows
 
-/// A row of history.csv with these energies, and its line's end.
-/// `lost`: of this moment, with probes that are not numbers; null: of the state.
+/// A row of history.csv with these energies, and its line's end. `lost`: the balance that no longer closed, with probes
+/// that are not numbers; null: that of the state.
 std::string history_row(const RunRecord& record, const Energy& energy, const LostBalance* lost = nullptr);
 
 /// 12 s, 3 min 20 s, 2 h 5 min

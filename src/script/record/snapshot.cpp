@@ -1,4 +1,4 @@
-// A run at one instant: where its elements are, how they are damaged, and what they carry.
+// Snapshot of a run at one instant: positions, damage and section forces of its elements.
 #include "script/record/snapshot.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// A run at one instant, as pictures and frames take it.
+// Snapshot of a run at one instant, for pictures and frames.
 #pragma once
 
 #include "output/picture.h"

@@ -1,4 +1,4 @@
-// What a script asks a picture to show.
+// Reads the settings of a picture from a script.
 #include "script/record/view.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a script asks a picture to show.
+// Reads the settings of a picture from a script.
 #pragma once
 
 #include "script/record/snapshot.h"
