@@ -1,6 +1,9 @@
 // The verbs of the program and their options.
 #include "command_line.h"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
 #include "completion.h"
 #include "version.h"
 
@@ -267,12 +270,47 @@ void add_render(CLI::App& app, Request& request) {
         "there are no frames, or an option is wrong; 130 (Ctrl-C) or 143 (SIGTERM) interrupted, and no film is left.");
 }
 
-}  // namespace
-
+/// Declares all verbs. The values of options go into `request`, without the verb's name.
 void declare_verbs(CLI::App& app, Request& request) {
     for (const auto add : {add_run, add_plan, add_check, add_cost, add_study, add_render, add_report, add_history,
                            add_reference, add_do, add_prompt, add_new, add_completion})
         add(app, request);
+}
+
+}  // namespace
+
+CommandLine read_command_line(std::vector<std::string> words) {
+    CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
+    app.set_version_flag("--version", version_text, "Print version, build and libraries, and exit");
+    app.require_subcommand(1);
+    CommandLine line;
+    declare_verbs(app, line.request);
+    for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; }))
+        line.verbs.push_back(verb->get_name());
+    const auto is_verb = [&](const std::string& word) {
+        return std::find(line.verbs.begin(), line.verbs.end(), word) != line.verbs.end();
+    };
+
+    if (!words.empty() && words[0] == "help") {  // hinge help VERB is hinge VERB --help
+        words.erase(words.begin());
+        if (!words.empty() && !is_verb(words[0])) return line.unknown_verb = words[0], line;
+        words.resize(std::min<std::size_t>(words.size(), 1));
+        words.emplace_back("--help");
+    }
+    if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
+    line.named = !words.empty() && (words[0][0] == '-' || is_verb(words[0]));
+    if (!words.empty() && (!line.named || words[0] == "--sandbox" || words[0].rfind("--live", 0) == 0))
+        words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
+    std::replace(words.begin(), words.end(), std::string("--live"),
+                 std::string("--live=0"));     // the next word is no port
+    std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+    try {
+        app.parse(words);
+    } catch (const CLI::ParseError& e) { return line.status = app.exit(e) == 0 ? 0 : 2, line; }
+    line.request.verb = app.get_subcommands().front()->get_name();
+    if (line.request.verb == "completion" && line.request.code != "names")
+        line.completion = completion_script(app, line.request.code);
+    return line;
 }
 
 }  // namespace hinge

@@ -1,7 +1,6 @@
-// Command line of the program: its verbs and their options.
+// The command line of the program: its verbs, and the values of their options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,7 +19,16 @@ struct Request {
     script::Limits limits;
 };
 
-/// Declares all verbs; the options of the command line are stored in `request`, but not the verb's name.
-void declare_verbs(CLI::App& app, Request& request);
+struct CommandLine {
+    Request request;
+    std::vector<std::string> verbs;  ///< names of all verbs
+    bool named = false;              ///< it begins with a verb or an option, not with a script
+    std::string unknown_verb;        ///< of `hinge help VERB`, where there is no such verb; else ""
+    std::string completion;          ///< the shell script of `hinge completion SHELL`
+    std::optional<int> status;       ///< the program ends with this status: after --help, or with an error
+};
+
+/// Reads the words after the program's name. Prints help and errors of options itself, and sets `status` then.
+CommandLine read_command_line(std::vector<std::string> words);
 
 }  // namespace hinge

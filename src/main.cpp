@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "command_line.h"
-#include "completion.h"
 #include "core/files.h"
 #include "live/live.h"
 #include "new_project.h"
@@ -184,36 +183,15 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
 }
 
 int program(int argc, char** argv) {
-    CLI::App app{"hinge: collapse of framed structures under impact, scripted in Lua 5.4", "hinge"};
-    app.set_version_flag("--version", hinge::version_text, "Print version, build and libraries, and exit");
-    app.require_subcommand(1);
-    Request request;
-    hinge::declare_verbs(app, request);
-
-    std::vector<std::string> verbs, words(argv + 1, argv + argc);
-    for (const CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verbs.push_back(verb->get_name());
-    if (!words.empty() && words[0] == "help") {  // hinge help VERB is hinge VERB --help
-        words.erase(words.begin());
-        if (!words.empty() && std::find(verbs.begin(), verbs.end(), words[0]) == verbs.end())
-            return std::cerr << "hinge: there is no verb '" << words[0] << "'"
-                             << hinge::script::did_you_mean(words[0], verbs)
-                             << "; hinge --help lists the verbs, hinge reference NAME tells about a call\n",
-                   2;
-        words.resize(std::min<std::size_t>(words.size(), 1));
-        words.emplace_back("--help");
-    }
-    if (!words.empty() && (words[0] == "-e" || words[0] == "-i")) words[0] = words[0] == "-e" ? "do" : "prompt";
-    const bool named =
-        !words.empty() && (words[0][0] == '-' || std::find(verbs.begin(), verbs.end(), words[0]) != verbs.end());
-    if (!words.empty() && (!named || words[0] == "--sandbox" || words[0].rfind("--live", 0) == 0))
-        words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
-    std::replace(words.begin(), words.end(), std::string("--live"),
-                 std::string("--live=0"));     // what follows is no port
-    std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
-    try {
-        app.parse(words);
-    } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : 2; }
-    const std::string verb = request.verb = app.get_subcommands().front()->get_name();
+    hinge::CommandLine line = hinge::read_command_line({argv + 1, argv + argc});
+    if (!line.unknown_verb.empty())
+        return std::cerr << "hinge: there is no verb '" << line.unknown_verb << "'"
+                         << hinge::script::did_you_mean(line.unknown_verb, line.verbs)
+                         << "; hinge --help lists the verbs, hinge reference NAME tells about a call\n",
+               2;
+    if (line.status) return *line.status;
+    Request& request = line.request;
+    const std::string verb = request.verb;
     if (verb == "render") return with_lua(request, "hinge.render", "main", false);
     if (verb == "report") return with_lua(request, "hinge.report_page", "main", false);
     if (verb == "reference") return with_lua(request, "hinge.help", "main", false);
@@ -225,14 +203,14 @@ int program(int argc, char** argv) {
     }
     if (verb == "completion") {
         if (request.code == "names") return with_lua(request, "hinge.completion", "main", false);
-        std::cout << hinge::completion_script(app, request.code);
+        std::cout << line.completion;
         return 0;
     }
     if (verb == "do" || verb == "prompt") {
         if (!are_settings(request.overrides)) return 2;
         return with_lua(request, "hinge.prompt", verb == "do" ? "line" : "main", verb == "prompt");
     }
-    return run(std::move(request), named, verbs);
+    return run(std::move(request), line.named, line.verbs);
 }
 
 }  // namespace
