@@ -16,7 +16,7 @@ namespace {
 constexpr double too_much = 1.5, too_little = 0.5;
 
 /// The smallest and largest coefficients among a body's elements: its modes lie between.
-struct Range {
+struct FrequencyRange {
     double alpha[2] = {std::numeric_limits<double>::infinity(), 0}, beta[2] = {alpha[0], 0};
     double ratio(int side, double w) const { return 0.5 * (alpha[side] / w + beta[side] * w); }
 };
@@ -29,8 +29,8 @@ void for_each_element(const Structure& structure, const std::vector<int>& nodes,
             if (structure.elements()[e].node[0] == n) f(e);
 }
 
-Range range_of(const Structure& structure, const std::vector<int>& nodes) {
-    Range range;
+FrequencyRange range_of(const Structure& structure, const std::vector<int>& nodes) {
+    FrequencyRange range;
     const std::vector<ElementDamping> damping = damping_of(structure);
     if (damping.empty()) return {{0, 0}, {0, 0}};
     for_each_element(structure, nodes, [&](int e) {
@@ -48,7 +48,7 @@ std::string percent(double ratio) { return number_text(100 * ratio, 3); }
 
 std::string damping_ratios(const Structure& structure, const std::vector<int>& nodes,
                            const std::vector<double>& frequencies) {
-    const Range range = range_of(structure, nodes);
+    const FrequencyRange range = range_of(structure, nodes);
     if (frequencies.empty() || (range.alpha[1] == 0 && range.beta[1] == 0)) return "";
     std::string text;
     for (const double w : frequencies) {
