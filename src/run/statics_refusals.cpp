@@ -26,7 +26,7 @@ std::string Statics::loosely_held_body(int node) const {
         if (!std::binary_search(body.begin(), body.end(), node)) continue;
         std::vector<int> supports;
         for (int n : body) {
-            if (held_[n] != structure_->fixed()[n]) return "";  // held for this run alone
+            if (problem_.held[n] != structure_->fixed()[n]) return "";  // held for this run alone
             if (structure_->fixed()[n]) supports.push_back(n);
         }
         const auto motions = free_motions(*structure_, body);
@@ -39,8 +39,8 @@ std::string Statics::loosely_held_body(int node) const {
 }
 
 void Statics::refuse_mechanism() {
-    renew_and_factorise(1);
-    const int loose = effective_->factors().loosest_degree_of_freedom(1e-12);
+    tangent_.renew(1);
+    const int loose = tangent_.factors().loosest_degree_of_freedom(1e-12);
     if (loose < 0) return;
     static const char* way[] = {"move along x",   "move along y",   "move along z",
                                 "rotate about x", "rotate about y", "rotate about z"};
@@ -75,24 +75,31 @@ void Statics::refuse_mechanism() {
 
 /// Displacement and arc length find the load factor that keeps the structure where they drive it.
 void Statics::refuse_idle_loads() const {
-    if (settings_.control == Control::load) return;
+    if (settings().control == Control::load) return;
     for (std::size_t i = 0; i < w_.external.size(); ++i)
         for (int c = 0; c < 6; ++c)
-            if (w_.external[i][c] != 0 && !(held_[i] >> c & 1)) return;
-    throw InputError(std::string("control by ") + (settings_.control == Control::arc ? "arc length" : "displacement") +
+            if (w_.external[i][c] != 0 && !(problem_.held[i] >> c & 1)) return;
+    throw InputError(std::string("control by ") + (settings().control == Control::arc ? "arc length" : "displacement") +
                      " scales the loads that are declared, and none acts on a node that can move; declare the load "
                      "that is to do it with model:load or model:gravity, of any size");
 }
 
-void Statics::find_way() {
-    if (settings_.control != Control::displacement) return;
-    const double here = displacement(settings_.node)[settings_.component], to = settings_.target;
-    way_ = to - here;
-    if (std::abs(way_) <= same_place * std::max(std::abs(to), std::abs(here)))
-        throw InputError("control: to = " + number_text(to) + (settings_.component < 3 ? " m" : " rad") + " is where " +
-                         component_name(settings_.component) + " of " + structure_->node_name(settings_.node) +
+/// Displacement control: from where the run begins to the target, m or rad.
+double Statics::way_to_target() const {
+    if (settings().control != Control::displacement) return 0;
+    const int n = settings().node, c = settings().component;
+    const double here = displacement(n)[c], to = settings().target;
+    if (std::abs(to - here) <= same_place * std::max(std::abs(to), std::abs(here)))
+        throw InputError("control: to = " + number_text(to) + (c < 3 ? " m" : " rad") + " is where " +
+                         component_name(c) + " of " + structure_->node_name(n) +
                          " is already; 'to' is the displacement that run:displacement gives, not one that this run "
                          "adds to it");
+    return to - here;
+}
+
+std::unique_ptr<PathControl> Statics::make_path() const {
+    refuse_idle_loads();
+    return make_path_control(settings(), way_to_target());
 }
 
 }  // namespace hinge

@@ -109,7 +109,7 @@ void push_instability(lua_State* L, const RunRecord& r) {
     put(L, "count", long(i.count));
     if (i.node >= 0) {
         put(L, "node", r.run->structure().node_name(i.node));
-        put(L, "component", std::string(Statics::component_name(i.component)));
+        put(L, "component", std::string(component_name(i.component)));
     }
     if (!i.members.empty()) put(L, "by", std::string(i.by_compression ? "compression" : "bending"));
     lua_createtable(L, int(i.members.size()), 0);

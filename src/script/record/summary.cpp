@@ -91,7 +91,7 @@ void describe_run(Json& j, const RunRecord& r) {
             j["instability"] = {{"factor", i->factor}, {"beyond", i->beyond}, {"count", i->count}};
             if (i->node >= 0) {
                 j["instability"]["node"] = s.node_name(i->node);
-                j["instability"]["component"] = Statics::component_name(i->component);
+                j["instability"]["component"] = component_name(i->component);
             }
             if (!i->members.empty()) j["instability"]["by"] = i->by_compression ? "compression" : "bending";
             j["instability"]["members"] = Json::array();

@@ -1,0 +1,15 @@
+// Sums over the effects of a run: their stiffness, and what loads between nodes do at the ends of elements.
+#pragma once
+
+#include "effects/all_effects.h"
+
+namespace hinge {
+
+/// Stiffness (and damping times `of_damping`) that effects add between nodes.
+Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, double of_damping);
+
+/// Gives the element assembly the fixed-end forces of all loads between nodes, at the configuration that is tried.
+/// `factor`: the load factor of statics.
+void find_fixed_ends(Workspace& w, const EffectList& effects, double factor);
+
+}  // namespace hinge

@@ -1,0 +1,168 @@
+#include "run/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/rotation.h"
+#include "run/yield_tangents.h"
+
+namespace hinge {
+namespace {
+
+/// What a step leaves out of balance at first, before it is known.
+constexpr double first_off_balance = 1e-3;
+
+/// An iteration that makes the balance worse is halved so often at most.
+constexpr int most_halvings = 12;
+
+/// Newton's method no longer gets anywhere where so many iterations in a row had to be halved so often: what is out of
+/// balance falls by less than a thousandth in each.
+constexpr int most_idle = 5, halvings_of_idle = 8;
+
+/// With a tangent in which hinges keep much of the elastic stiffness.
+constexpr int many_iterations = 400;
+
+}  // namespace
+
+struct Newton::Iteration {
+    int number = 1;
+    double length = 0, angle = 0;            ///< largest components of the displacements: m, rad
+    StaticForces::Residual residual;         ///< where it has ended
+    double last_norm = 0, first_norm = 0;    ///< N, of the residuals of the iteration before and of the first
+    double off_balance = first_off_balance;  ///< the residual before it, relative
+    int halvings = 0, idle = 0;              ///< idle: iterations in a row that were halved too often
+};
+
+Newton::Newton(const StaticProblem& problem, StaticForces& forces, StaticTangent& tangent)
+    : problem_(problem), w_(problem.w), forces_(forces), tangent_(tangent) {
+    const std::size_t nodes = w_.structure.position().size();
+    for (auto* v : {&right_, &correction_, &total_, &step_, &result_.displacements, &result_.response})
+        v->assign(nodes, Vec6::Zero());
+}
+
+/// The first guess is that what yields goes on yielding; or, where that leads nowhere, that all is elastic, and hinges
+/// may unload.
+bool Newton::find(PathControl& control, double increment, double hinge_stiffness) {
+    passed_unstable_ = false;
+    const auto from_state = [&](bool yielding_goes_on) {
+        w_.trial = configuration_of(w_.state);
+        w_.factor = w_.state.factor;
+        return iterate(control, increment, hinge_stiffness, yielding_goes_on);
+    };
+    return from_state(true) || (!hinges_.empty() && !(hinge_stiffness > 0) && from_state(false));
+}
+
+bool Newton::find_from_trial(PathControl& control, double increment) {
+    passed_unstable_ = false;
+    return iterate(control, increment, 0, false);
+}
+
+bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on) {
+    for (Vec3& m : w_.rotation_step) m.setZero();
+    for (Vec6& v : total_) v.setZero();
+    forces_.recover();
+    w_.yielding = yielding_goes_on ? hinges_ : std::vector<PlasticIncrement>{};
+    const bool tangent_known = tangent_.take_that_of_state();
+    const int most = hinge_stiffness > 0 ? many_iterations : problem_.settings.iterations;
+    for (Iteration at; at.number <= most; ++at.number) {
+        if (!(at.number == 1 && tangent_known) && !tangent_.renew(at.off_balance, hinge_stiffness)) return false;
+        if (at.number > 1 && w_.structure.large())
+            passed_unstable_ = passed_unstable_ || tangent_.more_negative_modes(modes_at_start_);
+        if (!find_correction()) return false;
+        const auto change = control.factor_change({at.number, increment, total_, correction_, result_.response});
+        if (!change || !find_step(*change, at)) return false;
+        if (!search_line(*change, hinge_stiffness > 0, at)) return false;
+        if (has_converged(at)) {
+            if (!w_.assembly.failure().empty()) return false;
+            result_.iterations = at.number;
+            result_.displacements = total_;
+            return true;
+        }
+        if (is_hopeless(at)) return false;
+    }
+    return false;
+}
+
+bool Newton::find_response() {
+    std::vector<Vec6> load(w_.external.size());
+    for (std::size_t i = 0; i < load.size(); ++i) load[i] = problem_.without_supported(i, forces_.load_rate(i));
+    return tangent_.solve(load, result_.response);
+}
+
+/// Displacements by the out-of-balance forces, and by the loads at factor 1.
+bool Newton::find_correction() {
+    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = forces_.out_of_balance(i);
+    if (!tangent_.solve(right_, correction_) || !find_response()) return false;
+    if (first_softness_ == 0) first_softness_ = softness();
+    return true;
+}
+
+/// Displacements of the iteration. False where they are beyond all bounds.
+bool Newton::find_step(double factor_change, Iteration& at) {
+    at.length = at.angle = 0;
+    for (std::size_t i = 0; i < step_.size(); ++i) {
+        step_[i] = correction_[i] + factor_change * result_.response[i];
+        if (!step_[i].allFinite()) return false;
+        at.length = std::max(at.length, step_[i].head<3>().cwiseAbs().maxCoeff());
+        at.angle = std::max(at.angle, step_[i].tail<3>().cwiseAbs().maxCoeff());
+    }
+    return std::isfinite(at.length + at.angle) && at.length <= 10 * problem_.reach &&
+           !(w_.structure.large() && at.angle > 1.5);
+}
+
+void Newton::move_by_step(double factor) {
+    w_.factor = factor;
+    for (std::size_t i = 0; i < step_.size(); ++i) {
+        w_.trial.displacement[i] += step_[i].head<3>();
+        w_.rotation_step[i] += step_[i].tail<3>();
+        if (w_.structure.large()) w_.trial.rotation[i] = rotated(step_[i].tail<3>(), w_.trial.rotation[i]);
+        else w_.trial.small_rotation[i] += step_[i].tail<3>();
+    }
+}
+
+/// The set of hinges may differ at the two ends of the step, and Newton's method then swings between them: a step that
+/// makes the balance worse is taken by half, and by half again. False where the forces are not finite.
+bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) {
+    const Configuration before = w_.trial;
+    const std::vector<Vec3> turned_before = w_.rotation_step;
+    const double factor_before = w_.factor;
+    double share = 1;
+    for (at.halvings = 0;; ++at.halvings, share /= 2) {
+        if (at.halvings > 0) {
+            w_.trial = before;
+            w_.rotation_step = turned_before;
+            for (Vec6& v : step_) v *= 0.5;
+        }
+        move_by_step(factor_before + share * factor_change);
+        forces_.recover();
+        at.residual = forces_.residual();
+        const double norm = at.residual.norm;
+        if (at.number == 1 || at.halvings == most_halvings || whole_steps || !std::isfinite(norm) ||
+            norm <= (1 - 1e-3 * share) * at.last_norm)
+            break;
+    }
+    at.idle = at.halvings >= halvings_of_idle ? at.idle + 1 : 0;
+    at.last_norm = at.residual.norm;
+    at.off_balance = at.residual.relative();
+    if (at.number == 1) at.first_norm = std::max(at.last_norm, 1e-300);
+    for (std::size_t i = 0; i < step_.size(); ++i) total_[i] += step_[i];
+    return std::isfinite(at.last_norm);
+}
+
+/// Or where rounding lets it get no closer.
+bool Newton::has_converged(const Iteration& at) const {
+    const double norm = at.residual.norm, scale = at.residual.scale;
+    const bool stalled =
+        at.number > 3 && at.length <= 1e-12 * problem_.reach && at.angle <= 1e-11 && norm <= 1e-6 * scale;
+    return norm <= problem_.settings.tolerance * scale || norm <= problem_.rounding || stalled;
+}
+
+bool Newton::is_hopeless(const Iteration& at) const {
+    return (at.number > 8 && at.last_norm > 1e3 * at.first_norm) || at.idle >= most_idle;
+}
+
+void Newton::commit() { hinges_ = flowing_on(w_.yielding); }
+
+double Newton::softness() const { return std::sqrt(dot_translations(result_.response, result_.response)); }
+
+}  // namespace hinge

@@ -1,0 +1,91 @@
+// Stability of the equilibria that a static run finds: where the structure becomes unstable, whether a step has snapped
+// to another branch of equilibria, and whether displacement control has left its path.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "effects/run_warning.h"
+#include "run/newton.h"
+
+namespace hinge {
+
+/// Where a run came past a limit point or a branching point: its tangent has more negative eigenvalues than where the
+/// run began, and the equilibria beyond cannot be held at constant load.
+struct Instability {
+    double factor = 0, beyond = 0;  ///< load factors of the last equilibrium before it and of the first one after
+    int count = 0;                  ///< ways of moving that are not resisted; the most so far
+    int node = -1, component = 0;   ///< the largest motion of the first of these (0..5: ux uy uz rx ry rz)
+    bool by_compression = true;     ///< or, where moments drive it, as a beam that turns over sideways, by bending
+    std::vector<int> members;       ///< that this drives on in it, the first one most; at most three
+};
+
+/// "the structure becomes unstable at load factor 0.4: ..."
+std::string text_of(const Instability& instability, const Structure& structure);
+
+/// What a try to find the next equilibrium has come to.
+enum class Found { nothing, stable, unstable };
+
+class StabilityMonitor {
+public:
+    StabilityMonitor(const StaticProblem& problem, StaticTangent& tangent, Newton& newton);
+    /// Counts the negative eigenvalues of the tangent where the run begins.
+    void begin();
+
+    /// Another equilibrium is tried.
+    void begin_try() { may_have_snapped_ = false; }
+    /// Whether the equilibrium that Newton's method has found can be held as far as that could be where the run began,
+    /// and, under load control, whether it lies on the path: `nothing` where the step has snapped to another branch.
+    Found judge(PathControl& control, double increment, double hinge_stiffness);
+
+    /// True if displacement control leaves the equilibrium more negative eigenvalues than any before: it is that of
+    /// another branch, or lies beyond a branching point of the path.
+    bool has_left_path(const PathControl& control) const {
+        return control.can_stabilise() && free_modes_ > most_free_modes_;
+    }
+    /// True if condition and equilibrium leave no more negative eigenvalues than any before.
+    bool is_on_path() const { return free_modes_ <= most_free_modes_; }
+    /// Takes an equilibrium beyond a branching point as that of the path.
+    void accept_branching(const PathControl& control);
+
+    /// Number of negative eigenvalues at the trial; and whether no equilibrium before had so many.
+    int modes() const { return modes_; }
+    bool has_more_modes() const { return modes_ > most_modes_; }
+    /// Tries to find an equilibrium so far beyond the state.
+    using Try = std::function<Found(double increment)>;
+    /// Finds the load factor at which the structure becomes unstable, within a step that has ended beyond it. Returns
+    /// the largest increment whose equilibrium is stable; the trial is then the whole step again.
+    double locate_instability(const PathControl& control, double increment, const Try& try_step);
+    /// Takes so many negative eigenvalues as those of the path.
+    void accept_modes(int modes) { most_modes_ = modes; }
+    void count_ways(int modes) { instability_->count = modes - modes_at_start_; }
+
+    /// Under load control: a warning if the step that was tried may have snapped, once in a run.
+    std::optional<RunWarning> check_for_snap(double increment);
+
+    const std::optional<Instability>& instability() const { return instability_; }
+    const std::optional<double>& branching() const { return branching_; }  ///< load factor
+    /// Ways of moving that nothing resists at the trial, beside those where the run began.
+    int new_modes() const { return modes_ - modes_at_start_; }
+
+private:
+    int count_modes(double hinge_stiffness);
+    int count_free_modes(const PathControl& control);
+    bool unloading_returns(PathControl& control, double increment);
+    void describe(const std::vector<Vec6>& mode, Instability& found) const;
+    void find_driving_members(const std::vector<Vec6>& mode, Instability& found) const;
+
+    const StaticProblem& problem_;
+    Workspace& w_;
+    StaticTangent& tangent_;
+    Newton& newton_;
+    int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
+    int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
+    bool may_have_snapped_ = false;             ///< the trial may lie on another branch of equilibria
+    bool snap_told_ = false;
+    std::optional<double> branching_;
+    std::optional<Instability> instability_;
+};
+
+}  // namespace hinge

@@ -1,0 +1,130 @@
+#include "run/static_tangent.h"
+
+#include <algorithm>
+
+#include "core/doing.h"
+#include "core/errors.h"
+#include "run/effect_forces.h"
+#include "run/pressed_pairs.h"
+#include "run/yield_tangents.h"
+
+namespace hinge {
+namespace {
+
+/// Minimum fraction of the elastic stiffness kept at hinges, in the tangent alone: it keeps the tangent from being
+/// singular where hinges stand on both sides of a node, or make a second mechanism beside the one that is driven. Where
+/// N and M yield together, a mechanism keeps a small stiffness of its own, because N moves along the yield surface. A
+/// fraction that is larger than that lets Newton's method creep. So it falls with the out-of-balance force.
+double hinge_regularisation(double off_balance) { return std::clamp(1e-3 * off_balance, 1e-9, 1e-4); }
+
+std::unique_ptr<EffectiveStiffness> make_matrix(const StaticProblem& p, MatrixStorage storage) {
+    auto matrix = std::make_unique<EffectiveStiffness>(p.w.structure, p.w.pool, 0.0, 1.0, true, storage);
+    matrix->set_held(p.held);
+    return matrix;
+}
+
+}  // namespace
+
+StaticTangent::StaticTangent(const StaticProblem& problem, StaticForces& forces, Stages& stages)
+    : problem_(problem),
+      w_(problem.w),
+      forces_(forces),
+      matrix_(make_matrix(problem, MatrixStorage::direct)),
+      stages_(stages),
+      build_stage_(stages.add("stiffness", "")),
+      factorise_stage_(stages.add("solve", "")) {}
+
+void StaticTangent::keep_unsymmetric() {
+    matrix_ = make_matrix(problem_, MatrixStorage::unsymmetric);
+    built_ = false;
+}
+
+/// Rising. With large displacement all change, else those that yield or did when they were built.
+std::vector<int> StaticTangent::elements_to_build() const {
+    std::vector<int> list;
+    if (w_.structure.large() || !built_) {
+        for (std::size_t i = 0; i < w_.state.broken.size(); ++i)
+            if (!w_.state.broken[i]) list.push_back(int(i));
+        return list;
+    }
+    list = was_yielding_;
+    for (const PlasticIncrement& y : w_.yielding) list.push_back(y.element);
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+}
+
+/// Those of yielded elements and their partners, with `hinge_stiffness` times the elastic stiffness.
+std::vector<ElementTangent> StaticTangent::plastic_tangents(const std::vector<int>& elements, double hinge_stiffness) {
+    std::vector<ElementTangent> given =
+        given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, elements, w_.yielding);
+    forces_.find_yielding_by_load(given);
+    std::size_t next = 0;
+    was_yielding_.clear();
+    for (const PlasticIncrement& y : w_.yielding) {
+        const Element& e = w_.structure.elements()[y.element];
+        const beam::Rigidity& r = e.rigidity;
+        Vec6 bare;
+        bare << r.EIx, r.EIx, r.EIy, r.EIy, r.EA, r.GJ;
+        while (given[next].element < y.element) ++next;
+        given[next].own += hinge_stiffness * bare.asDiagonal().toDenseMatrix() / e.length;
+        was_yielding_.push_back(y.element);
+    }
+    return given;
+}
+
+bool StaticTangent::renew(double off_balance, double hinge_stiffness) {
+    if (asked_to_end) throw Interrupted("");  // a static run is done anew
+    stages_.timed(build_stage_, [&] {
+        const std::vector<int> list = elements_to_build();
+        const std::vector<ElementTangent> plastic =
+            plastic_tangents(list, std::max(hinge_regularisation(off_balance), hinge_stiffness));
+        w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
+        matrix_->build(list, w_.state, w_.trial, plastic);
+        w_.force.swap(w_.state.force);
+        Blocks blocks = added_blocks(problem_.effects, w_.trial, 0);
+        const bool has_blocks = !blocks.pairs.empty() || !blocks.nodes.empty();
+        if (has_blocks || had_blocks_) matrix_->set_blocks(std::move(blocks));
+        had_blocks_ = has_blocks;
+        built_ = true;
+        matrix_->assemble();
+    });
+    bool good = false;
+    stages_.timed(factorise_stage_, [&] { good = matrix_->factorise(); });
+    return good;
+}
+
+bool StaticTangent::solve(const std::vector<Vec6>& forces, std::vector<Vec6>& displacements) {
+    SolverSettings direct;
+    direct.direct = true;
+    return matrix_->solve(forces, displacements, direct).converged;
+}
+
+bool StaticTangent::more_negative_modes(int known) {
+    return matrix_->more_negative_modes(known) || (known == 0 && modes_within_pairs() > 0);
+}
+
+/// The middle node of a pair of elements cannot bend out between ends that are clamped, which is what a beam does from
+/// four times Euler's load of the pair on. The tangent does not show it, so that it is counted here (as in Wittrick and
+/// Williams, Q. J. Mech. Appl. Math. 24, 1971). Two elements have it in one member, four or more between its nodes.
+int StaticTangent::modes_within_pairs() {
+    int modes = 0;
+    double worst = 1;
+    overloaded_member_ = -1;
+    for (std::size_t i = 0; i + 1 < w_.structure.elements().size(); i += 2) {
+        for (const double part : pressed(w_.structure, w_.state, w_.force, int(i)).part) {
+            if (!(part > 1)) continue;
+            ++modes;
+            if (part > worst) worst = part, overloaded_member_ = w_.structure.elements()[i].member;
+        }
+    }
+    return modes;
+}
+
+bool StaticTangent::take_that_of_state() {
+    const bool known = of_state_ && w_.yielding.empty();
+    of_state_ = of_trial_ = false;
+    return known;
+}
+
+}  // namespace hinge

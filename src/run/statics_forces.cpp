@@ -1,0 +1,144 @@
+// The name keeps this file behind statics.cpp in the library. It compiles a template of Eigen that direct_factors.cpp
+// has too, and the linker takes that of the file that it comes to first (algebra/direct_factors.h).
+#include "run/static_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/effect_forces.h"
+#include "run/yield_tangents.h"
+
+namespace hinge {
+
+StaticForces::StaticForces(const StaticProblem& problem, Stages& stages)
+    : problem_(problem),
+      w_(problem.w),
+      follow_(any_follows()),
+      potential_(w_.external.size(), Vec6::Zero()),
+      stages_(stages),
+      recover_stage_(stages.add("recover stresses", "large displacement")) {
+    find_loads();
+}
+
+// ---- what effects are asked for ---------------------------------------------------------------------------------
+
+void StaticForces::add_steady_and_static(std::vector<Vec6>& potential, std::vector<Vec6>& others) const {
+    for (const auto& e : problem_.effects) {
+        std::vector<Vec6>& sum = e->has_potential() ? potential : others;
+        e->add_steady_loads(sum);
+        e->add_static_loads(w_.trial, sum);
+    }
+}
+
+void StaticForces::add_held(std::vector<Vec6>& weights, std::vector<Vec6>& others) const {
+    for (const auto& e : problem_.effects)
+        if (!e->has_potential()) e->add_held_loads(w_.trial, others);
+    for (const auto& e : problem_.effects)
+        if (e->has_potential()) e->add_held_loads(w_.trial, weights);
+}
+
+void StaticForces::add_resistance_of_effects() {
+    for (const auto& e : problem_.effects) e->add_forces(0, w_.resisting);
+}
+
+bool StaticForces::any_follows() const {
+    return std::any_of(problem_.effects.begin(), problem_.effects.end(),
+                       [](const auto& e) { return e->loads_follow(); });
+}
+
+/// Weight along members turns with them, but its moments are next to nothing beside their stiffness.
+bool StaticForces::are_unsymmetric() const {
+    const auto& loads = w_.structure.model().loads();
+    const bool moments = std::any_of(loads.begin(), loads.end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    return moments || std::any_of(problem_.effects.begin(), problem_.effects.end(), [&](const auto& e) {
+               return e->loads_follow() && (!e->has_potential() || !w_.state.offset_mass.empty());
+           });
+}
+
+// ---- loads ----------------------------------------------------------------------------------------------------------
+
+void StaticForces::find_loads() {
+    std::vector<Vec6> others(w_.external.size(), Vec6::Zero());
+    for (Vec6& v : potential_) v.setZero();
+    add_steady_and_static(potential_, others);
+    for (std::size_t i = 0; i < others.size(); ++i) w_.external[i] = others[i] + potential_[i];
+    if (!w_.structure.model().holds_loads()) return;
+    std::vector<Vec6> weights(others.size(), Vec6::Zero());
+    held_.assign(others.size(), Vec6::Zero());
+    add_held(weights, held_);
+    for (std::size_t i = 0; i < held_.size(); ++i) held_[i] += weights[i], w_.external[i] -= weights[i];
+}
+
+Vec6 StaticForces::load(std::size_t node, double factor) const {
+    if (held_.empty()) return factor * w_.external[node];
+    return factor * w_.external[node] + held_[node];
+}
+
+void StaticForces::find_yielding_by_load(const std::vector<ElementTangent>& tangents) {
+    yielding_by_load_.clear();
+    std::vector<beam::FixedEnd>& ends = w_.assembly.fixed_ends();
+    if (ends.empty() || tangents.empty()) return;
+    const std::vector<beam::FixedEnd> now = ends;
+    find_fixed_ends(w_, problem_.effects, w_.factor + 1);
+    std::vector<beam::FixedEnd> change = std::move(ends);
+    for (std::size_t i = 0; i < now.size(); ++i) change[i] = change[i] - now[i];
+    ends = now;
+    yielding_by_load_.assign(w_.external.size(), Vec6::Zero());
+    add_response(w_.structure, w_.state, w_.trial, tangents, change, yielding_by_load_);
+}
+
+Vec6 StaticForces::load_rate(std::size_t node) const {
+    if (yielding_by_load_.empty()) return w_.external[node];
+    return w_.external[node] - yielding_by_load_[node];
+}
+
+// ---- equilibrium ------------------------------------------------------------------------------------------------
+
+void StaticForces::recover() {
+    stages_.timed(recover_stage_, [&] {
+        for (Vec6& n : w_.resisting) n.setZero();
+        find_fixed_ends(w_, problem_.effects, w_.factor);
+        w_.assembly.run(w_.state, w_.trial, w_.resisting, w_.force, w_.yielding);
+        add_resistance_of_effects();
+        if (follow_) find_loads();
+    });
+}
+
+Vec6 StaticForces::out_of_balance(std::size_t node) const {
+    return problem_.without_supported(node, load(node, w_.factor) - w_.resisting[node]);
+}
+
+StaticForces::Residual StaticForces::residual() const {
+    double r = 0, s = 0;
+    for (std::size_t i = 0; i < w_.resisting.size(); ++i) {
+        const Vec6 acts = load(i, w_.factor);
+        for (int c = 0; c < 6; ++c) {
+            const double unit = c < 3 ? 1 : 1 / problem_.mean_length, f = acts[c];
+            if (!(problem_.held[i] >> c & 1)) r += std::pow(unit * (f - w_.resisting[i][c]), 2);
+            s += std::pow(unit * f, 2) + std::pow(unit * w_.resisting[i][c], 2);
+        }
+    }
+    return {std::sqrt(r), std::sqrt(s)};
+}
+
+void StaticForces::find_reactions(double factor) {
+    for (std::size_t i = 0; i < problem_.held.size(); ++i) {
+        if (!problem_.held[i]) continue;
+        const Vec6 acts = load(i, factor);
+        Vec6& r = w_.reaction[int(i)];
+        for (int c = 0; c < 6; ++c) r[c] = problem_.held[i] >> c & 1 ? w_.resisting[i][c] - acts[c] : 0;
+    }
+}
+
+/// By the mean load factor of the step. Of weights, the part that the load factor has not reached yet is held back.
+void StaticForces::add_work(double& work) const {
+    const double mean = 0.5 * (w_.state.factor + w_.factor);
+    for (std::size_t i = 0; i < w_.external.size(); ++i) {
+        const Vec3 du = w_.trial.displacement[i] - w_.state.displacement[i], turned = w_.rotation_step[i];
+        const auto on = [&](const Vec6& load) { return load.head<3>().dot(du) + load.tail<3>().dot(turned); };
+        work += mean * on(w_.external[i]) - on(potential_[i]);
+        if (!held_.empty()) work += on(held_[i]);
+    }
+}
+
+}  // namespace hinge
