@@ -2,15 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "script/bind/dynamic_settings.h"
 #include "script/checks/chain.h"
 #include "script/checks/check.h"
 #include "script/files/run_checkpoint.h"
 #include "script/checks/load_warnings.h"
-#include "effects/all_effects.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
 #include "run/dynamics.h"
-#include "algebra/stable_step.h"
 #include "script/checks/element_count.h"
 #include "script/checks/size_notice.h"
 #include "core/text.h"
@@ -272,57 +271,15 @@ void require_density(const Structure& structure) {
                              " has density 0 kg/m^3; dynamics needs a density above 0");
 }
 
-/// The field dt. Explicit steps may not be longer than stability allows, and can be left to it: dt = "auto".
-double step_of(Options& o, const Structure& structure, bool in_explicit_steps, double duration, bool& automatic) {
-    const std::string word = o.push_field("dt") == LUA_TSTRING ? lua_tostring(o.L(), -1) : "";
-    lua_pop(o.L(), 1);
-    automatic = word == "auto";
-    if (!word.empty() && !automatic)
-        o.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
-    if (!in_explicit_steps)
-        return automatic ? shortest_step(structure, duration) : o.number("dt", "s", Range::positive);
-    const std::vector<ElementDamping> damping = damping_of(structure);
-    const StableStep limit = stable_step(structure, damping);
-    if (automatic) return duration / std::ceil(duration / usual_step(limit, structure));
-    const double dt = o.number("dt", "s", Range::positive);
-    if (dt > limit.dt)
-        o.complain("dt", show(dt) + " s",
-                   "explicit steps stay stable up to " + show(limit.dt) + " s here (" +
-                       structure.element_name(limit.element) + " has the highest frequency" +
-                       (damping.empty() ? "" : ", and damping shortens it") + "); give a shorter one, or dt = 'auto'");
-    return dt;
+MassKind mass_kind(IntegratorKind integrator) {
+    switch (integrator) {
+        case IntegratorKind::explicit_steps: return MassKind::lumped;
+        case IntegratorKind::energy_momentum: return MassKind::at_nodes;
+        default: return MassKind::consistent;
+    }
 }
 
-/// Of Newton, of the first correction of a step, in the norm of the energy.
-constexpr double tolerance_of_conserving = 1e-8;
-
-/// rad. With that tolerance the right-angle cantilever of tests/script/energy_momentum_test.lua takes 2451 iterations
-/// with 10,400 elements rebuilt at 0.01, 2141 with 12,700 at 0.005, 1938 with 14,100 at 0.002, 1929 with 14,400 at
-/// 0.001, 1905 with 34,000 where each iteration rebuilds all.
-constexpr double rebuild_angle_of_conserving = 0.002;
-
-/// What the energy-momentum method does not go with, effects aside.
-void refuse_what_cannot_be_conserved(Options& o, const Model& model) {
-    const std::string with = "model:dynamic: integrator = 'energy-momentum' ";
-    for (const char* field : {"beta", "rho_infinity", "predictor", "precision"})
-        if (o.has(field))
-            throw InputError("model:dynamic: field '" + std::string(field) +
-                             "' has no meaning with integrator = 'energy-momentum'; leave it out");
-    if (model.options().displacement == Displacement::small)
-        throw InputError(with +
-                         "is for large rotations; a model with displacement = 'small' takes 'newmark', which "
-                         "conserves as much there");
-    if (model.options().shift == Shift::elastic_and_plastic)
-        throw InputError(with +
-                         "needs an energy balance that closes, and that of a model with shift = 'elastic_and_plastic' "
-                         "cannot; take 'newmark'");
-}
-
-}  // namespace
-
-int dynamic_run(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:dynamic").value;
-    Options o(L, 2, "model:dynamic");
+void expect_dynamic_fields(Options& o) {
     o.expect({"dt",
               "duration",
               "beta",
@@ -346,114 +303,49 @@ int dynamic_run(lua_State* L) {
               "checkpoint",
               "allow_failed",
               "loads"});
-    const std::string integrator = o.word("integrator", {"newmark", "energy-momentum", "explicit"}, "newmark");
-    const bool in_explicit_steps = integrator == "explicit", conserving = integrator == "energy-momentum";
+}
+
+/// Likely mistakes in what the model has where a dynamic run begins. `before`: the run that it goes on from, or null.
+std::vector<Warning> mistakes_in_dynamics(lua_State* L, const Structure& structure, const State& start,
+                                          const RunRecord* before, const DynamicSettings& s) {
+    const Model* model_before = before ? &before->run->structure().model() : nullptr;
+    std::vector<Warning> all;
+    const auto add = [&](std::vector<Warning> more) {
+        for (Warning& w : more) all.push_back(std::move(w));
+    };
+    add(idle_histories(structure.model(), model_before, start.time, s.duration, s.chosen ? 0 : s.dt));
+    add(massless_loads(structure, where(L)));
+    add(floors_twice(structure));
+    if (before) add(late_gravity(structure, *before, where(L)));
+    add(overlapping_bars(structure, start));
+    add(damped_free_bodies(structure, start));
+    add(lone_velocities(structure, start, model_before, where(L)));
+    return all;
+}
+
+}  // namespace
+
+int dynamic_run(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:dynamic").value;
+    Options o(L, 2, "model:dynamic");
+    expect_dynamic_fields(o);
+    const IntegratorKind integrator = read_integrator(o);
     const RunRecord* before = run_before(o, m);
     Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, false);
-    const auto structure =
-        std::make_shared<const Structure>(copy_of(L, *m, choice), in_explicit_steps ? MassKind::lumped
-                                                                  : conserving      ? MassKind::at_nodes
-                                                                                    : MassKind::consistent);
-    if (in_explicit_steps && m->options().mass == MassShape::cubic)
+    const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice), mass_kind(integrator));
+    if (integrator == IntegratorKind::explicit_steps && m->options().mass == MassShape::cubic)
         throw InputError(
             "model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes "
             "'newmark'");
     require_density(*structure);
-    DynamicSettings s;
-    s.conserving = conserving;
-    if (conserving) refuse_what_cannot_be_conserved(o, *m);
-    s.duration = o.number("duration", "s", Range::positive);
-    bool automatic = false;
-    s.dt = step_of(o, *structure, in_explicit_steps, s.duration, automatic);
-    s.automatic = automatic && !in_explicit_steps;
-    if (conserving && automatic)
-        o.complain(
-            "dt", "'auto'",
-            "integrator = 'energy-momentum' needs a number in s; step_control halves steps that do not converge");
-    s.chosen = automatic;
-    if (s.duration < 0.5 * s.dt)
-        o.complain("duration", show(s.duration) + " s", "must be at least one step, dt = " + show(s.dt) + " s");
-    if (s.duration / s.dt > 1e12)
-        o.complain("dt", show(s.dt) + " s", "would take more than 1e12 steps to duration = " + show(s.duration) + " s");
-    s.beta = in_explicit_steps ? 0 : o.number("beta", "", Range::positive, s.beta);
-    if (s.beta > 1)
-        o.complain(
-            "beta", show(s.beta),
-            "Newmark's beta must be between 0 and 1 (0.25: average acceleration; the paper uses 0.4 with contact)");
-    s.rho_infinity = o.number("rho_infinity", "", Range::not_negative, 1);
-    if (s.rho_infinity > 1)
-        o.complain("rho_infinity", show(s.rho_infinity),
-                   "must be between 0 and 1: what a step leaves of the highest frequencies' amplitude (1: all, "
-                   "Newmark's method)");
-    if (s.rho_infinity < 1) {
-        if (o.has("beta"))
-            throw InputError("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = " +
-                             show(DynamicSettings::beta_of(s.rho_infinity)) + ": leave one out");
-        s.beta = DynamicSettings::beta_of(s.rho_infinity);
-    }
-    s.controlled_by_default =
-        !in_explicit_steps && !conserving && !o.has("step_control") && m->options().shift != Shift::elastic_and_plastic;
-    s.step_control = o.number("step_control", "", Range::not_negative,
-                              conserving                ? 0.01
-                              : s.controlled_by_default ? DynamicSettings::default_control
-                                                        : 0);
-    if (s.step_control > 0 && m->options().shift == Shift::elastic_and_plastic)
-        throw InputError(
-            "model:dynamic: field 'step_control' needs an energy balance that closes, and that of a model with shift = "
-            "'elastic_and_plastic' cannot; leave it out");
-    if (s.step_control >= 1)
-        o.complain("step_control", show(s.step_control),
-                   "must be below 1: the part of the largest energy that the run may lose, such as 0.01");
-    s.iterations = o.integer("iterations", 0, 0);
-    s.tolerance = o.number("tolerance", "", Range::positive, conserving ? tolerance_of_conserving : s.tolerance);
-    const std::string predictor = o.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
-    s.predictor = predictor == "acceleration"   ? Predictor::acceleration
-                  : predictor == "displacement" ? Predictor::displacement
-                                                : Predictor::by_step;
-    s.geometric = o.flag("geometric", s.geometric);
-    s.rebuild_angle =
-        o.number("rebuild_angle", "rad", Range::positive, conserving ? rebuild_angle_of_conserving : s.rebuild_angle);
-    s.single_precision = o.word("precision", {"single", "double"}, "single") == "single";
-    s.rest = o.flag("rest", s.rest);
-    if (o.has("energy_tolerance")) s.energy_tolerance = o.number("energy_tolerance", "", Range::not_negative);
-    s.threads = o.integer("threads", 1, 1);
-    if (s.threads > 256) o.complain("threads", std::to_string(s.threads), "must be at most 256");
-    if (in_explicit_steps)
-        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric",
-                                  "rebuild_angle", "solver", "solver_tolerance", "solver_iterations", "precision"})
-            if (o.has(field))
-                throw InputError(std::string("model:dynamic: field '") + field +
-                                 "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
-    if (conserving && o.has("rest") && s.rest)
-        o.complain("rest", "true", "integrator = 'energy-momentum' leaves no body at rest; leave it out");
-    if (!in_explicit_steps && !conserving && s.iterations == 1 && o.has("tolerance"))
-        o.complain("tolerance", show(s.tolerance),
-                   "is that of Newton's method, and iterations = 1 is one solution; leave one of them out");
-    s.solver.direct = o.word("solver", {"cg", "direct"}, "cg") == "direct";
-    s.solver.tolerance = o.number("solver_tolerance", "", Range::positive, s.solver.tolerance);
-    s.solver.max_iterations = o.integer("solver_iterations", 1, s.solver.max_iterations);
-    for (const char* field : {"solver_tolerance", "solver_iterations"})
-        if (s.solver.direct && o.has(field))
-            throw InputError(std::string("model:dynamic: field '") + field +
-                             "' has no meaning with solver = 'direct'; leave it out");
+    const DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
     State start = start_state(o, structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     refuse_idle_velocities(*structure, start);
     context(L)->running = L;
     std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
-    for (Warning& w : idle_histories(structure->model(), before ? &before->run->structure().model() : nullptr,
-                                     start.time, s.duration, automatic ? 0 : s.dt))
-        likely_mistakes.push_back(std::move(w));
-    for (Warning& w : massless_loads(*structure, where(L))) likely_mistakes.push_back(std::move(w));
-    for (Warning& w : floors_twice(*structure)) likely_mistakes.push_back(std::move(w));
-    if (before)
-        for (Warning& w : late_gravity(*structure, *before, where(L))) likely_mistakes.push_back(std::move(w));
-    for (Warning& w : overlapping_bars(*structure, start)) likely_mistakes.push_back(std::move(w));
-    for (Warning& w : damped_free_bodies(*structure, start)) likely_mistakes.push_back(std::move(w));
-    for (Warning& w :
-         lone_velocities(*structure, start, before ? &before->run->structure().model() : nullptr, where(L)))
-        likely_mistakes.push_back(std::move(w));
+    for (Warning& w : mistakes_in_dynamics(L, *structure, start, before, s)) likely_mistakes.push_back(std::move(w));
     weigh_dynamic(*context(L), *structure);
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     const long planned = std::llround(s.duration / run->settings().dt);
