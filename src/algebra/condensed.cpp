@@ -25,6 +25,14 @@ Mat6 get(const Number* from) {
     return Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(from).template cast<double>();
 }
 
+/// q = D^-1 r at a place; returns the six products q r.
+template <class Number>
+[[gnu::always_inline]] inline Wide precondition(const Number* inverse, const double* r, double* q) {
+    const Wide z = times(inverse, r);
+    store(q, z);
+    return Wide(six * z * load(r));
+}
+
 }  // namespace
 
 template <class Number>
@@ -352,19 +360,13 @@ double Condensed<Number>::multiply() {
     return dot;
 }
 
+/// x satisfies the red rows from the start, r is what the black rows lack, d = q; returns r . q.
 template <class Number>
-SolveReport Condensed<Number>::solve(const double* right, double* solution, const SolverSettings& settings) {
-    reduce(right);
-    const auto precondition = [&](int p) {
-        const Wide z = times(&inverse_[36 * std::size_t(p)], &r_[stride * p]);
-        store(&q_[stride * p], z);
-        return Wide(six * z * load(&r_[stride * p]));
-    };
-    // x satisfies the red rows from the start
+double Condensed<Number>::begin_iterations() {
     std::fill(x_.begin(), x_.end(), 0.0);
     std::fill(d_.begin(), d_.end(), 0.0);
     for (int p : red_) store(&x_[stride * p], times(&inverse_[36 * std::size_t(p)], &r_[stride * p]));
-    double rho = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+    return pool_.sum(int(black_.size()), piece, [&](int first, int end) {
         Wide product{};
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
@@ -372,11 +374,41 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
             for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
                 row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
             store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
-            product += precondition(p);
+            product += precondition(&inverse_[36 * std::size_t(p)], &r_[stride * p], &q_[stride * p]);
             store(&d_[stride * p], load(&q_[stride * p]));
         }
         return sum(product);
     });
+}
+
+/// x += alpha d, r -= alpha q and q = D^-1 r on the black nodes; returns r . q.
+template <class Number>
+double Condensed<Number>::step_along(double alpha) {
+    return pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+        Wide product{};
+        for (int i = first; i < end; ++i) {
+            const int p = black_[i];
+            store(&r_[stride * p], load(&r_[stride * p]) - alpha * load(&q_[stride * p]));
+            store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
+            product += precondition(&inverse_[36 * std::size_t(p)], &r_[stride * p], &q_[stride * p]);
+        }
+        return sum(product);
+    });
+}
+
+/// d = q + beta d on the black nodes.
+template <class Number>
+void Condensed<Number>::turn_direction(double beta) {
+    pool_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
+            store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
+    });
+}
+
+template <class Number>
+SolveReport Condensed<Number>::solve(const double* right, double* solution, const SolverSettings& settings) {
+    reduce(right);
+    double rho = begin_iterations();
     const double goal = std::max(rho * settings.tolerance * settings.tolerance, settings.floor);
     SolveReport report;
     if (rho < -std::max(settings.floor, 1e-280)) {  // a node's own block is not positive definite
@@ -390,23 +422,11 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
         const double dq = multiply();
         if (!(dq > 0)) return {report.iterations, false, dq <= 0};
         const double alpha = rho / dq;
-        const double next = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
-            Wide product{};
-            for (int i = first; i < end; ++i) {
-                const int p = black_[i];
-                store(&r_[stride * p], load(&r_[stride * p]) - alpha * load(&q_[stride * p]));
-                store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
-                product += precondition(p);
-            }
-            return sum(product);
-        });
+        const double next = step_along(alpha);
         const double beta = next / rho;
         rho = next;
         before = alpha;
-        pool_.share(int(black_.size()), 4 * piece, [&](int first, int end, int) {
-            for (int i = first; i < end; ++i)
-                store(&d_[stride * black_[i]], load(&q_[stride * black_[i]]) + beta * load(&d_[stride * black_[i]]));
-        });
+        turn_direction(beta);
         ++report.iterations;
     }
     for (int p : red_) store(&x_[stride * p], load(&x_[stride * p]) + before * load(&d_[stride * p]));

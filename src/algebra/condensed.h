@@ -68,6 +68,9 @@ private:
     double multiply();
     void keep_worst_block();
     void follow(double alpha);
+    double begin_iterations();
+    double step_along(double alpha);
+    void turn_direction(double beta);
     int far(int place, int entry) const;
     int pair_about(int node) const;
     bool takes_part(int node) const { return resting_.empty() || resting_[node] < 0; }

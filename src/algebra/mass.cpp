@@ -48,74 +48,110 @@ Part part_of(const Structure& structure, int index, const State& state, const Co
     return part;
 }
 
+/// Linear mass M as products element by element, and the inverse of each node's own block.
+class ElementMass {
+public:
+    ElementMass(const Structure& structure, const State& state);
+    /// y = M x without what is held.
+    void multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const;
+    /// z = r by the inverse of each node's own block: the preconditioner.
+    void divide_by_own(const std::vector<Vec6>& r, std::vector<Vec6>& z) const;
+
+private:
+    struct RigidOffset {
+        int node;
+        Mat6 mass, inverse;
+    };
+    void invert_own(const Configuration& pose);
+
+    const Structure& structure_;
+    const State& state_;
+    std::vector<Part> part_;                ///< of each element
+    std::vector<double> own_inverse_;       ///< of each node, 1/kg
+    std::vector<Mat3> own_rotary_inverse_;  ///< of each node, 1/(kg m^2)
+    std::vector<RigidOffset> offset_;       ///< masses beside their node
+};
+
+ElementMass::ElementMass(const Structure& structure, const State& state)
+    : structure_(structure),
+      state_(state),
+      part_(structure.elements().size()),
+      own_inverse_(structure.position().size(), 0),
+      own_rotary_inverse_(structure.position().size(), Mat3::Zero()) {
+    const Configuration pose = configuration_of(state);
+    for (std::size_t i = 0; i < part_.size(); ++i) {
+        part_[i] = part_of(structure, int(i), state, pose);
+        for (int node : structure.elements()[i].node)
+            own_inverse_[node] += 2 * part_[i].mass, own_rotary_inverse_[node] += 2 * part_[i].rotary;
+    }
+    invert_own(pose);
+}
+
+/// In place: until now the sums are those of the elements.
+void ElementMass::invert_own(const Configuration& pose) {
+    for (std::size_t i = 0; i < own_inverse_.size(); ++i) {
+        double& mass = own_inverse_[i];
+        Mat3& rotary = own_rotary_inverse_[i];
+        if (has_offset_mass(state_, int(i))) {
+            Mat6 own = offset_mass_in_space(state_.offset_mass[i], pose.rotation[i]);
+            offset_.push_back({int(i), own, {}});
+            own.topLeftCorner<3, 3>().diagonal().array() += mass;
+            own.bottomRightCorner<3, 3>() += rotary;
+            offset_.back().inverse = inverse_of_free(own, state_.held[i]);
+        }
+        if (mass > 0) mass = 1 / mass, rotary = rotary.inverse().eval();
+    }
+}
+
+void ElementMass::multiply(const std::vector<Vec6>& x, std::vector<Vec6>& y) const {
+    for (Vec6& v : y) v.setZero();
+    for (std::size_t i = 0; i < part_.size(); ++i) {
+        if (part_[i].mass == 0) continue;
+        const auto& [a, b] = structure_.elements()[i].node;
+        const Vec6 sum = x[a] + x[b];
+        for (int node : {a, b}) {
+            const Vec6 to = sum + x[node];
+            y[node].head<3>() += part_[i].mass * to.head<3>();
+            y[node].tail<3>() += part_[i].rotary * to.tail<3>();
+        }
+    }
+    for (const RigidOffset& s : offset_) y[s.node] += s.mass * x[s.node];
+    hold(y, state_);
+}
+
+void ElementMass::divide_by_own(const std::vector<Vec6>& r, std::vector<Vec6>& z) const {
+    for (std::size_t i = 0; i < r.size(); ++i)
+        z[i] << own_inverse_[i] * r[i].head<3>(), own_rotary_inverse_[i] * r[i].tail<3>();
+    for (const RigidOffset& s : offset_) z[s.node] = s.inverse * r[s.node];
+    hold(z, state_);
+}
+
+double dot(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
+    return sum;
+}
+
 /// Linear mass: change = M^-1 r by conjugate gradients on products element by element, each node's own block as
 /// preconditioner.
 SolveReport solve_over_elements(const Structure& structure, std::vector<Vec6> r, std::vector<Vec6>& change,
                                 const State& state, double tolerance) {
     const std::size_t n = r.size();
-    const Configuration pose = configuration_of(state);
-    std::vector<Part> part(structure.elements().size());
-    std::vector<double> own_mass(n, 0);
-    std::vector<Mat3> own_rotary(n, Mat3::Zero());
-    for (std::size_t i = 0; i < part.size(); ++i) {
-        part[i] = part_of(structure, int(i), state, pose);
-        for (int node : structure.elements()[i].node)
-            own_mass[node] += 2 * part[i].mass, own_rotary[node] += 2 * part[i].rotary;
-    }
-    struct RigidOffset {
-        int node;
-        Mat6 mass, inverse;
-    };
-    std::vector<RigidOffset> offsets;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (has_offset_mass(state, int(i))) {
-            Mat6 own = offset_mass_in_space(state.offset_mass[i], pose.rotation[i]);
-            offsets.push_back({int(i), own, {}});
-            own.topLeftCorner<3, 3>().diagonal().array() += own_mass[i];
-            own.bottomRightCorner<3, 3>() += own_rotary[i];
-            offsets.back().inverse = inverse_of_free(own, state.held[i]);
-        }
-        if (own_mass[i] > 0) own_mass[i] = 1 / own_mass[i], own_rotary[i] = own_rotary[i].inverse().eval();
-    }
-    const auto multiply = [&](const std::vector<Vec6>& x, std::vector<Vec6>& y) {
-        for (Vec6& v : y) v.setZero();
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            if (part[i].mass == 0) continue;
-            const auto& [a, b] = structure.elements()[i].node;
-            const Vec6 sum = x[a] + x[b];
-            for (int node : {a, b}) {
-                const Vec6 to = sum + x[node];
-                y[node].head<3>() += part[i].mass * to.head<3>();
-                y[node].tail<3>() += part[i].rotary * to.tail<3>();
-            }
-        }
-        for (const RigidOffset& s : offsets) y[s.node] += s.mass * x[s.node];
-        hold(y, state);
-    };
-    const auto by_node = [&](const std::vector<Vec6>& from, std::vector<Vec6>& z) {
-        for (std::size_t i = 0; i < n; ++i) z[i] << own_mass[i] * from[i].head<3>(), own_rotary[i] * from[i].tail<3>();
-        for (const RigidOffset& s : offsets) z[s.node] = s.inverse * from[s.node];
-        hold(z, state);
-    };
-    const auto dot = [&](const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
-        double sum = 0;
-        for (std::size_t i = 0; i < n; ++i) sum += a[i].dot(b[i]);
-        return sum;
-    };
+    const ElementMass mass(structure, state);
     std::vector<Vec6> d(n), q(n);
     for (Vec6& v : change) v.setZero();
-    by_node(r, d);
+    mass.divide_by_own(r, d);
     double rho = dot(r, d);
     const double goal = rho * tolerance * tolerance;
     SolveReport report;
     for (; rho > goal && rho > 1e-280; ++report.iterations) {
         if (report.iterations == most_iterations) return report.converged = false, report;
-        multiply(d, q);
+        mass.multiply(d, q);
         const double dq = dot(d, q);
         if (!(dq > 0)) return {report.iterations, false, dq <= 0};
         const double alpha = rho / dq;
         for (std::size_t i = 0; i < n; ++i) change[i] += alpha * d[i], r[i] -= alpha * q[i];
-        by_node(r, q);
+        mass.divide_by_own(r, q);
         const double next = dot(r, q), beta = next / rho;
         rho = next;
         for (std::size_t i = 0; i < n; ++i) d[i] = q[i] + beta * d[i];

@@ -143,13 +143,11 @@ Triad<S> near_measure(const Pose<S>& at, const Triple<S>& z, const Triple<S>& x_
     return f;
 }
 
+/// Twist from end 1 to end 2, on the turn nearest to `last`, and the frame that stands half way between the ends; how
+/// far the ends are from pointing backwards.
 template <class S>
-Measured<S> measure(const Pose<S>& at, double L, double last) {
+void measure_twist(const Pose<S>& at, const Triple<S>& z, double last, Measured<S>& m) {
     using std::atan2, std::cos, std::sin, std::sqrt;
-    Measured<S> m;
-    const S length = sqrt(dot(at.chord, at.chord));
-    const Triple<S> z = (S(1) / length) * at.chord;
-
     // any axes across the chord, to measure the two twists from
     const double across[3] = {std::fabs(plain(z.x)), std::fabs(plain(z.y)), std::fabs(plain(z.z))};
     const bool use_x = across[0] <= across[1] && across[0] <= across[2], use_y = !use_x && across[1] <= across[2];
@@ -171,10 +169,15 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
     m.frame.x = cosine * gx + sine * gy;
     m.frame.y = cross(z, m.frame.x);
     m.frame.z = z;
+}
 
-    const Triple<S> y_mean = S(0.5) * (at.node[0].y + at.node[1].y), x_mean = cross(y_mean, z);
-    const S mean = dot(x_mean, x_mean), one = 1;
-    S near = (one - passage(plain(m.twist) < 0 ? S(-1) * m.twist : m.twist, remembered_twist, far_twist)) *
+/// The share of the measure of corotation.h: 1 while the element is hardly twisted and its ends are not folded, 0 far
+/// beyond. mean: squared length of the mean axis x_mean.
+template <class S>
+S share_of_near(const Pose<S>& at, const Triple<S>& z, const Triple<S>& x_mean, const S& mean, const S& twist) {
+    using std::sqrt;
+    const S one = 1;
+    S near = (one - passage(plain(twist) < 0 ? S(-1) * twist : twist, remembered_twist, far_twist)) *
              (one - passage(mean, long_mean * long_mean, short_mean * short_mean));
     if (plain(near) > 0) {
         const Triple<S> x = (one / sqrt(mean)) * x_mean, y = cross(z, x);
@@ -182,9 +185,12 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
             near = near *
                    (one - passage(S(-0.5) * (dot(x, n.x) + dot(y, n.y) + dot(z, n.z) - one), far_end, farthest_end));
     }
-    m.share = one - near;
+    return near;
+}
 
-    const S left = one - m.share;
+/// Bending rotations of the ends against the chord, with the twist taken out.
+template <class S>
+void measure_swings(const Pose<S>& at, const Triple<S>& z, Measured<S>& m) {
     for (int i = 0; i < 2; ++i) {
         const Triple<S>& n = at.node[i].z;
         const S x = dot(m.frame.x, n), y = dot(m.frame.y, n), along = dot(z, n);
@@ -192,6 +198,22 @@ Measured<S> measure(const Pose<S>& at, double L, double last) {
         m.d[i] = S(-1) * factor * y;
         m.d[2 + i] = factor * x;
     }
+}
+
+template <class S>
+Measured<S> measure(const Pose<S>& at, double L, double last) {
+    using std::sqrt;
+    Measured<S> m;
+    const S length = sqrt(dot(at.chord, at.chord));
+    const Triple<S> z = (S(1) / length) * at.chord;
+    measure_twist(at, z, last, m);
+
+    const Triple<S> y_mean = S(0.5) * (at.node[0].y + at.node[1].y), x_mean = cross(y_mean, z);
+    const S mean = dot(x_mean, x_mean), one = 1;
+    m.share = one - share_of_near(at, z, x_mean, mean, m.twist);
+
+    const S left = one - m.share;
+    measure_swings(at, z, m);
     m.d[4] = length - S(L);
     m.d[5] = m.twist;
     if (plain(m.share) < 1) {

@@ -7,38 +7,14 @@
 #include <cstring>
 #include <limits>
 
-#include "contact/broad_phase.h"
+#include "contact/bar_ends.h"
 #include "contact/gap_rule.h"
 
 namespace hinge::contact {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double unforeseen = 1e-6;  ///< of the contact distance: a depth with which no foreseen contact begins
-
-bool has_arm(const End& end) { return !end.arm.isZero(0); }
-
-Vec3 point(const End& end, const Motion& motion) {
-    const Vec3& x = motion.position[end.node];
-    return has_arm(end) ? Vec3(x + motion.rotation[end.node] * end.arm) : x;
-}
-
-Vec3 velocity(const End& end, const Motion& motion) {
-    const Vec6& v = motion.velocity[end.node];
-    if (!has_arm(end)) return v.head<3>();
-    return v.head<3>() + v.tail<3>().cross(motion.rotation[end.node] * end.arm);
-}
-
-BarPair place(const Bar& a, const Bar& b, const Motion& motion) {
-    return {{point(a.end(0), motion), point(a.end(1), motion)}, {point(b.end(0), motion), point(b.end(1), motion)}};
-}
-
-bool share_node(const Bar& a, const Bar& b) {
-    return a.node[0] == b.node[0] || a.node[0] == b.node[1] || a.node[1] == b.node[0] || a.node[1] == b.node[1];
-}
-
-double length(const Vec3& p, const Vec3& q) { return (q - p).norm(); }
 
 Released held_by(const Tie& tie) {
     Released held{tie.energy, false, {}, {}, {}};
@@ -93,130 +69,6 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     for (std::size_t i = 0; i < look_at_.size(); ++i)
         if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
     return bound;
-}
-
-void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
-    nodes_.clear();
-    arms_.clear();
-    for (const Bar& bar : bars)
-        for (const End& end : {bar.end(0), bar.end(1)}) {
-            if (has_arm(end)) arms_.push_back({end, point(end, motion)});
-            else nodes_.push_back(end.node);
-        }
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
-    last_.clear();
-    for (int node : nodes_) last_.push_back(motion.position[node]);
-}
-
-// Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
-double Contact::advance(const Motion& motion, double dt) {
-    double gone = 0, fast = 0;
-    bool wild = false;
-    const auto note = [&](double gone_squared, double fast_squared) {
-        wild = wild || !(gone_squared + fast_squared < never);
-        gone = std::max(gone, gone_squared);
-        fast = std::max(fast, fast_squared);
-    };
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const Vec3& x = motion.position[nodes_[i]];
-        note((x - last_[i]).squaredNorm(), motion.velocity[nodes_[i]].head<3>().squaredNorm());
-        last_[i] = x;
-    }
-    for (ArmEnd& arm : arms_) {
-        const Vec3 x = point(arm.end, motion);
-        note((x - arm.last).squaredNorm(), velocity(arm.end, motion).squaredNorm());
-        arm.last = x;
-    }
-    if (wild) return never;
-    travelled_ += std::sqrt(gone);
-    return std::sqrt(fast) * dt;
-}
-
-// All pairs whose bars could come into contact before anything has travelled a margin. The margin is about a hundred
-// steps of the fastest end, so that the list's cost is spread over them, but no longer than half an element, so that
-// the list stays short.
-//
-// The margin's numbers change what it costs, never what is found: all runs below gave the same bits. 100 steps: the
-// first 0.06 s of Case I list 93 times and measure 78,000 pairs for the lists and 149,000 in steps; with 25 steps 107
-// times, 59,000 and 136,000, with 400 54 times, 468,000 and 188,000. At least 0.05 of an element: slow debris
-// (scripts/08_debris.lua) lists 101 times, without it 816, at 0.2 26 with more than half as many pairs again. At most a
-// half: tests/hard (125 runs of contacts and breaking, 1 to 8 times a scene's step) lists 676 times, at 0.12 1654, at 2
-// 523. At least two steps: where an end crosses elements in few steps (64 and 256 times a scene's step) 171 lists, 199
-// with one.
-void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
-                         const PairRule& rule_of) {
-    ++counts_.list_builds;
-    const int n = static_cast<int>(bars.size());
-    std::vector<int> order(n);
-    for (int i = 0; i < n; ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](int p, int q) { return bars[p].element < bars[q].element; });
-
-    double total = 0;
-    for (const Bar& bar : bars) total += length(point(bar.end(0), motion), point(bar.end(1), motion));
-    const double mean = n > 0 ? total / n : 0.0;
-    margin_ = std::max(2 * foreseen, std::min(std::max(100 * foreseen, 0.05 * mean), 0.5 * mean));
-    listed_at_ = travelled_;
-
-    std::vector<Box> boxes(n);
-    for (int i = 0; i < n; ++i) {
-        const Bar& bar = bars[order[i]];
-        const Vec3 p = point(bar.end(0), motion), q = point(bar.end(1), motion);
-        double pad = 0;
-        for (const ContactSettings& rule : rules_)  // by eq 18 the axes are no further apart than C_l (L_c + L_i) / 4
-            pad =
-                std::max(pad, rule.as_printed ? 0.25 * std::min(rule.contact_length, 1e9) * length(p, q) : bar.radius);
-        pad += margin_;
-        boxes[i] = {p.cwiseMin(q).array() - pad, p.cwiseMax(q).array() + pad};
-    }
-
-    note_list();
-    std::vector<Candidate> kept;
-    kept.swap(candidates_);
-    look_at_.clear();
-    auto old = kept.begin();
-    for (const IndexPair& pair :
-         overlapping(boxes, [&](int a, int b) { return !share_node(bars[order[a]], bars[order[b]]); })) {
-        const Bar &a = bars[order[pair.a]], &b = bars[order[pair.b]];
-        Candidate candidate{
-            {a.element, b.element}, {order[pair.a], order[pair.b]}, PairState::free, 0, a.radius + b.radius};
-        const auto before = [](const Candidate& p, const Candidate& q) {
-            return p.element[0] < q.element[0] || (p.element[0] == q.element[0] && p.element[1] < q.element[1]);
-        };
-        while (old != kept.end() && before(*old, candidate)) ++old;
-        const bool known = old != kept.end() && !before(candidate, *old);
-        if (known) candidate.rule = old->rule;
-        else if (rule_of) candidate.rule = rule_of(a.element, b.element);
-        if (candidate.rule < 0) continue;
-        const ContactSettings& rule = rules_[candidate.rule];
-        const BarPair two = place(a, b, motion);
-        const Closest closest = closest_points(two);
-        const double far = farness(candidate, two, closest);
-        if (far > 2 * margin_) continue;
-        if (known) {
-            candidate.state = old->state;
-            candidate.normal = old->normal;
-        } else if (first_sight && far <= 0 &&
-                   (rule.rule == ContactRuleKind::surface
-                        ? closest.distance < (1 - 1e-6) * candidate.contact_distance  // resting on each other is apart
-                        : closest.distance <= candidate.contact_distance ||
-                              coplanar(two, rule.coplanarity_tolerance, rule.signed_f))) {
-            candidate.state = PairState::joined;
-        }
-        observe(candidate, two, closest);
-        candidates_.push_back(candidate);
-        look_at_.push_back(candidate.state == PairState::bound ? never : travelled_ + 0.5 * std::abs(far));
-        if (candidate.state == PairState::free && far <= 0) look_at_.back() = travelled_;
-    }
-    const auto mark = [&](const int element[2]) {
-        std::size_t i = 0;
-        if (Candidate* pair = find(element, &i)) {
-            pair->state = PairState::bound;
-            look_at_[i] = never;
-        }
-    };
-    for (const Tie& tie : ties_) mark(tie.element);
-    for (const SurfaceContact& contact : surface_contacts_) mark(contact.element);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.

@@ -19,6 +19,7 @@
 namespace hinge::contact {
 
 struct BarPair;
+struct Box;
 struct Meeting;
 
 /// Contact geometry of an element, or of the remains of a broken one. At most one bar per element.
@@ -248,6 +249,10 @@ private:
     double advance(const Motion& motion, double dt);
     void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
                     const PairRule& rule_of);
+    std::vector<Box> boxes_with_margin(const std::vector<Bar>& bars, const std::vector<int>& order,
+                                       const Motion& motion) const;
+    void list_pair(Candidate candidate, const Candidate* known, const BarPair& two, bool first_sight);
+    void mark_bound_pairs();
     double farness(const Candidate& pair, const BarPair& two, const Closest& closest) const;
     void observe(Candidate& pair, const BarPair& two, const Closest& closest) const;
     bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);

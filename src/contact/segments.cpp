@@ -20,73 +20,95 @@ struct Candidate {
     double s, t, squared;
 };
 
-}  // namespace
+/// Two segments a0 + s da and b0 + t db with e = b0 - a0.
+struct Segments {
+    Vec3 da, db, e;
+    double aa, bb, scale;  ///< squared lengths, and the larger of them
 
-// |p_b - p_a|^2 is convex over the unit square of (s, t). Its least value lies either inside (both axes crossed by
-// their common normal) or on an edge of the square, that is at the end of a segment: four distances from a point to a
-// segment.
-Closest closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-    const Vec3 da = a1 - a0, db = b1 - b0, e = b0 - a0;
-    const double aa = da.squaredNorm(), bb = db.squaredNorm(), scale = std::max(aa, bb);
-    Closest out;
-    const auto finish = [&](double s, double t, Nearness kind) {
+    Segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1)
+        : da(a1 - a0), db(b1 - b0), e(b0 - a0), aa(da.squaredNorm()), bb(db.squaredNorm()), scale(std::max(aa, bb)) {}
+
+    Closest closest(double s, double t, Nearness kind) const {
+        Closest out;
         out.s = s;
         out.t = t;
         out.between = e + t * db - s * da;
         out.distance = out.between.norm();
         out.kind = kind;
         return out;
-    };
-
-    const bool no_a = aa <= pointlike * scale, no_b = bb <= pointlike * scale;
-    if (no_a || no_b) {
-        const double s = no_a || scale == 0 ? 0.0 : clamp01(da.dot(e) / aa);
-        const double t = no_b || scale == 0 ? 0.0 : clamp01(-db.dot(e) / bb);
-        return finish(s, t, Nearness::point);
     }
+    Candidate candidate(double s, double t) const { return {s, t, (e + t * db - s * da).squaredNorm()}; }
+};
 
-    // The normal comes from the cross product, not from aa bb - ab^2: its error grows with 1 / angle, not with its
-    // square.
-    const Vec3 normal = da.cross(db);
-    const double nn = normal.squaredNorm();
-    const bool has_normal = nn > parallel * aa * bb;
-    double s = -1, t = -1;
-    if (has_normal) {
-        s = e.cross(db).dot(normal) / nn;
-        t = e.cross(da).dot(normal) / nn;
-        if (s >= 0 && s <= 1 && t >= 0 && t <= 1 && nn > 1e-6 * aa * bb) return finish(s, t, Nearness::crossing);
-    }
+/// At least one of the two has no length.
+Closest closest_to_point(const Segments& two, bool no_a, bool no_b) {
+    const double s = no_a || two.scale == 0 ? 0.0 : clamp01(two.da.dot(two.e) / two.aa);
+    const double t = no_b || two.scale == 0 ? 0.0 : clamp01(-two.db.dot(two.e) / two.bb);
+    return two.closest(s, t, Nearness::point);
+}
 
-    const double ab = da.dot(db), ea = e.dot(da), eb = e.dot(db);
-    Candidate found[5];
-    const auto add = [&](int i, double s_, double t_) { found[i] = {s_, t_, (e + t_ * db - s_ * da).squaredNorm()}; };
-    add(0, 0.0, clamp01(-eb / bb));
-    add(1, 1.0, clamp01((ab - eb) / bb));
-    add(2, clamp01(ea / aa), 0.0);
-    add(3, clamp01((ea + ab) / aa), 1.0);
-    int n = 4;
-    if (has_normal && s >= 0 && s <= 1 && t >= 0 && t <= 1) add(n++, s, t);  // nearly parallel, yet crossing
+/// From each end of one the closest point of the other.
+void candidates_at_ends(const Segments& two, Candidate found[4]) {
+    const double ab = two.da.dot(two.db), ea = two.e.dot(two.da), eb = two.e.dot(two.db);
+    found[0] = two.candidate(0.0, clamp01(-eb / two.bb));
+    found[1] = two.candidate(1.0, clamp01((ab - eb) / two.bb));
+    found[2] = two.candidate(clamp01(ea / two.aa), 0.0);
+    found[3] = two.candidate(clamp01((ea + ab) / two.aa), 1.0);
+}
 
+/// The closest of the candidates; of parallel segments the middle of the stretch over which they are equally close.
+Closest closest_of(const Segments& two, const Candidate* found, int n, bool nearly_parallel) {
     const Candidate* best = found;
     for (int i = 1; i < n; ++i)
         if (found[i].squared < best->squared) best = found + i;
 
-    // Equally close points form a stretch (the function is convex): take its middle.
+    // The function is convex: equally close points form a stretch.
     const Candidate *low = best, *high = best;
-    const double same = best->squared + equally * scale;
+    const double same = best->squared + equally * two.scale;
     for (int i = 0; i < n; ++i) {
         if (found[i].squared > same) continue;
         if (found[i].s < low->s) low = found + i;
         if (found[i].s > high->s) high = found + i;
     }
-    if (nn <= 1e-12 * aa * bb && high->s - low->s > 1e-6)
-        return finish(0.5 * (low->s + high->s), 0.5 * (low->t + high->t), Nearness::alongside);
+    if (nearly_parallel && high->s - low->s > 1e-6)
+        return two.closest(0.5 * (low->s + high->s), 0.5 * (low->t + high->t), Nearness::alongside);
 
     const bool end_a = best->s == 0 || best->s == 1, end_b = best->t == 0 || best->t == 1;
-    return finish(best->s, best->t,
-                  end_a && end_b   ? Nearness::end_to_end
-                  : end_a || end_b ? Nearness::end_on_side
-                                   : Nearness::crossing);
+    return two.closest(best->s, best->t,
+                       end_a && end_b   ? Nearness::end_to_end
+                       : end_a || end_b ? Nearness::end_on_side
+                                        : Nearness::crossing);
+}
+
+}  // namespace
+
+// |p_b - p_a|^2 is convex over the unit square of (s, t). Its least value lies either inside (both axes crossed by
+// their common normal) or on an edge of the square, that is at the end of a segment: four distances from a point to a
+// segment.
+Closest closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+    const Segments two(a0, a1, b0, b1);
+    const double aa = two.aa, bb = two.bb;
+    const bool no_a = aa <= pointlike * two.scale, no_b = bb <= pointlike * two.scale;
+    if (no_a || no_b) return closest_to_point(two, no_a, no_b);
+
+    // The normal comes from the cross product, not from aa bb - ab^2: its error grows with 1 / angle, not with its
+    // square.
+    const Vec3 normal = two.da.cross(two.db);
+    const double nn = normal.squaredNorm();
+    const bool has_normal = nn > parallel * aa * bb;
+    double s = -1, t = -1;
+    if (has_normal) {
+        s = two.e.cross(two.db).dot(normal) / nn;
+        t = two.e.cross(two.da).dot(normal) / nn;
+    }
+    const bool inside = s >= 0 && s <= 1 && t >= 0 && t <= 1;
+    if (inside && nn > 1e-6 * aa * bb) return two.closest(s, t, Nearness::crossing);
+
+    Candidate found[5];
+    candidates_at_ends(two, found);
+    int n = 4;
+    if (inside) found[n++] = two.candidate(s, t);  // nearly parallel, yet crossing
+    return closest_of(two, found, n, nn <= 1e-12 * aa * bb);
 }
 
 }  // namespace hinge::contact

@@ -120,65 +120,101 @@ void add_tie_forces(Tie& tie, const std::vector<Vec3>& position, const std::vect
     }
 }
 
-void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                       const AddStiffness& add) {
-    const Pose now = pose(tie, position, rotation);
-    Vec3 at_end[4], lever[4];  // force at each end; G is [lever]
-    for (int i = 0; i < 4; ++i) at_end[i] = lever[i] = Vec3::Zero();
+namespace {
+
+/// The parts of which the stiffness of a tie is made (add_tie_stiffness).
+struct TieParts {
+    Vec3 at_end[4];    ///< force at each end, N
+    Mat3 g[4], sg[4];  ///< G of each end, S^-1 G
+};
+
+TieParts parts_of(const Tie& tie, const Pose& now) {
+    TieParts parts;
+    Vec3 lever[4];  // G is [lever]
+    for (int i = 0; i < 4; ++i) parts.at_end[i] = lever[i] = Vec3::Zero();
     for (int g = 0; g < 4; ++g) {
         const Vec3 ks = tie.gap[g].stiffness * now.s[g], f = tie.gap[g].stiffness * now.r[g] - ks;
-        at_end[gap_a(g)] -= f;
-        at_end[gap_b(g)] += f;
+        parts.at_end[gap_a(g)] -= f;
+        parts.at_end[gap_b(g)] += f;
         lever[gap_a(g)] -= ks;
         lever[gap_b(g)] += ks;
     }
-    Mat3 g[4], sg[4];
     for (int i = 0; i < 4; ++i) {
-        g[i] = skew(lever[i]);
-        sg[i] = now.inverse * g[i];
+        parts.g[i] = skew(lever[i]);
+        parts.sg[i] = now.inverse * parts.g[i];
     }
+    return parts;
+}
 
+/// Stiffness between the points of two ends.
+struct PointStiffness {
+    Mat3 block[2][2];
+};
+
+/// Of ends i and j; gap: the number of the gap element that joins them, -1 for the two ends of one bar.
+PointStiffness between_points(const Tie& tie, const TieParts& of, int i, int j, int gap) {
+    const bool same_bar = gap < 0;
+    PointStiffness K;
+    auto& block = K.block;
+    block[0][1] = of.g[i] * of.sg[j];  // -G_i^T S^-1 G_j, as G^T = -G
+    block[1][0] = block[0][1].transpose();
+    block[0][0] = same_bar ? Mat3(of.g[i] * of.sg[i]) : Mat3(Mat3::Zero());
+    block[1][1] = same_bar ? Mat3(of.g[j] * of.sg[j]) : Mat3(Mat3::Zero());
+    if (!same_bar) {
+        const double k = tie.gap[gap].stiffness;
+        for (int d = 0; d < 3; ++d) {
+            block[0][0](d, d) += k;
+            block[1][1](d, d) += k;
+            block[0][1](d, d) -= k;
+            block[1][0](d, d) -= k;
+        }
+    }
+    return K;
+}
+
+/// Carries the stiffness between the points of two ends to their nodes: dp = dx - [arm] dtheta.
+Mat12 at_nodes(const Tie& tie, const Pose& now, const PointStiffness& K, const int end[2]) {
+    Mat12 m = Mat12::Zero();
+    const bool armed[2] = {!tie.end[end[0]].arm.isZero(0), !tie.end[end[1]].arm.isZero(0)};
+    for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) {
+            const Mat3& block = K.block[p][q];
+            m.block<3, 3>(6 * p, 6 * q) = block;
+            if (!armed[p] && !armed[q]) continue;
+            const Mat3 arm_p = skew(now.arm[end[p]]), arm_q = skew(now.arm[end[q]]);
+            m.block<3, 3>(6 * p, 6 * q + 3) = -block * arm_q;
+            m.block<3, 3>(6 * p + 3, 6 * q) = arm_p * block;
+            m.block<3, 3>(6 * p + 3, 6 * q + 3) = -arm_p * block * arm_q;
+        }
+    return m;
+}
+
+/// Adds the symmetric part of [F][R a] at both ends of a bar.
+void add_moments_of_arms(Mat12& m, const Pose& now, const TieParts& of, const int end[2]) {
+    for (int p = 0; p < 2; ++p) {
+        const Vec3 &arm = now.arm[end[p]], &f = of.at_end[end[p]];
+        m.block<3, 3>(6 * p + 3, 6 * p + 3) += symmetric(f, arm) - f.dot(arm) * Mat3::Identity();
+    }
+}
+
+}  // namespace
+
+void add_tie_stiffness(const Tie& tie, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                       const AddStiffness& add) {
+    const Pose now = pose(tie, position, rotation);
+    const TieParts parts = parts_of(tie, now);
     // Six pairs; what belongs to one node alone goes with A1A2 and B1B2.
     constexpr int pairs[6][2] = {{0, 1}, {2, 3}, {0, 2}, {0, 3}, {1, 2}, {1, 3}};
     Mat12 lone = Mat12::Zero();  // both ends on one node (a broken element): kept for that node's next pair
     bool has_lone[2] = {false, false};
     for (int n = 0; n < 6; ++n) {
-        const int i = pairs[n][0], j = pairs[n][1];
+        const int end[2] = {pairs[n][0], pairs[n][1]};
         const bool same_bar = n < 2;
-        Mat3 block[2][2];
-        block[0][1] = g[i] * sg[j];  // -G_i^T S^-1 G_j, as G^T = -G
-        block[1][0] = block[0][1].transpose();
-        block[0][0] = same_bar ? Mat3(g[i] * sg[i]) : Mat3(Mat3::Zero());
-        block[1][1] = same_bar ? Mat3(g[j] * sg[j]) : Mat3(Mat3::Zero());
-        if (!same_bar) {
-            const double k = tie.gap[n - 2].stiffness;
-            for (int d = 0; d < 3; ++d) {
-                block[0][0](d, d) += k;
-                block[1][1](d, d) += k;
-                block[0][1](d, d) -= k;
-                block[1][0](d, d) -= k;
-            }
-        }
-        Mat12 m = Mat12::Zero();
-        const int end[2] = {i, j};
-        const bool armed[2] = {!tie.end[i].arm.isZero(0), !tie.end[j].arm.isZero(0)};
-        for (int p = 0; p < 2; ++p)
-            for (int q = 0; q < 2; ++q) {
-                m.block<3, 3>(6 * p, 6 * q) = block[p][q];
-                if (!armed[p] && !armed[q]) continue;
-                const Mat3 arm_p = skew(now.arm[end[p]]), arm_q = skew(now.arm[end[q]]);  // dp = dx - [arm] dtheta
-                m.block<3, 3>(6 * p, 6 * q + 3) = -block[p][q] * arm_q;
-                m.block<3, 3>(6 * p + 3, 6 * q) = arm_p * block[p][q];
-                m.block<3, 3>(6 * p + 3, 6 * q + 3) = -arm_p * block[p][q] * arm_q;
-            }
-        if (same_bar)
-            for (int p = 0; p < 2; ++p) {
-                const Vec3 &arm = now.arm[end[p]], &f = at_end[end[p]];
-                m.block<3, 3>(6 * p + 3, 6 * p + 3) += symmetric(f, arm) - f.dot(arm) * Mat3::Identity();
-            }
+        Mat12 m = at_nodes(tie, now, between_points(tie, parts, end[0], end[1], same_bar ? -1 : n - 2), end);
+        if (same_bar) add_moments_of_arms(m, now, parts, end);
         m = (0.5 * (m + m.transpose())).eval();
 
-        const int node_i = tie.end[i].node, node_j = tie.end[j].node;
+        const int node_i = tie.end[end[0]].node, node_j = tie.end[end[1]].node;
         if (same_bar && node_i == node_j) {
             const Mat6 both = m.block<6, 6>(0, 6) + m.block<6, 6>(6, 0);
             lone.block<6, 6>(6 * n, 6 * n) = m.block<6, 6>(0, 0) + m.block<6, 6>(6, 6) + both;

@@ -391,20 +391,19 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
                             const beam::ReturnMapResult* flow) {
     const Element& e = w_.structure.elements()[index];
     const Vec6 before = deformation_before(index);
-    const beam::FractureStrains now = beam::fracture_strains(elastic + plastic, e.length),
-                                stays = beam::fracture_strains(plastic, e.length),
-                                rate = beam::fracture_strains((elastic + plastic - before) / step_->dt, e.length);
+    const auto strains = [&](const Vec6& deformation) -> SectionView::Strains {
+        const beam::FractureStrains s = beam::fracture_strains(deformation, e.length);
+        return {s.curvature_x, s.curvature_y, s.axial, s.twist};
+    };
     const double r = side == 1 ? -1 : 1;
     const Vec6 p = resultants_at(index, r);
     SectionView& v = asked_.emplace_back();
     v.time = step_->end(), v.dt = step_->dt, v.step = double(w_.state.step + 1);
     v.member = e.member, v.element = index, v.end = side, v.node = joint_at(w_.structure, e, side);
-    v.curvature_x = now.curvature_x, v.curvature_y = now.curvature_y, v.axial_strain = now.axial, v.twist = now.twist;
-    v.plastic_curvature_x = stays.curvature_x, v.plastic_curvature_y = stays.curvature_y,
-    v.plastic_axial_strain = stays.axial, v.plastic_twist = stays.twist;
-    v.curvature_rate_x = rate.curvature_x, v.curvature_rate_y = rate.curvature_y, v.axial_strain_rate = rate.axial,
-    v.twist_rate = rate.twist;
-    v.Mx = beam::moment_at(p[0], p[1], r), v.My = beam::moment_at(p[2], p[3], r), v.N = p[4], v.Mz = p[5];
+    v.strain = strains(elastic + plastic);
+    v.plastic_strain = strains(plastic);
+    v.strain_rate = strains((elastic + plastic - before) / step_->dt);
+    v.force = {beam::moment_at(p[0], p[1], r), beam::moment_at(p[2], p[3], r), p[4], p[5]};
     v.f_y = yield_at(index, r);
     v.plastic_work = w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
     beam::FractureStrains shear{};

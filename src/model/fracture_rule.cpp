@@ -36,22 +36,22 @@ const std::vector<std::string> section_field_names = {"curvature_x",
 
 double value_of(const SectionView& v, SectionField field) {
     switch (field) {
-        case SectionField::curvature_x: return v.curvature_x;
-        case SectionField::curvature_y: return v.curvature_y;
-        case SectionField::axial_strain: return v.axial_strain;
-        case SectionField::twist: return v.twist;
-        case SectionField::plastic_curvature_x: return v.plastic_curvature_x;
-        case SectionField::plastic_curvature_y: return v.plastic_curvature_y;
-        case SectionField::plastic_axial_strain: return v.plastic_axial_strain;
-        case SectionField::plastic_twist: return v.plastic_twist;
-        case SectionField::curvature_rate_x: return v.curvature_rate_x;
-        case SectionField::curvature_rate_y: return v.curvature_rate_y;
-        case SectionField::axial_strain_rate: return v.axial_strain_rate;
-        case SectionField::twist_rate: return v.twist_rate;
-        case SectionField::Mx: return v.Mx;
-        case SectionField::My: return v.My;
-        case SectionField::N: return v.N;
-        case SectionField::Mz: return v.Mz;
+        case SectionField::curvature_x: return v.strain.curvature_x;
+        case SectionField::curvature_y: return v.strain.curvature_y;
+        case SectionField::axial_strain: return v.strain.axial;
+        case SectionField::twist: return v.strain.twist;
+        case SectionField::plastic_curvature_x: return v.plastic_strain.curvature_x;
+        case SectionField::plastic_curvature_y: return v.plastic_strain.curvature_y;
+        case SectionField::plastic_axial_strain: return v.plastic_strain.axial;
+        case SectionField::plastic_twist: return v.plastic_strain.twist;
+        case SectionField::curvature_rate_x: return v.strain_rate.curvature_x;
+        case SectionField::curvature_rate_y: return v.strain_rate.curvature_y;
+        case SectionField::axial_strain_rate: return v.strain_rate.axial;
+        case SectionField::twist_rate: return v.strain_rate.twist;
+        case SectionField::Mx: return v.force.Mx;
+        case SectionField::My: return v.force.My;
+        case SectionField::N: return v.force.N;
+        case SectionField::Mz: return v.force.Mz;
         case SectionField::f_y: return v.f_y;
         case SectionField::plastic_work: return v.plastic_work;
         case SectionField::shear_x: return v.shear_x;

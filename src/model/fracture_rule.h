@@ -17,12 +17,20 @@ struct SectionView {
     double step;               ///< from 1
     int member, element, end;  ///< numbers from 0; end 1 or 2 of the element
     int node;                  ///< the joint that the section is at, from 0; -1 inside the member
-    double curvature_x, curvature_y, axial_strain, twist;  ///< 1/m, -, 1/m: elastic and plastic
-    double plastic_curvature_x, plastic_curvature_y, plastic_axial_strain, plastic_twist;  ///< their plastic parts
-    double curvature_rate_x, curvature_rate_y, axial_strain_rate, twist_rate;  ///< 1/(m s), 1/s, over the step
-    double Mx, My, N, Mz;                                                      ///< N m, N
-    double f_y;                                                                ///< eq 14
-    double plastic_work;                                                       ///< J, of the element so far
+    struct Strains {
+        double curvature_x, curvature_y;  ///< 1/m
+        double axial;                     ///< -
+        double twist;                     ///< 1/m
+    };
+    Strains strain;          ///< elastic and plastic
+    Strains plastic_strain;  ///< its plastic part
+    Strains strain_rate;     ///< per second, over the step
+    struct Forces {
+        double Mx, My, N, Mz;  ///< N m, N
+    };
+    Forces force;
+    double f_y;                                 ///< eq 14
+    double plastic_work;                        ///< J, of the element so far
     double shear_x, shear_y;                    ///< -, elastic: Q / (G A), mean over the element
     double hinge_rotation_x, hinge_rotation_y;  ///< rad, of the section's own hinge
     bool plastic;                               ///< fully plastic in this step
@@ -37,10 +45,11 @@ struct FractureHook {
 
     FractureHook() = default;
     template <std::predicate<const SectionView&> Breaks>
-    FractureHook(Breaks breaks)
-        : ask([breaks](const std::vector<SectionView>& sections, std::size_t& at) mutable {
-              while (at < sections.size() && !breaks(sections[at])) ++at;
-          }) {}
+    FractureHook(Breaks breaks) {
+        ask = [breaks](const std::vector<SectionView>& sections, std::size_t& at) mutable {
+            while (at < sections.size() && !breaks(sections[at])) ++at;
+        };
+    }
     explicit operator bool() const { return bool(ask); }
 };
 

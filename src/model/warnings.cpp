@@ -19,6 +19,16 @@ constexpr double part_of_members = 1e-3;
 std::string number(double v) { return number_text(v); }
 std::string at(const Vec3& x) { return vector_text(x) + " m"; }
 
+/// Tolerances of one place, and the boxes of members and nodes by which neighbours are found.
+struct Vicinity {
+    double close = 0;                          ///< m: points nearer than this are in one place
+    std::vector<double> near;                  ///< of each node, m: another node nearer than this is likely the same
+    std::vector<std::vector<int>> members_at;  ///< of each node
+    std::vector<int> used;                     ///< nodes that have members, rising
+    int members = 0;                           ///< boxes of members, before those of the used nodes
+    std::vector<contact::Box> boxes;
+};
+
 struct Finder {
     const Model& model;
     std::set<std::pair<int, int>> joined;  ///< nodes, the smaller number first
@@ -51,6 +61,10 @@ struct Finder {
     void lone_nodes();
     void tiny_members();
     void unjoined();
+    Vicinity vicinity() const;
+    double shared_length(int i, int j, double close) const;
+    void unjoined_nodes(const Vicinity& v, int other, int n);
+    void passed_node(const Vicinity& v, int member, int n, const std::set<std::pair<int, int>>& overlaps);
     void find_joints(const std::vector<double>& near);
     int joint(int node) {
         while (joint_of[node] != node) node = joint_of[node] = joint_of[joint_of[node]];
@@ -178,6 +192,33 @@ void Finder::tiny_members() {
     }
 }
 
+/// The tolerances of one place, and boxes around all members and nodes.
+Vicinity Finder::vicinity() const {
+    Vicinity v;
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    v.members_at.resize(model.nodes().size());
+    v.members = int(model.members().size());
+    for (int i = 0; i < v.members; ++i)
+        for (int side : {0, 1}) {
+            low = low.cwiseMin(end(i, side)), high = high.cwiseMax(end(i, side));
+            v.members_at[model.members()[i].node[side]].push_back(i);
+        }
+    v.close = 1e-6 * (high - low).norm();
+    const Vec3 room = Vec3::Constant(0.5 * v.close);
+    v.near.assign(model.nodes().size(), std::numeric_limits<double>::infinity());
+    for (int i = 0; i < v.members; ++i)
+        for (int n : model.members()[i].node) v.near[n] = std::min(v.near[n], part_of_members * length(i));
+    for (int i = 0; i < v.members; ++i)
+        v.boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
+    for (int n = 0; n < int(model.nodes().size()); ++n)
+        if (!v.members_at[n].empty()) {
+            v.near[n] = std::max(v.near[n], v.close);
+            const Vec3 around = Vec3::Constant(0.5 * v.near[n]);
+            v.used.push_back(n), v.boxes.push_back({position(n) - around, position(n) + around});
+        }
+    return v;
+}
+
 /// Nodes in one place that connectors join, directly or by way of a third: beams that are pinned to one column.
 void Finder::find_joints(const std::vector<double>& near) {
     for (int n = 0; n < int(near.size()); ++n) joint_of.push_back(n);
@@ -185,82 +226,69 @@ void Finder::find_joints(const std::vector<double>& near) {
         if ((position(a) - position(b)).norm() <= std::min(near[a], near[b])) joint_of[joint(a)] = joint(b);
 }
 
+/// Length over which member j lies on member i, m; 0 where it does not.
+double Finder::shared_length(int i, int j, double close) const {
+    const Vec3 along = (end(i, 1) - end(i, 0)).normalized();
+    const auto offset = [&](int side) {
+        const Vec3 d = end(j, side) - end(i, 0);
+        return (d - d.dot(along) * along).norm();
+    };
+    if (offset(0) > close || offset(1) > close) return 0;
+    const double a = (end(j, 0) - end(i, 0)).dot(along), b = (end(j, 1) - end(i, 0)).dot(along);
+    const double stretch = std::min(length(i), std::max(a, b)) - std::max(0.0, std::min(a, b));
+    return stretch <= 10 * close ? 0 : stretch;
+}
+
+/// Two nodes that are close to each other without being joined.
+void Finder::unjoined_nodes(const Vicinity& v, int other, int n) {
+    const double apart = (position(n) - position(other)).norm();
+    if (apart > std::min(v.near[n], v.near[other]) || are_joined(n, other)) return;
+    const std::string both = "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are ";
+    if (apart <= v.close)
+        tell("coincide", both + "both at " + at(position(n)) + ", but not joined",
+             "use one node for both where their members meet", node_line(n));
+    else
+        tell("nearly coincide", both + number_text(apart, 3) + " m apart at " + at(position(n)) + ", but not joined",
+             "use one node for both if their members meet there", node_line(n));
+}
+
+/// A member that passes through a node without being joined to it. `overlaps`: pairs of members that lie on each other.
+void Finder::passed_node(const Vicinity& v, int member, int n, const std::set<std::pair<int, int>>& overlaps) {
+    const Vec3 span = end(member, 1) - end(member, 0), d = position(n) - end(member, 0);
+    const double share = d.dot(span) / span.squaredNorm(), margin = 10 * v.close / span.norm();
+    const auto lies_on = [&](int other) { return overlaps.count({member, other}) > 0; };
+    if (share < margin || share > 1 - margin || (d - share * span).norm() > v.close ||
+        std::any_of(v.members_at[n].begin(), v.members_at[n].end(), lies_on))
+        return;
+    tell("through",
+         name(member) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) +
+             ", but is not joined to it",
+         "let two members meet there, or move the node", member_line(member));
+}
+
 /// Nodes and members that are in one place without being joined.
 void Finder::unjoined() {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    std::vector<std::vector<int>> members_at(model.nodes().size());
-    std::vector<contact::Box> boxes;
-    const int members = int(model.members().size());
-    for (int i = 0; i < members; ++i)
-        for (int side : {0, 1}) {
-            low = low.cwiseMin(end(i, side)), high = high.cwiseMax(end(i, side));
-            members_at[model.members()[i].node[side]].push_back(i);
-        }
-    const double close = 1e-6 * (high - low).norm();
-    const Vec3 room = Vec3::Constant(0.5 * close);
-    std::vector<double> near(model.nodes().size(), std::numeric_limits<double>::infinity());  // of nodes, m
-    for (int i = 0; i < members; ++i)
-        for (int n : model.members()[i].node) near[n] = std::min(near[n], part_of_members * length(i));
-    for (int i = 0; i < members; ++i)
-        boxes.push_back({end(i, 0).cwiseMin(end(i, 1)) - room, end(i, 0).cwiseMax(end(i, 1)) + room});
-    std::vector<int> used;
-    for (int n = 0; n < int(model.nodes().size()); ++n)
-        if (!members_at[n].empty()) {
-            near[n] = std::max(near[n], close);
-            const Vec3 around = Vec3::Constant(0.5 * near[n]);
-            used.push_back(n), boxes.push_back({position(n) - around, position(n) + around});
-        }
-
-    find_joints(near);
-
-    const auto pairs = contact::overlapping(boxes, [&](int i, int j) {
-        if (i >= members || j < members) return true;
+    const Vicinity v = vicinity();
+    find_joints(v.near);
+    const auto pairs = contact::overlapping(v.boxes, [&](int i, int j) {
+        if (i >= v.members || j < v.members) return true;
         const auto& ends = model.members()[i].node;
-        return ends[0] != used[j - members] && ends[1] != used[j - members];
+        return ends[0] != v.used[j - v.members] && ends[1] != v.used[j - v.members];
     });
-    std::set<std::pair<int, int>> on_each_other;
+    std::set<std::pair<int, int>> overlaps;
     for (const auto& [i, j] : pairs) {
-        if (j >= members) continue;
-        const Vec3 along = (end(i, 1) - end(i, 0)).normalized();
-        const auto offset = [&, i = i, j = j](int side) {
-            const Vec3 d = end(j, side) - end(i, 0);
-            return (d - d.dot(along) * along).norm();
-        };
-        if (offset(0) > close || offset(1) > close) continue;
-        const double a = (end(j, 0) - end(i, 0)).dot(along), b = (end(j, 1) - end(i, 0)).dot(along);
-        const double stretch = std::min(length(i), std::max(a, b)) - std::max(0.0, std::min(a, b));
-        if (stretch <= 10 * close) continue;
-        on_each_other.insert({i, j}), on_each_other.insert({j, i});
+        if (j >= v.members) continue;
+        const double stretch = shared_length(i, j, v.close);
+        if (stretch == 0) continue;
+        overlaps.insert({i, j}), overlaps.insert({j, i});
         tell("overlap", name(j) + " lies on " + name(i) + " over " + number(stretch) + " m",
              "leave one out, or let both end where they meet", member_line(j));
     }
     for (const auto& [i, j] : pairs) {
-        if (j < members) continue;
-        const int n = used[j - members];
-        if (i >= members) {
-            const int other = used[i - members];
-            const double apart = (position(n) - position(other)).norm();
-            if (apart > std::min(near[n], near[other]) || are_joined(n, other)) continue;
-            const std::string both = "nodes " + std::to_string(other + 1) + " and " + std::to_string(n + 1) + " are ";
-            if (apart <= close)
-                tell("coincide", both + "both at " + at(position(n)) + ", but not joined",
-                     "use one node for both where their members meet", node_line(n));
-            else
-                tell("nearly coincide",
-                     both + number_text(apart, 3) + " m apart at " + at(position(n)) + ", but not joined",
-                     "use one node for both if their members meet there", node_line(n));
-            continue;
-        }
-        const Vec3 span = end(i, 1) - end(i, 0), d = position(n) - end(i, 0);
-        const double share = d.dot(span) / span.squaredNorm(), margin = 10 * close / span.norm();
-        const auto lies_on = [&, i = i](int member) { return on_each_other.count({i, member}) > 0; };
-        if (share < margin || share > 1 - margin || (d - share * span).norm() > close ||
-            std::any_of(members_at[n].begin(), members_at[n].end(), lies_on))
-            continue;
-        tell("through",
-             name(i) + " passes through node " + std::to_string(n + 1) + " at " + at(position(n)) +
-                 ", but is not joined to it",
-             "let two members meet there, or move the node", member_line(i));
+        if (j < v.members) continue;
+        const int n = v.used[j - v.members];
+        if (i >= v.members) unjoined_nodes(v, v.used[i - v.members], n);
+        else passed_node(v, i, n, overlaps);
     }
 }
 

@@ -93,7 +93,8 @@ Frame fracturing_crash() {
     Frame frame = crash(contact::ContactRuleKind::gap);
     FractureRule rule;
     rule.keep = {"times"};
-    rule.hook = FractureHook([](const SectionView& s) { return ++*s.kept > 30 && std::abs(s.curvature_x) > 0.2; });
+    rule.hook =
+        FractureHook([](const SectionView& s) { return ++*s.kept > 30 && std::abs(s.strain.curvature_x) > 0.2; });
     frame.model->add_fracture(rule);
     return frame;
 }

@@ -205,7 +205,7 @@ TEST_CASE("fracture: a hook equal to the built-in rule gives the same bits", "[f
     std::uint64_t hashes[2];
     for (int hooked = 0; hooked < 2; ++hooked) {
         FractureRule rule;
-        if (hooked) rule.hook = [](const SectionView& s) { return std::abs(s.axial_strain) >= 0.01; };
+        if (hooked) rule.hook = [](const SectionView& s) { return std::abs(s.strain.axial) >= 0.01; };
         else rule.axial_strain = 0.01;
         Frame frame = pulled_bar(245e6, rule);
         Dynamics run(frame.build(), initial_state(*frame.build()), milliseconds(4e-3));
