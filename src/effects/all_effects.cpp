@@ -15,27 +15,6 @@ const std::vector<EffectKind>& all_effects() {
     return list;
 }
 
-EffectList effects_of(Workspace& w, Host& host) {
-    EffectList list;
-    for (const EffectKind& kind : all_effects())
-        if (kind.make)
-            if (auto effect = kind.make(w, host)) list.push_back(std::move(effect));
-    return list;
-}
-
-AccountList accounts_of(const EffectList& effects) {
-    AccountList list;
-    for (const EffectKind& kind : all_effects()) {
-        const bool called_for = std::any_of(effects.begin(), effects.end(),
-                                            [&](const auto& e) { return e->name() == std::string(kind.name); });
-        for (const AccountInfo& account : kind.accounts)
-            if (account.always || called_for) list.push_back(account);
-    }
-    std::stable_sort(list.begin(), list.end(),
-                     [](const AccountInfo& a, const AccountInfo& b) { return a.place < b.place; });
-    return list;
-}
-
 std::vector<ElementDamping> damping_of(const Structure& structure) {
     std::vector<ElementDamping> sum;
     for (const EffectKind& kind : all_effects()) {

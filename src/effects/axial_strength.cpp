@@ -50,7 +50,7 @@ void AxialStrength::look_at(const Workspace& w, const Step& step, int index) {
             if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
             unsafe_[e.member] = 1;
             if (m[axis] - exact > worst_.m - worst_.exact + alike_moment)
-                worst_ = {n, m[axis], exact, w.kind.dynamic ? step.end() : w.state.factor, index, axis};
+                worst_ = {n, m[axis], exact, w.reached(step), index, axis};
         }
     }
 }

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "effects/effect.h"
-#include "effects/run_warning.h"
+#include "effects/reports.h"
+#include "effects/workspace.h"
 #include "model/plastic_shape.h"
 
 namespace hinge {

@@ -14,21 +14,21 @@ namespace {
 /// behind its rotation by more than 2 mrad, the cosine of whose half this is.
 constexpr double lag_cosine = 1 - 5e-7;
 
-class BrokenMembers : public Effect {
+class BrokenMembers : public Effect, public Load, public BreakListener {
 public:
-    BrokenMembers(Workspace& w, Host& host) : Effect("broken members", w, host) {
+    BrokenMembers(Workspace& w, Host& host) : Effect("broken members", w, host, {.mean_forces = true}) {
         if (!w.state.offset_mass.empty()) built_ = w.state.rotation;
     }
 
     /// m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space. In the
     /// energy-momentum method the weight alone: momenta are the integrator's.
-    void add_forces(double, std::vector<Vec6>& resisting) override {
-        if (!w_.kind.dynamic || w_.state.offset_mass.empty()) return;
+    void subtract_following_loads(std::vector<Vec6>& resisting) override {
+        if (w_.state.offset_mass.empty()) return;
         const Vec3 g = gravity();
         tried_rate_.assign(w_.state.offset_mass.size(), Vec3::Zero());
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
-            if (h.mass == 0 || (!w_.resting.empty() && w_.resting[i] >= 0)) continue;
+            if (h.mass == 0 || w_.rests(int(i))) continue;
             const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
             const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
                        alpha = w_.trial.acceleration[i].tail<3>(),
@@ -51,19 +51,18 @@ public:
     void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         add_weights(at, w_.structure.model().held_gravity(), external);
     }
-    bool loads_follow() const override {
+    bool follows_nodes() const override {
         const auto& masses = w_.state.offset_mass;
         return w_.structure.model().gravity() &&
                std::any_of(masses.begin(), masses.end(), [](const OffsetMass& h) { return !h.moment.isZero(0); });
     }
     bool has_potential() const override { return true; }
-    bool takes_mean_forces() const override { return true; }
 
     /// An offset mass's part of the momentum, w x S, rotates with it: over a step it changes by a little else than the
     /// trapezium rule makes of the rates in the equation of motion. The node takes the difference, so that linear
     /// momentum stays what it was. Called with the change of the acceleration since the stresses were recovered.
     void solved(const Step& step, const std::vector<Vec6>& change) override {
-        const double alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
+        const Scheme& scheme = w_.scheme;
         next_rate_ = tried_rate_;
         if (w_.kind.conserving) return;
         for (std::size_t i = 0; i < next_rate_.size(); ++i) {
@@ -71,9 +70,9 @@ public:
             if (h.mass == 0) continue;
             const Vec3 S = w_.state.rotation[i] * h.moment, next_S = w_.trial.rotation[i] * h.moment;
             const Vec3 built_S = host_.has_effective_stiffness() ? Vec3(built_[i] * h.moment) : next_S;
-            next_rate_[i] =
-                (tried_rate_[i] + (1 - alpha) * change[i].tail<3>().cross(built_S) - alpha * rate_[i]) / (1 - alpha);
-            const Vec3 integrated = step.dt * ((1 - gamma) * rate_[i] + gamma * next_rate_[i]);
+            const Vec3 weighted = tried_rate_[i] + (1 - scheme.alpha) * change[i].tail<3>().cross(built_S);
+            next_rate_[i] = scheme.next_of_weighted(rate_[i], weighted);
+            const Vec3 integrated = scheme.velocity_change(rate_[i], next_rate_[i], step.dt);
             double mass = h.mass;
             for (int e : w_.structure.elements_at(int(i)))
                 if (!w_.state.broken[e]) mass += 0.5 * w_.structure.elements()[e].mass();
@@ -100,13 +99,13 @@ public:
         host_.mass_changed(b.element);
     }
 
-    void restart_ends() override {
+    void acceleration_found() override {
         rate_ = tried_rate_;
         for (std::size_t i = 0; i < rate_.size(); ++i)
             rate_[i] += w_.state.acceleration[i].tail<3>().cross(w_.state.rotation[i] * w_.state.offset_mass[i].moment);
     }
 
-    void effective_stiffness_begins() override {
+    void started(const std::vector<Vec6>&) override {
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) renew(int(i));
     }
 

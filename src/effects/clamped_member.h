@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "beam/beam_column.h"
-#include "effects/effect.h"
+#include "effects/reports.h"
+#include "state/configuration.h"
 
 namespace hinge {
 

@@ -78,9 +78,15 @@ struct Placed {
     Mat6x12 B;
 };
 
-class Connectors : public Effect {
+class Connectors : public Effect, public Force, public BreakListener, public StepLimiter {
 public:
-    Connectors(Workspace& w, Host& host) : Effect(connectors_effect, w, host), now_(declared().size()) {
+    Connectors(Workspace& w, Host& host)
+        : Effect(connectors_effect, w, host, {.mean_forces = true}), now_(declared().size()) {
+        for (const Connector& c : declared()) {
+            traits_.forces_vanish = traits_.forces_vanish || (c.capacity.array() < infinite).any();
+            traits_.calls_script = traits_.calls_script || std::any_of(std::begin(c.law), std::end(c.law),
+                                                                       [](const ConnectorLaw& l) { return bool(l); });
+        }
         for (const Connector& c : declared())
             for (const int node : {c.a, c.b})
                 if (node >= 0 && w.structure.elements_at(node).empty())
@@ -100,14 +106,13 @@ public:
             if (list()[i].broken) continue;
             const Connector& c = declared()[i];
             const Placed p = place(i, w_.trial, list()[i]);
-            evaluate(i, p, w_.kind.dynamic ? time - w_.state.time : 0);
+            evaluate(i, p, time - w_.state.time);
             const Vec12 force = p.B.transpose() * now_[i].force();
             if (c.a >= 0) resisting[c.a] += force.head<6>();
             resisting[c.b] += force.tail<6>();
         }
     }
 
-    bool takes_mean_forces() const override { return true; }
     bool has_blocks() const override {
         return std::any_of(list().begin(), list().end(), [](const ConnectorNow& c) { return !c.broken; });
     }
@@ -172,21 +177,11 @@ public:
         if (any) changed(w_.state);
     }
 
-    bool makes_forces_vanish() const override {
-        return std::any_of(declared().begin(), declared().end(),
-                           [](const Connector& c) { return (c.capacity.array() < infinite).any(); });
-    }
-    void restart_ends() override {
+    void acceleration_found() override {
         for (std::size_t i = 0; i < now_.size(); ++i)
             if (!list()[i].broken) list()[i].of_dashpots = now_[i].dashpot, list()[i].of_laws = now_[i].law;
     }
 
-    bool calls_script() const override {
-        for (const Connector& c : declared())
-            for (const ConnectorLaw& law : c.law)
-                if (law) return true;
-        return false;
-    }
     bool allows_long_step() const override {
         for (std::size_t i = 0; i < now_.size(); ++i)
             if (!list()[i].broken && (!is_linear(declared()[i]) || (declared()[i].capacity.array() < infinite).any()))
@@ -361,7 +356,7 @@ private:
         end.deformation = p.deformation;
         end.of_dashpots = now.dashpot;
         end.of_laws = now.law;
-        if (w_.kind.dynamic && !w_.kind.explicit_steps) {
+        if (!w_.kind.explicit_steps) {
             const Vec6 rate = rate_of(i, p);
             end.of_dashpots = declared()[i].damping.cwiseProduct(rate);
             end.of_laws += now.law_slope.cwiseProduct(p.deformation - now.deformation) +

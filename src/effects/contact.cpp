@@ -19,9 +19,18 @@ using contact::Contact;
 /// with 1, and take as many iterations within 2 %.
 constexpr long steps_of_tangent = 20;
 
-class ContactEffect : public Effect {
+class ContactEffect : public Effect,
+                      public Force,
+                      public ContactLaw,
+                      public Breaker,
+                      public BreakListener,
+                      public StepLimiter,
+                      public Sleeper {
 public:
-    ContactEffect(Workspace& w, Host& host) : Effect(contact_effect, w, host) {
+    ContactEffect(Workspace& w, Host& host) : Effect(contact_effect, w, host, {.forces_vanish = true}) {
+        traits_.calls_script = std::any_of(declared().begin(), declared().end(), [](const ContactRule& r) {
+            return r.pairs || r.on_contact || r.on_release;
+        });
         if (!w.state.data.find<Contact>(contact_effect)) {
             std::vector<contact::ContactSettings> rules;
             for (const ContactRule& rule : declared()) rules.push_back(rule.settings);
@@ -30,8 +39,6 @@ public:
         now().release_step();  // it may come from a run in the middle of a step
     }
 
-    bool meets() const override { return true; }
-    bool makes_forces_vanish() const override { return true; }
     bool meet(const Step& step) override {
         if (bars_changed_) list_bars();
         place(w_.state.displacement);
@@ -139,10 +146,6 @@ public:
         host_.blocks_changed(w_.state);
     }
     void release_step() override { now().release_step(); }
-    bool calls_script() const override {
-        return std::any_of(declared().begin(), declared().end(),
-                           [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
-    }
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         const auto keep = [&](const auto& pairs) {
@@ -152,7 +155,6 @@ public:
         keep(now().surface_contacts()), keep(now().ties());
     }
     bool allows_long_step() const override { return now().idle(); }
-    bool sleeps() const override { return true; }
     bool busy() const override { return now().nearest().element[0] >= 0 || !now().idle(); }
     std::string why_awake() const override {
         const contact::Nearest& nearest = now().nearest();
@@ -253,12 +255,10 @@ private:
             const Vec6& v = k.change[tie.end[i].node];
             opening += tie.opening[i].dot(v.head<3>() + v.tail<3>().cross(arm(i)));
         }
-        // While forces act, Newmark's method with beta > 1/4 keeps (beta - 1/4) dt^2/2 a.M a of the energy to itself.
-        // The force goes, and so does its part of that: M a+ = M a- + f.
+        // the force goes, and so does its part of what the method holds back: M a+ = M a- + f
         double power = 2 * k.square;
         for (std::size_t i = 0; i < impulse_.size(); ++i) power -= 2 * impulse_[i].dot(w_.trial.acceleration[i]);
-        const double held_back = -0.5 * (w_.scheme.beta - 0.5 * w_.scheme.gamma) * step.dt * step.dt * power;
-        const double energy = std::max(0.0, tie.energy + held_back);
+        const double energy = std::max(0.0, tie.energy - w_.scheme.held_back(power, step.dt));
         const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
         add_to_trial((-k.linear + std::copysign(root, opening)) / (2 * k.square), k);
         return tie.energy;

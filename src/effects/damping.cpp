@@ -63,10 +63,10 @@ struct Footing {
     }
 };
 
-class RayleighDamping : public Effect {
+class RayleighDamping : public Effect, public Force, public BreakListener {
 public:
     RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
-        : Effect(damping_effect, w, host), damping_(std::move(damping)) {
+        : Effect(damping_effect, w, host, {.mean_forces = true}), damping_(std::move(damping)) {
         for (std::size_t e = 0; e < damping_.size(); ++e)
             if (damps(damping_[e])) damped_.push_back(int(e));
         of_element_.resize(damped_.size());
@@ -83,10 +83,6 @@ public:
             masses_.push_back({node, mass}), built_.push_back(w.state.rotation[node]);
         find_footings();
     }
-
-    bool damps_elements() const override { return true; }
-    bool takes_mean_forces() const override { return true; }
-    ElementDamping element_damping(int element) const override { return damping_[element]; }
 
     void add_forces(double, std::vector<Vec6>& resisting) override {
         find_forces();
@@ -138,7 +134,7 @@ public:
         before_ = now_;
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
-    void restart_ends() override { before_ = now_; }
+    void acceleration_found() override { before_ = now_; }
 
     void save(Writer& to) const override { to(before_, built_); }
     void restore(Reader& from) override { from(before_, built_); }
@@ -173,8 +169,6 @@ private:
         return v;
     }
 
-    bool rests(int node) const { return !w_.resting.empty() && w_.resting[node] >= 0; }
-
     /// The mean of the whole elements there, 1/s.
     double alpha_at(int node) const {
         double sum = 0;
@@ -207,7 +201,7 @@ private:
             for (int end : {0, 1})
                 now_[w_.structure.elements()[damped_[i]].node[end]] += of_element_[i].segment<6>(6 * end);
         for (const auto& [node, mass] : masses_)
-            if (!rests(node))
+            if (!w_.rests(node))
                 now_[node] +=
                     alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * velocity_relative(node));
     }
@@ -215,7 +209,7 @@ private:
     /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
     Vec12 force_of(int index) const {
         const Element& e = w_.structure.elements()[index];
-        if (w_.state.broken[index] || rests(e.node[0])) return Vec12::Zero();
+        if (w_.state.broken[index] || w_.rests(e.node[0])) return Vec12::Zero();
         const ElementDamping& c = damping_[index];
         const ElementFrame place = element_frame(w_.structure, index, w_.trial);
         Vec12 v, force = Vec12::Zero();

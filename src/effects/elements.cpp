@@ -9,9 +9,7 @@ namespace {
 
 class Elements : public Effect {
 public:
-    Elements(Workspace& w, Host& host) : Effect("elements", w, host) {}
-
-    bool takes_mean_forces() const override { return true; }
+    Elements(Workspace& w, Host& host) : Effect("elements", w, host, {.mean_forces = true}) {}
 
     /// Eqs 20a and 20c with consistent mass and plastic strain, in one pass.
     void add_energy(const State& state, Accounts& sums) const override {

@@ -127,12 +127,11 @@ struct Watched {
     }
 };
 
-class Fracture : public Effect, public ChecksRun {
+class Fracture : public Effect, public Breaker, public BreakListener, public RunChecker {
 public:
     Fracture(Workspace& w, Host& host);
     const char* decides() const override { return "fracture"; }
     void decide(Step& step) override;
-    bool makes_forces_vanish() const override { return true; }
     void after_commit(const Step&) override {
         for (const PlasticIncrement& y : w_.yielding) take_up(y.element);
     }
@@ -147,11 +146,6 @@ public:
         for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
         for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     }
-    bool calls_script() const override {
-        const auto& rules = w_.structure.model().fracture();
-        return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
-    }
-
     void save(Writer& to) const override { to(candidates_, watched_, called_); }
     void restore(Reader& from) override { from(candidates_, watched_, called_); }
     bool restored(std::span<const State* const>) override;
@@ -200,8 +194,10 @@ private:
     std::vector<Strained> strained_before_;
 };
 
-Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host) {
+Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host, {.forces_vanish = true}) {
     const auto& rules = w.structure.model().fracture();
+    traits_.calls_script =
+        std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
     const std::size_t elements = w.structure.elements().size();
     for (const FractureRule& rule : rules) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
     const bool news = std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) {

@@ -10,9 +10,10 @@
 namespace hinge {
 namespace {
 
-class Gravity : public Effect {
+class Gravity : public Effect, public Load, public SectionForceSource, public BreakListener {
 public:
-    Gravity(Workspace& w, Host& host) : Effect("gravity", w, host), g_(*w.structure.model().gravity()) {
+    Gravity(Workspace& w, Host& host)
+        : Effect("gravity", w, host, {.mean_forces = true}), g_(*w.structure.model().gravity()) {
         at_start_ = potential(w.state);
         if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
         choose_members();
@@ -30,9 +31,8 @@ public:
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g; });
         add_corrections(g, at, external);
     }
-    bool loads_follow() const override { return w_.structure.large() && !members_.joints().empty(); }
+    bool follows_nodes() const override { return w_.structure.large() && !members_.joints().empty(); }
     bool has_potential() const override { return true; }
-    bool takes_mean_forces() const override { return true; }
 
     void broke(const Break& b) override {
         const Element& e = w_.structure.elements()[b.element];
@@ -41,24 +41,24 @@ public:
     }
     void all_broke() override { choose_members(); }
 
-    /// In statics the correction is part of F.
-    void add_forces(double, std::vector<Vec6>& resisting) override {
+    /// In dynamics the corrections are not part of F: they rotate with the members.
+    void subtract_following_loads(std::vector<Vec6>& resisting) override {
         const std::vector<int>& joints = members_.joints();
-        if (!w_.kind.dynamic || joints.empty()) return;
+        if (joints.empty()) return;
         if (w_.structure.large()) members_.find_moments(w_.structure, g_, w_.trial, w_.force, placed_, now_);
         placed_ = false;
         for (std::size_t i = 0; i < joints.size(); ++i)
-            if (w_.resting.empty() || w_.resting[joints[i]] < 0) resisting[joints[i]].tail<3>() -= now_[i];
+            if (!w_.rests(joints[i])) resisting[joints[i]].tail<3>() -= now_[i];
     }
-    void restart_ends() override { before_ = now_; }
+    void acceleration_found() override { before_ = now_; }
 
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
     void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
-        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), false, all);
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, w_.force_of_fixed_ends(), false, all);
         placed_ = true;
     }
     void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
-        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, force_of_yield(), true, all);
+        members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, w_.force_of_fixed_ends(), true, all);
         placed_ = true;
     }
 
@@ -69,11 +69,12 @@ public:
         for (const PlasticIncrement& y : w_.yielding) {
             if (!members_.has(w_.structure.elements()[y.element].member)) continue;
             const auto on_flow = [&](const Vec3& g) {
-                return work_on_flow(y, members_.fixed_end(w_.structure, g, w_.trial, force_of_yield(), y.element));
+                return work_on_flow(y,
+                                    members_.fixed_end(w_.structure, g, w_.trial, w_.force_of_fixed_ends(), y.element));
             };
             const double whole = on_flow(g_);
             sums["gravity"] -= whole;
-            if (!w_.kind.dynamic) sums["work"] += on_flow(g_at(w_.factor)) - whole;  // what is not there yet
+            if (const Vec3 g = g_at(w_.factor); g != g_) sums["work"] += on_flow(g) - whole;  // what is not there yet
         }
         std::vector<Vec3> end;
         if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, w_.force, false, end);
@@ -86,7 +87,7 @@ public:
 
     void add_section_forces(int element, double side, SectionForces& forces) const override {
         if (!members_.has(w_.structure.elements()[element].member)) return;
-        members_.add_section_forces(w_.structure, w_.state, g_at(w_.state.factor), element, side, forces);
+        members_.add_section_forces(w_.structure, w_.state, g_at(w_.acting_factor()), element, side, forces);
     }
 
     /// Zero where the run starts.
@@ -124,12 +125,10 @@ private:
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];
     }
 
-    /// p of which yield takes N: in dynamics where the last step ended, in statics of the last iteration.
-    const std::vector<Vec6>& force_of_yield() const { return w_.kind.dynamic ? w_.state.force : w_.force; }
-    /// What acts; `factor`: the load factor of statics.
+    /// The gravity that acts at a load factor, 1 in dynamics, where nothing is held.
     Vec3 g_at(double factor) const {
         const Vec3 held = w_.structure.model().held_gravity();
-        return w_.kind.dynamic ? g_ : Vec3(held + factor * (g_ - held));
+        return held + factor * (g_ - held);
     }
 
     double potential(const State& state) const {

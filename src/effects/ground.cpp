@@ -87,9 +87,14 @@ struct Touch {
     double heat = 0;  ///< J, by sliding since the step began
 };
 
-class Ground : public Effect {
+class Ground : public Effect,
+               public Force,
+               public ContactLaw,
+               public BreakListener,
+               public StepLimiter,
+               public Sleeper {
 public:
-    Ground(Workspace& w, Host& host) : Effect(ground_effect, w, host) {
+    Ground(Workspace& w, Host& host) : Effect(ground_effect, w, host, {.forces_vanish = true}) {
         const int planes = int(declared().size()), nodes = int(w.structure.position().size());
         const Points* there = w.state.data.find<Points>(ground_effect);
         if (!there || there->planes != planes || there->nodes != nodes) w.state.data.set(ground_effect, list_points());
@@ -142,8 +147,6 @@ public:
         return true;
     }
 
-    bool meets() const override { return true; }
-    bool makes_forces_vanish() const override { return true; }
     /// Long steps end before a point touches.
     bool meet(const Step& step) override {
         if (!step.longer) return true;
@@ -224,7 +227,6 @@ public:
     bool allows_long_step() const override {
         return has_ == 0 && std::none_of(points().begin(), points().end(), [](const Point& p) { return p.waits > 0; });
     }
-    bool sleeps() const override { return true; }
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override { return w_.structure.node_name(points()[first_].node) + " on the ground"; }
 
@@ -274,7 +276,7 @@ private:
         return K;
     }
     bool is_held(const Point& p) const { return (w_.state.held[p.node] & 7) == 7; }
-    bool rests(const Point& p) const { return !w_.resting.empty() && w_.resting[p.node] >= 0; }
+    bool rests(const Point& p) const { return w_.rests(p.node); }
     /// Whether it counts in the tangent. Statics begins where nothing presses yet: what just touches carries there.
     bool carries(const Point& p, const Touch& t) const {
         return t.overlap > (w_.kind.dynamic ? 0 : -just_touches * p.radius);

@@ -91,9 +91,14 @@ struct Touch {
     bool carries() const { return press.area[0] > 0 || press.area[2] > 0; }
 };
 
-class GroundLayer : public Effect {
+class GroundLayer : public Effect,
+                    public Force,
+                    public ContactLaw,
+                    public BreakListener,
+                    public StepLimiter,
+                    public Sleeper {
 public:
-    GroundLayer(Workspace& w, Host& host) : Effect(ground_effect, w, host) {
+    GroundLayer(Workspace& w, Host& host) : Effect(ground_effect, w, host, {.forces_vanish = true}) {
         const int planes = int(declared().size()), nodes = int(w.structure.position().size());
         const Strips* there = w.state.data.find<Strips>(layer_data);
         if (!there || there->planes != planes || there->nodes != nodes) w.state.data.set(layer_data, list_strips());
@@ -198,14 +203,12 @@ public:
         if (!w_.kind.explicit_steps) find_touches();
     }
 
-    bool meets() const override { return true; }
-    bool makes_forces_vanish() const override { return true; }
     /// Long steps end before a strip touches.
     bool meet(const Step& step) override {
         if (!step.longer) return true;
         for (const Strip& s : strips()) {
             for (const End& end : s.end) {
-                if (s.gone || end.left_out || is_held(end.node) || rests(end.node)) continue;
+                if (s.gone || end.left_out || is_held(end.node) || w_.rests(end.node)) continue;
                 const Vec6 foreseen = w_.state.velocity[end.node] + (0.5 * step.dt) * w_.state.acceleration[end.node];
                 const Vec3 arm = arm_of(end, w_.state);
                 const double closing = -row_of(plane(s).normal, arm).dot(foreseen) * step.dt;
@@ -236,7 +239,7 @@ public:
         }
     }
     /// Forces where a step begins that were found anew.
-    void restart_ends() override {
+    void acceleration_found() override {
         for (std::size_t i = 0; i < touches_.size(); ++i)
             for (int e : {0, 1}) strips()[i].end[e].loss = touches_[i].loss[e];
     }
@@ -269,7 +272,6 @@ public:
         }
     }
     bool allows_long_step() const override { return has_ == 0; }
-    bool sleeps() const override { return true; }
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override {
         return w_.structure.element_name(strips()[first_].element) + " on the ground";
@@ -302,7 +304,6 @@ private:
     std::vector<Strip>& strips() const { return w_.state.data.find<Strips>(layer_data)->list; }
     const GroundPlane& plane(const Strip& s) const { return declared()[s.plane]; }
     bool is_held(int node) const { return (w_.state.held[node] & 7) == 7; }
-    bool rests(int node) const { return !w_.resting.empty() && w_.resting[node] >= 0; }
 
     static Vec6 row_of(const Vec3& direction, const Vec3& arm) {
         Vec6 row;
@@ -355,7 +356,7 @@ private:
             double& o = t.place.overlap[e];
             o = overlap_of(s, end, place[e]);
             // none of its own, but the other end may lie on the ground
-            if (end.left_out || is_held(end.node) || rests(end.node)) o = std::min(0.0, o);
+            if (end.left_out || is_held(end.node) || w_.rests(end.node)) o = std::min(0.0, o);
         }
         t.touches = t.place.overlap[0] > -touching || t.place.overlap[1] > -touching;
         if (!t.touches && !s.touches) return t;

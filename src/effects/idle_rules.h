@@ -1,7 +1,7 @@
 // Fracture rules that a run never came to: those that hold for no member, and functions that were never called.
 #pragma once
 
-#include "effects/run_warning.h"
+#include "effects/reports.h"
 #include "model/structure.h"
 
 namespace hinge {

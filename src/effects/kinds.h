@@ -1,7 +1,9 @@
 // What the files of this folder share: each gives one kind of effect, and list.inc lists them.
 #pragma once
 
+#include "core/built.h"
 #include "effects/effect.h"
+#include "effects/roles.h"
 
 namespace hinge {
 

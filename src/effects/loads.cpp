@@ -9,27 +9,25 @@
 namespace hinge {
 namespace {
 
-class Loads : public Effect {
+class Loads : public Effect, public Load, public StepLimiter {
 public:
-    Loads(Workspace& w, Host& host) : Effect("loads", w, host) {
+    Loads(Workspace& w, Host& host) : Effect("loads", w, host, {.mean_forces = true}) {
         std::vector<int> place(w.structure.position().size(), -1);
         for (const NodalLoad& load : declared()) {
             if (place[load.node] < 0) {
                 place[load.node] = int(loaded_.size());
-                loaded_.push_back({load.node, Vec6::Zero()});
+                loaded_.push_back({load.node});
             }
             if (load.follows_state()) asked_[load_at_.size()] = {};
-            if (w.kind.dynamic && load.history && load.history.may_jump_in(steep * w.kind.dt)) {
+            if (load.history && load.history.may_jump_in(steep * w.kind.dt)) {
                 const double factor = load.history.from(w.state.time);
                 jumping_[load_at_.size()] = {factor, factor, factor};
             }
             load_at_.push_back(place[load.node]);
+            traits_.calls_script =
+                traits_.calls_script || load.follows_state() || (load.history && !load.history.points());
         }
-    }
-
-    bool takes_mean_forces() const override { return true; }
-    void steady_loads_known() override {
-        for (Loaded& l : loaded_) l.steady = w_.external[l.node];
+        traits_.forces_vanish = !asked_.empty() || !jumping_.empty();
     }
 
     /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
@@ -67,15 +65,14 @@ public:
         ask(step.end());
         act(step.end(), &Asked::tried, &StepFactor::end);
     }
-    void loads_at(double time) override { act(time, &Asked::kept, &StepFactor::begin); }
-    void restart_ends() override {
+    void act_at(double time) override { act(time, &Asked::kept, &StepFactor::begin); }
+    void acceleration_found() override {
         if (!found_anew_) return;
         begun_ = true, found_anew_ = false;
         if (!left_.empty()) arrive_from_jump();
         for (Loaded& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.begin;
     }
-    bool makes_forces_vanish() const override { return !asked_.empty() || !jumping_.empty(); }
 
     void started(const std::vector<Vec6>&) override {
         for (Loaded& l : loaded_) l.before = l.now;
@@ -99,11 +96,6 @@ public:
         keep_asked();
     }
 
-    void steady_load_changed(int node, const Vec3& force) override {
-        for (Loaded& l : loaded_)
-            if (l.node == node) l.steady.head<3>() += force;
-    }
-
     void show_loads(std::vector<ShownLoad>& to) const override {
         const auto show = [&](int node, const Vec6& f) {
             if (!f.isZero(0)) to.push_back({node, -1, -1, {f.head<3>(), Vec3::Zero()}, {f.tail<3>(), Vec3::Zero()}});
@@ -119,11 +111,6 @@ public:
         }
     }
 
-    bool calls_script() const override {
-        for (const NodalLoad& l : declared())
-            if (l.follows_state() || (l.history && !l.history.points())) return true;
-        return false;
-    }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const NodalLoad& l : declared())
             if ((l.history || l.follows_state()) && bodies.of_node[l.node] >= 0) rests[bodies.of_node[l.node]] = 0;
@@ -147,7 +134,7 @@ private:
     /// A node with loads: F is the sum of what is steady there and what acts now.
     struct Loaded {
         int node;
-        Vec6 steady, now = Vec6::Zero(), before = Vec6::Zero();
+        Vec6 now = Vec6::Zero(), before = Vec6::Zero();
     };
     /// What a function of the state gave where the last step ended, and for the end of this one.
     struct Asked {
@@ -155,7 +142,7 @@ private:
     };
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        for (auto& l : s.loaded_) a(l.steady, l.now, l.before);
+        for (auto& l : s.loaded_) a(l.now, l.before);
         for (auto& [load, asked] : s.asked_) a(asked.kept);
         for (auto& [load, b] : s.jumping_) a(b.kept, b.begin, b.end);
         a(s.begun_);
@@ -213,7 +200,7 @@ private:
         for (const auto& [i, asked] : asked_)
             if (!w_.state.gone[declared()[i].node]) loaded_[load_at_[i]].now += asked.*said;
         for (const Loaded& l : loaded_)
-            if (w_.resting.empty() || w_.resting[l.node] < 0) w_.external[l.node] = l.steady + l.now;
+            if (!w_.rests(l.node)) w_.external[l.node] = w_.steady[l.node] + l.now;
     }
 
     std::vector<Loaded> loaded_;

@@ -49,15 +49,17 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
     return list;
 }
 
-class MemberLoads : public Effect {
+class MemberLoads : public Effect, public Load, public SectionForceSource, public StepLimiter {
 public:
-    MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host) {
+    MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host, {.mean_forces = true}) {
         const Structure& s = w.structure;
         const std::vector<std::pair<int, int>> elements_of = elements_of_members(s);
         place_.assign(s.position().size(), -1);
         for (const MemberLoad& load : declared()) {
             const auto [first, end] = elements_of[load.member];
             loads_.push_back(taken_up(load, first, end));
+            traits_.calls_script = traits_.calls_script || (load.has_history && !load.history.points());
+            traits_.forces_vanish = traits_.forces_vanish || loads_.back().may_jump;
             on_member_[load.member].push_back(int(loads_.size()) - 1);
             for (int i = first; i < end; ++i)
                 for (int node : s.elements()[i].node)
@@ -75,8 +77,7 @@ public:
         for (const Loaded& l : loads_)
             if (l.held) act(l, at, 1, [&](int node, const Vec6& f) { external[node] += f; });
     }
-    bool loads_follow() const override { return w_.structure.large(); }
-    bool takes_mean_forces() const override { return true; }
+    bool follows_nodes() const override { return w_.structure.large(); }
 
     /// The factors at the end of the step. Where a history has jumped, the acceleration is found anew.
     void begin(const Step& step) override {
@@ -90,20 +91,15 @@ public:
         if (jumped) return host_.accelerations_anew();
         factors_at(step.end(), &StepFactor::end);
     }
-    void restart_begins() override { factors_at(w_.state.time, &StepFactor::begin); }
-    void restart_ends() override {
+    void act_at(double time) override { factors_at(time, &StepFactor::begin); }
+    void acceleration_found() override {
         before_ = acting(w_.state);
         for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.begin;
     }
-    bool makes_forces_vanish() const override {
-        return std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.may_jump; });
-    }
-    /// In statics they are part of F.
-    void add_forces(double, std::vector<Vec6>& resisting) override {
-        if (!w_.kind.dynamic) return;
+    void subtract_following_loads(std::vector<Vec6>& resisting) override {
         for (const Loaded& l : loads_)
             act(l, w_.trial, l.factor, [&](int node, const Vec6& f) {
-                if (w_.resting.empty() || w_.resting[node] < 0) resisting[node] -= f;
+                if (!w_.rests(node)) resisting[node] -= f;
             });
     }
 
@@ -206,11 +202,6 @@ public:
         }
     }
 
-    bool calls_script() const override {
-        for (const MemberLoad& l : declared())
-            if (l.has_history && !l.history.points()) return true;
-        return false;
-    }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Loaded& l : loads_)
             if (l.history)
@@ -272,7 +263,7 @@ private:
         const double length = n * e.length;
         Loaded l{{first, n}, load.axes == LoadAxes::local, load.history, {}, {}, {}};
         l.held = load.held;
-        l.may_jump = w_.kind.dynamic && load.history && load.history.may_jump_in(steep * w_.kind.dt);
+        l.may_jump = load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         if (load.spread())
             for (int of : {0, 1}) l.spread[of] = force_per_length(load, of, e.chord.normalized());
@@ -336,7 +327,7 @@ private:
             to.add(end, there.x() + own.x(), there.y() + own.y(), side * factor * along.dot(share.force[end]), own.z());
         }
         if (!l.ends.whole(w_.state)) return;
-        const Pressed by_N = pressed(l, pair_of(l, element), factor, at, w_.kind.dynamic ? w_.state.force : w_.force);
+        const Pressed by_N = pressed(l, pair_of(l, element), factor, at, w_.force_of_fixed_ends());
         for (int end = 0; end < 2 && by_N.counts; ++end) {
             const Vec3 there = by_N.pair.moment_at(element, end, by_N.m);
             to.add(end, there.x(), there.y(), 0, 0);

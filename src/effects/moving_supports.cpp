@@ -6,9 +6,13 @@
 namespace hinge {
 namespace {
 
-class MovingSupports : public Effect {
+class MovingSupports : public Effect, public Prescriber, public MatrixWatcher, public StepLimiter {
 public:
     MovingSupports(Workspace& w, Host& host) : Effect("moving supports", w, host) {
+        const auto& motions = w.structure.model().motions();
+        traits_.calls_script = std::any_of(motions.begin(), motions.end(), [](const SupportMotion& m) {
+            return m.displacement && !m.displacement.points();
+        });
         for (const SupportMotion& m : w.structure.model().motions()) {
             const double begin = w.state.time, speed = w.state.velocity[m.node][m.component];
             Moved moved{m.node, m.component, [path = m.displacement, begin, speed](double t) {
@@ -42,13 +46,12 @@ public:
 
     /// What is tried has the supports where they are at the end of the step; their rows of the solution stay zero.
     void predicted(const Step&) override {
-        const double alpha = w_.scheme.alpha;
         for (const Moved& m : moved_) {
             if (w_.state.gone[m.node]) continue;
             w_.trial.displacement[m.node][m.component] = m.next;
             w_.trial.velocity[m.node][m.component] = m.speed;
             w_.trial.acceleration[m.node][m.component] =
-                (1 - alpha) * m.acceleration + alpha * w_.state.acceleration[m.node][m.component];
+                w_.scheme.weighted(w_.state.acceleration[m.node][m.component], m.acceleration);
         }
     }
 
@@ -77,7 +80,6 @@ public:
         }
     }
 
-    bool watches_matrices() const override { return true; }
     bool watches_matrix(int element) const override { return matrices_.count(element) > 0; }
     void matrix_built(int element, const ElementPart& part) override { matrices_.at(element) = part; }
 
@@ -85,8 +87,9 @@ public:
     /// they do beyond that, so that a path may set off at once. With v' = v'_N + j and u' = u'_N + k, V the mean
     /// velocity, dv_N as Newmark has it and b the mean Bossak-weighted acceleration: j (M V) + j/2 (M dv_N) - k (M b).
     void accumulate_energy(const Step& step, Accounts& sums) const override {
-        const double dt = step.dt, beta = w_.scheme.beta, gamma = w_.scheme.gamma;
-        const bool damped = w_.scheme.alpha != 0;
+        const double dt = step.dt;
+        const Scheme& scheme = w_.scheme;
+        const bool damped = scheme.alpha != 0;
         const State& s = w_.state;
         double work = 0;
         for (const Moved& m : moved_) {
@@ -94,11 +97,11 @@ public:
             work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
             const double v = s.velocity[m.node][m.component], a = s.acceleration[m.node][m.component],
                          next_a = w_.trial.acceleration[m.node][m.component];
-            const double j = m.speed - v - dt * ((1 - gamma) * a + gamma * next_a),
-                         k = m.next - m.now - dt * v - dt * dt * ((0.5 - beta) * a + beta * next_a);
+            const double j = m.speed - v - scheme.velocity_change(a, next_a, dt),
+                         k = m.next - m.now - dt * v - scheme.displacement_beyond_velocity(a, next_a, dt);
             const double mv = 0.5 * (momentum_at(m, s.velocity) + momentum_at(m, w_.trial.velocity));
             const double mdv =
-                dt * ((1 - gamma) * momentum_at(m, s.acceleration) + gamma * momentum_at(m, w_.trial.acceleration));
+                scheme.velocity_change(momentum_at(m, s.acceleration), momentum_at(m, w_.trial.acceleration), dt);
             const double mb = 0.5 * (momentum_at(m, damped ? w_.weighted : s.acceleration) +
                                      momentum_at(m, damped ? w_.next_weighted : w_.trial.acceleration));
             work += j * mv + 0.5 * j * mdv - k * mb;
@@ -122,24 +125,19 @@ public:
     }
 
     // The acceleration anew keeps that of the supports, which is given.
-    void restart_begins() override {
+    void keep_acceleration() override {
         for (Moved& m : moved_) m.given = w_.state.acceleration[m.node][m.component];
     }
     void prescribe(std::vector<Vec6>& acceleration) const override {
         for (const Moved& m : moved_) acceleration[m.node][m.component] = m.given;
     }
-    void restart_ends() override {
+    void acceleration_found() override {
         if (w_.kind.explicit_steps) prescribe(w_.state.acceleration);  // else the support's own mass is in its reaction
         for (Moved& m : moved_)
             m.force = w_.reaction[m.node][m.component] + momentum_at(m, w_.state.acceleration, false);
         prescribe(w_.state.acceleration);
     }
 
-    bool calls_script() const override {
-        const auto& motions = w_.structure.model().motions();
-        return std::any_of(motions.begin(), motions.end(),
-                           [](const SupportMotion& m) { return m.displacement && !m.displacement.points(); });
-    }
     bool allows_long_step() const override { return false; }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const Moved& m : moved_)

@@ -10,25 +10,23 @@
 namespace hinge {
 namespace {
 
-class Plasticity : public Effect, public ChecksRun {
+class Plasticity : public Effect, public StepLimiter, public Sleeper, public RunChecker {
 public:
-    Plasticity(Workspace& w, Host& host) : Effect("plasticity", w, host), strength_(w.structure) {
+    Plasticity(Workspace& w, Host& host)
+        : Effect("plasticity", w, host, {.mean_forces = true}), strength_(w.structure) {
         for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
             if (w.state.hinge[i]) flowing_.push_back(int(i));
         if (!w.state.data.find<HingeRecords>(hinge_records)) w.state.data.set(hinge_records, HingeRecords{});
         for (HingeRecord& h : records().list) ++h.runs_ago;
     }
 
-    bool takes_mean_forces() const override { return true; }
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double& plastic = sums["plastic"];
         for (const PlasticIncrement& y : w_.yielding) plastic += y.flow.dissipation;
     }
 
     void after_commit(const Step& step) override {
-        if (!w_.yielding.empty())
-            record_flow(w_.structure, w_.yielding, w_.kind.dynamic ? step.end() : w_.state.factor, !w_.kind.dynamic,
-                        records());
+        if (!w_.yielding.empty()) record_flow(w_.structure, w_.yielding, w_.reached(step), !w_.kind.dynamic, records());
         for (int e : commit_flow(w_.structure, w_.state, w_.yielding, flowing_)) {
             w_.points_moved = true;
             host_.stiffness_changed(e);
@@ -38,7 +36,6 @@ public:
     void check_run(std::vector<RunWarning>& list) const override { strength_.check_run(w_, list); }
 
     bool allows_long_step() const override { return w_.yielding.empty(); }
-    bool sleeps() const override { return w_.structure.can_yield(); }
     bool busy() const override { return !w_.yielding.empty(); }
     std::string why_awake() const override {
         return std::to_string(w_.yielding.size()) +

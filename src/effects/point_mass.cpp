@@ -26,15 +26,14 @@ struct Added {
 /// length.
 constexpr double slender = 1e-3, small_radius = 1e-2;
 
-class PointMasses : public Effect {
+class PointMasses : public Effect, public BreakListener {
 public:
-    PointMasses(Workspace& w, Host& host) : Effect(point_mass_effect, w, host) {
+    PointMasses(Workspace& w, Host& host) : Effect(point_mass_effect, w, host, {.mean_forces = true}) {
         Added* added = w.state.data.find<Added>(point_mass_effect);
         if (!added) added = &w.state.data.set(point_mass_effect, Added{});
         for (; added->count < declared().size(); ++added->count) add(declared()[added->count]);
     }
 
-    bool takes_mean_forces() const override { return true; }
     /// A node that has lost its last member flies on.
     void broke(const Break& b) override {
         const Element& e = w_.structure.elements()[b.element];

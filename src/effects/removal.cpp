@@ -16,11 +16,11 @@ bool is_of(const Structure& s, const Removal& r, int element) {
     return r.group >= 0 ? s.in_group(element, r.group) : s.elements()[std::size_t(element)].member == r.member;
 }
 
-class Removals : public Effect {
+class Removals : public Effect, public Breaker, public StepLimiter {
 public:
-    Removals(Workspace& w, Host& host) : Effect(removal_effect, w, host), done_(declared(w.structure).size(), 0) {}
+    Removals(Workspace& w, Host& host)
+        : Effect(removal_effect, w, host, {.forces_vanish = true}), done_(declared(w.structure).size(), 0) {}
     const char* decides() const override { return removal_effect; }
-    bool makes_forces_vanish() const override { return true; }
 
     void decide(Step& step) override {
         for (std::size_t i = 0; i < done_.size(); ++i) {

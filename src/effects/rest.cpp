@@ -11,13 +11,12 @@ namespace {
 /// or so. Moments count as forces at the ends of its longest element.
 constexpr double balanced = 1e-6;
 
-class Rest : public Effect {
+class Rest : public Effect, public RestKeeper {
 public:
-    Rest(Workspace& w, Host& host) : Effect("rest", w, host) {}
+    /// A run of the energy-momentum method leaves no body at rest.
+    Rest(Workspace& w, Host& host) : Effect("rest", w, host, {.mean_forces = true}) {}
 
     /// Puts to rest every body that does not move, that nothing will move but contact, and whose forces are in balance.
-    bool takes_mean_forces() const override { return true; }  // a run that takes them leaves no body at rest
-
     void started(const std::vector<Vec6>& out_of_balance) override {
         const State& s = w_.state;
         const auto& elements = w_.structure.elements();

@@ -6,6 +6,7 @@
 #include "algebra/stable_step.h"
 #include "core/errors.h"
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "run/central_differences.h"
 #include "run/energy_momentum.h"
 #include "run/newmark.h"
@@ -48,16 +49,15 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     w_.scheme = {settings_.beta, settings_.gamma(), settings_.alpha()};
     if (settings_.conserving != structure_->at_nodes())
         throw InputError("dynamics: the energy-momentum method goes with rotary inertia at the nodes (MassKind)");
-    for (const auto& e : effects_)
-        if (settings_.conserving && !e->takes_mean_forces())
+    for (const auto& e : effects_->all)
+        if (settings_.conserving && !e->traits().mean_forces)
             throw InputError("model:dynamic: integrator = 'energy-momentum' does not go with " +
                              std::string(e->name()) + " yet; leave that out, or take 'newmark' or 'explicit'");
     w_.rotation_step.assign(structure_->position().size(), Vec3::Zero());
-    meets_ = any_effect(&Effect::meets);
-    breaks_or_parts_ = any_effect(&Effect::makes_forces_vanish);
-    for (const auto& e : effects_)
-        if (!decides_) decides_ = e->decides();
-    may_take_back_ = any_effect(&Effect::calls_script) || settings_.controlled();
+    meets_ = !effects_->contact_laws.empty();
+    breaks_or_parts_ = effects_->any(&EffectTraits::forces_vanish);
+    decides_ = !effects_->breakers.empty();
+    may_take_back_ = effects_->any(&EffectTraits::calls_script) || settings_.controlled();
     if (control_.by_default()) {
         lumped_.assign(structure_->position().size(), 0);
         for (const Element& e : structure_->elements())
@@ -75,19 +75,18 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     at_.correct = integrator_->correct_stage();
     if (meets_) at_.ends = stages_.add("contact ends", "contact");
     if (settings_.controlled()) at_.control = stages_.add("step control", "inertia");
-    if (decides_) at_.decide = stages_.add(decides_, decides_);
+    if (const auto& list = effects_->breakers; decides_)
+        at_.decide = stages_.add(list.front()->decides(), list.front()->decides());
     at_.commit = stages_.add("commit", "inertia");
 
     assembly_.take_up(state_);
     std::vector<Vec6> out_of_balance;
     find_acceleration(out_of_balance);
     if (!step_.failure.empty()) fail(step_.failure);
-    integrator_->begin(effects_);
-    for (const auto& e : effects_) e->effective_stiffness_begins();
-    if (any_effect(&Effect::has_blocks)) blocks_changed(state_);
-    for (const auto& e : effects_) e->started(out_of_balance);
-    for (const auto& e : effects_)
-        if (e->sleeps()) sleepers_.emplace_back();
+    integrator_->begin(*effects_);
+    if (any_of(effects_->forces, &Force::has_blocks)) blocks_changed(state_);
+    for (const auto& e : effects_->all) e->started(out_of_balance);
+    sleepers_.resize(effects_->sleepers.size());
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
     add_inertia_to_reactions();
     guard_.begin(state_);
@@ -98,7 +97,8 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 DynamicSettings Dynamics::fitted(DynamicSettings s) const {
     if (s.controlled_by_default && !s.automatic && !calls_for_control()) s.step_control = 0;
     Blocks stiffness, damping(1, false);
-    for (const auto& e : effects_) e->add_stiffest(stiffness), e->add_stiffest(damping);
+    for (const auto& limiter : effects_->step_limiters)
+        limiter->add_stiffest(stiffness), limiter->add_stiffest(damping);
     const bool none =
         stiffness.pairs.empty() && stiffness.nodes.empty() && damping.pairs.empty() && damping.nodes.empty();
     if (none || !(s.explicit_steps() || s.automatic)) return s;
@@ -135,8 +135,8 @@ void Dynamics::stage(int stage, F f) {
 
 /// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
-    const auto all = [this](auto does) {
-        for (const auto& e : effects_) ((*e).*does)(step_);
+    const auto each = [this](const auto& list, auto does) {
+        for (const auto& e : list) (e.role->*does)(step_);
     };
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
@@ -144,28 +144,37 @@ void Dynamics::take_step() {
     stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
     if (meets_) stage(at_.contact, [&] { meet(); });    // [which elements come into contact: eqs 17 to 19]
     if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
-    stage(at_.predict, [&] { integrator_->predict(step_), all(&Effect::predicted); });  // the motion that is known
+    stage(at_.predict, [&] { predict(); });             // the motion that is known
     bool more = true;
     while (more && step_.failure.empty()) {                    // Newton's loop; the paper goes through it once
         stage(at_.recover, [&] { recover(step_.end()); });     // R: eqs 3, 10, 13, and the return to eq 14
         if (step_.failure.empty()) integrator_->solve(step_);  // [yield: eq 10a], effective stiffness, eq 15
         stage(at_.correct, [&] { more = correct(); });
     }
-    stage(at_.recover, [&] { settle(); });                    // stresses where a long step has led
-    if (meets_) stage(at_.ends, [&] { all(&Effect::end); });  // [ties that are due, contacts that began or ended]
+    stage(at_.recover, [&] { settle(); });  // stresses where a long step has led
+    if (meets_)
+        stage(at_.ends, [&] {
+            each(effects_->contact_laws, &ContactLaw::end);
+        });  // [ties that are due, contacts that began or ended]
     if (settings_.controlled()) stage(at_.control, [&] { control_step(); });  // [whether the step is kept]
-    if (decides_) stage(at_.decide, [&] { all(&Effect::decide); });           // [eq 16; the script is told]
-    stage(at_.commit, [&] { commit(); });                                     // what was tried becomes the state
+    if (decides_)
+        stage(at_.decide, [&] { each(effects_->breakers, &Breaker::decide); });  // [eq 16; the script is told]
+    stage(at_.commit, [&] { commit(); });                                        // what was tried becomes the state
 }
 
 void Dynamics::begin_step() {
-    for (const auto& e : effects_) e->begin(step_);
+    for (const auto& e : effects_->all) e->begin(step_);
+}
+
+void Dynamics::predict() {
+    integrator_->predict(step_);
+    for (const auto& p : effects_->prescribers) p->predicted(step_);
 }
 
 /// A step too long for what comes is begun again as a shorter one.
 void Dynamics::meet() {
-    for (const auto& e : effects_) {
-        if (e->meet(step_)) continue;
+    for (const auto& law : effects_->contact_laws) {
+        if (law->meet(step_)) continue;
         take_steps_of(size_.own_length());
         step_.dt = size_.dt(), step_.longer = false;
         begin_step();
@@ -185,8 +194,9 @@ void Dynamics::recover(double time) {
     find_fixed_ends(1);
     assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
-    for (const auto& e : effects_) e->add_forces(time, w_.resisting);
-    if (any_effect(&Effect::blocks_follow)) blocks_changed(w_.trial);
+    for (const auto& load : effects_->loads) load->subtract_following_loads(w_.resisting);
+    for (const auto& force : effects_->forces) force->add_forces(time, w_.resisting);
+    if (any_of(effects_->forces, &Force::blocks_follow)) blocks_changed(w_.trial);
     for (int e : assembly_.rotated()) stiffness_changed(e);
     if (step_.iteration == 0 && assembly_.folded() >= 0) step_.failure = assembly_.failure();
 }
@@ -194,13 +204,13 @@ void Dynamics::recover(double time) {
 /// True: another iteration follows.
 bool Dynamics::correct() {
     const bool again = integrator_->correct(step_);
-    for (const auto& e : effects_) e->corrected(step_, integrator_->change());
+    for (const auto& p : effects_->prescribers) p->corrected(step_, integrator_->change());
     if (again) return true;
     if (integrator_->may_go_on(step_))
-        for (const auto& e : effects_)
-            if (!e->settled()) return true;
+        for (const auto& law : effects_->contact_laws)
+            if (!law->settled()) return true;
     integrator_->solved(step_);
-    for (const auto& e : effects_) e->solved(step_, integrator_->change());
+    for (const auto& e : effects_->all) e->solved(step_, integrator_->change());
     return false;
 }
 
@@ -215,9 +225,9 @@ void Dynamics::settle() {
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
-    for (const auto& e : effects_) e->accumulate_energy(step_, state_.accumulated);
+    for (const auto& e : effects_->all) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
-    for (const auto& e : effects_) e->before_commit(step_);
+    for (const auto& e : effects_->all) e->before_commit(step_);
     integrator_->before_commit();
     state_.displacement.swap(w_.trial.displacement);
     state_.rotation.swap(w_.trial.rotation);
@@ -227,7 +237,7 @@ void Dynamics::commit() {
     state_.force.swap(w_.force);
     for (int e : assembly_.keep_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
-    for (const auto& e : effects_) e->after_commit(step_);
+    for (const auto& e : effects_->all) e->after_commit(step_);
     if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
     if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
@@ -249,9 +259,9 @@ void Dynamics::break_elements() {
     reached(broken);
     std::vector<Vec6> impulse(w_.resisting.size(), Vec6::Zero());
     for (const Break& b : step_.breaks) {
-        for (const auto& e : effects_) e->breaks(b, impulse);
+        for (const auto& listener : effects_->break_listeners) listener->breaks(b, impulse);
         integrator_->removed(b.element);
-        for (const auto& e : effects_) e->broke(b);
+        for (const auto& listener : effects_->break_listeners) listener->broke(b);
         assembly_.drop(b.element);
     }
     if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
@@ -259,7 +269,7 @@ void Dynamics::break_elements() {
     const double before = work_of_supports(state_.velocity, state_.velocity);
     if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
-    for (const auto& e : effects_) e->all_broke();
+    for (const auto& listener : effects_->break_listeners) listener->all_broke();
     if (watched) control_.leave_behind(energy().error - error);
     anew_ = true;
 }
@@ -270,15 +280,15 @@ void Dynamics::break_elements() {
 /// step of a force that is no longer there would go into the velocities.
 void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     const auto prescribe = [&] {
-        for (const auto& e : effects_) e->prescribe(state_.acceleration);
+        for (const auto& p : effects_->prescribers) p->prescribe(state_.acceleration);
     };
-    for (const auto& e : effects_) e->restart_begins();
+    for (const auto& p : effects_->prescribers) p->keep_acceleration();
+    for (const auto& load : effects_->loads) load->act_at(state_.time);
     for (Vec6& a : state_.acceleration) a.setZero();
     prescribe();
     w_.trial = configuration_of(state_);
     step_.iteration = 0;
     recover(state_.time);
-    for (const auto& e : effects_) e->loads_at(state_.time);
     integrator_->start_from_forces();
     Mass& mass = mass_.renewed(w_.trial);
     out_of_balance.resize(w_.resisting.size());
@@ -292,7 +302,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     must_be_solved(mass.solve(out_of_balance, state_.acceleration, state_, 1e-12));
     w_.yielding.clear();
     anew_ = false;
-    for (const auto& e : effects_) e->restart_ends();
+    for (const auto& e : effects_->all) e->acceleration_found();
     prescribe();
     if (w_.scheme.alpha != 0) w_.weighted = state_.acceleration;
 }
@@ -336,7 +346,7 @@ ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
 
 double Dynamics::work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const {
     double work = 0;
-    for (const auto& e : effects_) work += e->work_of_supports(supports, velocity);
+    for (const auto& p : effects_->prescribers) work += p->work_of_supports(supports, velocity);
     return work;
 }
 
@@ -353,23 +363,18 @@ void Dynamics::leave_out(const std::vector<int>& resting) {
     if (EffectiveStiffness* effective = integrator_->effective()) effective->leave_out(resting);
 }
 
-bool Dynamics::any_effect(bool (Effect::*asks)() const) const {
-    return std::any_of(effects_.begin(), effects_.end(), [&](const auto& e) { return (*e.*asks)(); });
-}
-
 /// Called once a step: effects that sleep wake when they have something to do.
 void Dynamics::watch_effects() {
     auto sleeper = sleepers_.begin();
-    for (const auto& e : effects_) {
-        if (!e->sleeps()) continue;
-        Sleeper& s = *sleeper++;
+    for (const auto& e : effects_->sleepers) {
+        Sleep& s = *sleeper++;
         if (e->busy()) {
-            if (!s.awake) note_activation(e->name(), true, e->why_awake());
+            if (!s.awake) note_activation(e.effect->name(), true, e->why_awake());
             s.awake = true;
             s.quiet = 0;
         } else if (s.awake && ++s.quiet >= quiet_steps) {
             s.awake = false;
-            note_activation(e->name(), false, "nothing to do for " + std::to_string(quiet_steps) + " steps");
+            note_activation(e.effect->name(), false, "nothing to do for " + std::to_string(quiet_steps) + " steps");
         }
     }
 }
@@ -395,7 +400,7 @@ bool Dynamics::advance() {
             rejected_ = settings_.controlled() && !(control_.by_default() && is_of_load(step_.failure));
             if (!rejected_) fail(step_.failure);
         } while (rejected_ && again_shorter());
-        for (const auto& e : effects_) e->release_step();
+        for (const auto& e : effects_->all) e->release_step();
     } catch (const HookError& e) {
         roll_back();
         char at[100];
@@ -418,14 +423,15 @@ bool Dynamics::advance() {
 void Dynamics::choose_length() {
     if (!size_.varies()) return;
     const auto calm = [&] {
-        return !anew_ &&
-               std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->allows_long_step(); });
+        const auto& list = effects_->step_limiters;
+        return !anew_ && std::all_of(list.begin(), list.end(), [](const auto& l) { return l->allows_long_step(); });
     };
     const auto changes = [&] {
         double after[StepSize::long_step];
         for (long i = 0; i < StepSize::long_step; ++i) after[i] = double(i + 1) * size_.own();
-        return std::any_of(effects_.begin(), effects_.end(),
-                           [&](const auto& e) { return e->changes_within(state_.time, after); });
+        const auto& list = effects_->step_limiters;
+        return std::any_of(list.begin(), list.end(),
+                           [&](const auto& l) { return l->changes_within(state_.time, after); });
     };
     take_steps_of(size_.next(settings_.automatic && calm(), integrator_->jump(), changes));
 }
@@ -443,14 +449,14 @@ void Dynamics::take_steps_of(long length) {
 void Dynamics::set_length(long length) {
     if (!size_.set_length(length)) return;
     integrator_->dt_changed(size_.dt());
-    if (any_effect(&Effect::has_blocks)) blocks_changed(state_);
+    if (any_of(effects_->forces, &Force::has_blocks)) blocks_changed(state_);
 }
 
 // ---- steps that are taken back --------------------------------------------------------------------------------------
 
 /// Whatever a step changes before it commits, beside what is tried.
 void Dynamics::save_step() {
-    for (const auto& e : effects_) e->save_step();
+    for (const auto& e : effects_->all) e->save_step();
     before_ = {state_.accumulated, size_, anew_, integrator_->fastest};
 }
 
@@ -462,7 +468,7 @@ void Dynamics::roll_back() {
     anew_ = before_.anew;
     integrator_->fastest = before_.fastest;
     step_.breaks.clear();
-    for (const auto& e : effects_) e->roll_back();
+    for (const auto& e : effects_->all) e->roll_back();
 }
 
 /// The step is taken back and halved; false when it is the finest already: the run ends.
@@ -505,7 +511,7 @@ Energy Dynamics::energy_of_trial() {
         state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
             state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity);
     };
-    for (const auto& e : effects_) e->accumulate_energy(step_, state_.accumulated);
+    for (const auto& e : effects_->all) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
     for (const PlasticIncrement& y : w_.yielding) {
         plastic.push_back(state_.plastic[y.element]);
@@ -521,7 +527,7 @@ Energy Dynamics::energy_of_trial() {
 
 /// Whether step control acts in this scene by default, whatever its dt.
 bool Dynamics::calls_for_control() const {
-    return (built::plasticity && structure_->can_yield()) || any_effect(&Effect::makes_forces_vanish);
+    return (built::plasticity && structure_->can_yield()) || effects_->any(&EffectTraits::forces_vanish);
 }
 
 /// The kinetic energy of the nodes where the step is tried to end, with half of each element's mass on either node: it

@@ -61,6 +61,7 @@ private:
     template <class F>
     void stage(int stage, F f);
     void begin_step();
+    void predict();
     void meet();
     void restart();
     void recover(double time);
@@ -99,7 +100,6 @@ private:
     void find_acceleration(std::vector<Vec6>& out_of_balance);
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
-    bool any_effect(bool (Effect::*asks)() const) const;
     DynamicSettings fitted(DynamicSettings settings) const;
 
     template <class Self, class A>
@@ -118,9 +118,8 @@ private:
     LargestEnergy largest_energy_;
     EnergyMonitor guard_;
     StepControl control_;
-    bool meets_ = false, breaks_or_parts_ = false;  ///< what effects of this scene do in a step
-    const char* decides_ = nullptr;
-    bool may_take_back_ = false;  ///< a step may fail and be undone
+    bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
+    bool may_take_back_ = false;                                      ///< a step may fail and be undone
     FastSpin spin_;
     Step step_;
     bool anew_ = false;            ///< the next step begins with the acceleration found anew
@@ -129,7 +128,7 @@ private:
     bool unseen_ = false;          ///< step control has not looked at the step that is tried
     std::vector<double> lumped_;   ///< kg, at each node
     bool rejected_ = false;        ///< the step failed in a way that a shorter one may mend
-    struct Sleeper {
+    struct Sleep {
         bool awake = false;
         long quiet = 0;
         template <class Self, class A>
@@ -137,7 +136,7 @@ private:
             a(s.awake, s.quiet);
         }
     };
-    std::vector<Sleeper> sleepers_;  ///< of each effect that sleeps
+    std::vector<Sleep> sleepers_;  ///< of each effect that sleeps
     struct {
         Accounts accumulated;
         std::optional<StepSize> size;

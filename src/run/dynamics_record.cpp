@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "run/dynamics.h"
 
 namespace hinge {
@@ -47,11 +48,11 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.force, s.w_.supported,
-      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
+    a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force,
+      s.w_.supported, s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
     if constexpr (A::reading) s.guard_.make_room(s.state_);
     a(s.guard_);
-    for (const auto& e : s.effects_)
+    for (const auto& e : s.effects_->all)
         if constexpr (A::reading) e->restore(a);
         else e->save(a);
     if constexpr (A::reading) s.integrator_->restore(a);
@@ -83,7 +84,7 @@ void Dynamics::read(std::string_view saved) {
     w_.trial = configuration_of(state_);
     std::vector<const State*> states{&state_};
     if (const State* good = guard_.good_state()) states.push_back(good);
-    for (const auto& e : effects_) reader.must(e->restored(states));
+    for (const auto& e : effects_->all) reader.must(e->restored(states));
     assembly_.take_up(state_);
     reader(assembly_);
     reader.must(reader.rest().empty());
@@ -97,15 +98,14 @@ bool Dynamics::makes_sense() const {
     const bool states = hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
                         (!guard_.good_state() ||
                          (hinge::makes_sense(*guard_.good_state(), *structure_) && is_finite(*guard_.good_state())));
-    const bool lengths = int(w_.external.size()) == nodes && int(w_.force.size()) == elements &&
+    const bool lengths = int(w_.external.size()) == nodes && int(w_.steady.size()) == nodes &&
+                         int(w_.force.size()) == elements &&
                          int(w_.weighted.size()) == (settings_.alpha() == 0 ? 0 : nodes);
     bool held = true;  // stay where they are, in explicit steps
     for (int n = 0; states && mass_.now() && structure_->lumped() && n < nodes; ++n)
         for (int c = 0; c < 6; ++c)
             held = held && (!(state_.held[n] >> c & 1) || mass_.now()->lumped_inverse()[n][c] == 0);
-    std::size_t sleepers = 0;
-    for (const auto& e : effects_) sleepers += e->sleeps();
-    return states && lengths && held && size_.makes_sense() && sleepers_.size() == sleepers &&
+    return states && lengths && held && size_.makes_sense() && sleepers_.size() == effects_->sleepers.size() &&
            verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
            all(w_.yielding, [&](const PlasticIncrement& y) { return within(elements)(y.element); }) &&
            all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;

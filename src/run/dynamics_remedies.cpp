@@ -5,6 +5,7 @@
 
 #include "algebra/stable_step.h"
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "run/dynamics.h"
 #include "state/hinges.h"
 
@@ -37,7 +38,7 @@ std::vector<Dynamics::Remedy> Dynamics::remedies() const {
     const bool closes = structure_->model().options().shift != Shift::elastic_and_plastic;
     const bool may_conserve =
         newmark && large && closes &&
-        std::all_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->takes_mean_forces(); });
+        std::all_of(effects_->all.begin(), effects_->all.end(), [](const auto& e) { return e->traits().mean_forces; });
     std::vector<Remedy> list;
     const auto add = [&](std::string words, auto change) {
         DynamicSettings s = settings_;
@@ -121,7 +122,7 @@ std::string Dynamics::advice() const {
         return list.empty() ? std::string() : "; " + list.front().words + " may hold (not tried: " + why + ")";
     };
     if (list.empty() || !list.front().settings) return untried("it needs another model");
-    if (any_effect(&Effect::calls_script)) return untried("it would call functions of the script");
+    if (effects_->any(&EffectTraits::calls_script)) return untried("it would call functions of the script");
     const std::optional<LostBalance>& lost = guard_.lost();
     if (lost && !lost->went_back) return untried("no good state is kept");
     const double from = state_.time, failed = lost ? lost->time : state_.time + size_.own();

@@ -6,22 +6,21 @@ namespace hinge {
 
 Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, double of_damping) {
     Blocks blocks(of_damping);
-    for (const auto& e : effects)
-        if (e->has_blocks()) e->add_blocks(at, blocks);
+    for (const auto& force : effects.forces)
+        if (force->has_blocks()) force->add_blocks(at, blocks);
     return blocks;
 }
 
 void find_fixed_ends(Workspace& w, const EffectList& effects, double factor) {
     std::vector<beam::FixedEnd>& all = w.assembly.fixed_ends();
     const bool asked = w.structure.can_yield() || !w.structure.model().fracture().empty();
-    if (!asked || std::none_of(effects.begin(), effects.end(), [](const auto& e) { return e->has_fixed_ends(); }))
-        return all.clear();
+    if (!asked || !any_of(effects.section_forces, &SectionForceSource::has_fixed_ends)) return all.clear();
     all.resize(w.structure.elements().size());
     bool first = true;
-    for (const auto& e : effects) {
-        if (!e->has_fixed_ends()) continue;
-        if (first) e->set_fixed_ends(w.trial, factor, all);
-        else e->add_fixed_ends(w.trial, factor, all);
+    for (const auto& source : effects.section_forces) {
+        if (!source->has_fixed_ends()) continue;
+        if (first) source->set_fixed_ends(w.trial, factor, all);
+        else source->add_fixed_ends(w.trial, factor, all);
         first = false;
     }
 }

@@ -1,7 +1,7 @@
 // Sums over the effects of a run: their stiffness, and what loads between nodes do at the ends of elements.
 #pragma once
 
-#include "effects/all_effects.h"
+#include "effects/effect_list.h"
 
 namespace hinge {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "run/yield_tangents.h"
 #include "state/node_mass.h"
 #include "state/nodes.h"
@@ -85,14 +86,7 @@ void EnergyMomentum::begin(const EffectList& effects) {
         w_.structure, w_.pool, 1, 0.25 * settings_.dt * settings_.dt, settings_.geometric,
         settings_.solver.direct ? MatrixStorage::direct : MatrixStorage::iterative);
     effective_->set_held(w_.state.held);
-    std::vector<ElementDamping> damping;
-    for (const auto& effect : effects)
-        for (std::size_t e = 0; e < in_rebuild_.size() && effect->damps_elements(); ++e) {
-            damping.resize(in_rebuild_.size());
-            const ElementDamping more = effect->element_damping(int(e));
-            damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
-        }
-    effective_->set_damping(std::move(damping), 0.5 * settings_.dt);
+    effective_->set_damping(damping_of(w_.structure), 0.5 * settings_.dt);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
 }
@@ -371,10 +365,10 @@ void EnergyMomentum::renew_effective_stiffness() {
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         effective_->build(rebuild_, w_.state, middle_, given);
-        for (const auto& effect : *effects_)
-            for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
-                if (effect->watches_matrix(rebuild_[i]))
-                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given));
+        for (const auto& watcher : effects_->matrix_watchers)
+            for (std::size_t i = 0; i < rebuild_.size(); ++i)
+                if (watcher->watches_matrix(rebuild_[i]))
+                    watcher->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given));
         for (int e : rebuild_) built_[e] = axes_of(element_frame(w_.structure, e, middle_)), in_rebuild_[e] = 0;
         rebuild_.clear();
     }

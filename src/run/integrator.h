@@ -4,6 +4,8 @@
 
 #include "algebra/effective_stiffness.h"
 #include "algebra/mass.h"
+#include "core/built.h"
+#include "effects/effect_list.h"
 #include "run/settings.h"
 #include "run/stages.h"
 

@@ -7,6 +7,7 @@
 #include "algebra/stable_step.h"
 #include "core/rotation.h"
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "run/step_size.h"
 #include "run/yield_tangents.h"
 #include "state/nodes.h"
@@ -105,7 +106,7 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
 
 void Newmark::begin(const EffectList& effects) {
     effects_ = &effects;
-    const bool bends = std::any_of(effects.begin(), effects.end(), [](const auto& e) { return e->blocks_follow(); });
+    const bool bends = any_of(effects.forces, &Force::blocks_follow);
     if (settings_.iterations == 0 && displacement_predictor_ && bends)
         iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
     w_.solved_at_once = displacement_predictor_ && iterations_ == 1;
@@ -117,14 +118,7 @@ void Newmark::begin(const EffectList& effects) {
                                                       w_.scheme.beta * settings_.dt * settings_.dt,
                                                       settings_.geometric && w_.structure.large(), keeping);
     effective_->set_held(w_.state.held);
-    std::vector<ElementDamping> damping;
-    for (const auto& effect : effects)
-        for (std::size_t e = 0; e < in_rebuild_.size() && effect->damps_elements(); ++e) {
-            damping.resize(in_rebuild_.size());
-            const ElementDamping more = effect->element_damping(int(e));
-            damping[e].of_mass += more.of_mass, damping[e].of_stiffness += more.of_stiffness;
-        }
-    effective_->set_damping(std::move(damping), w_.scheme.gamma * settings_.dt);
+    effective_->set_damping(damping_of(w_.structure), w_.scheme.gamma * settings_.dt);
     if (w_.structure.large()) w_.assembly.watch_rotation(settings_.rebuild_angle);
     for (int e = 0; e < int(w_.state.broken.size()); ++e)
         if (!w_.state.broken[e]) stiffness_changed(e);
@@ -211,10 +205,10 @@ void Newmark::renew_effective_stiffness() {
             if (const int e = w_.yielding[i].element; in_rebuild_[e]) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
         effective_->build(rebuild_, w_.state, w_.trial, given);
-        for (const auto& effect : *effects_)
-            for (std::size_t i = 0; i < rebuild_.size() && effect->watches_matrices(); ++i)
-                if (effect->watches_matrix(rebuild_[i]))
-                    effect->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given));
+        for (const auto& watcher : effects_->matrix_watchers)
+            for (std::size_t i = 0; i < rebuild_.size(); ++i)
+                if (watcher->watches_matrix(rebuild_[i]))
+                    watcher->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given));
         w_.force.swap(w_.state.force);
         for (int e : rebuild_) {
             w_.assembly.mark_built(e, w_.state, w_.trial);

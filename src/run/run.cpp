@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/rotation.h"
+#include "effects/effect_list.h"
 
 namespace hinge {
 
@@ -21,10 +22,27 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
       state_(std::move(start)),
       pool_(threads),
       assembly_(*structure_, pool_, inertia),
-      w_{*structure_, state_, pool_, assembly_, kind, {}, configuration_of(state_), 0, {}, {}, {}, state_.force, {}, {},
-         reaction_,   {},     {},    {},        false},
-      effects_(effects_of(w_, *this)),
-      accounts_(accounts_of(effects_)),
+      w_{*structure_,
+         state_,
+         pool_,
+         assembly_,
+         kind,
+         {},
+         configuration_of(state_),
+         kind.dynamic ? 1.0 : 0.0,
+         {},
+         {},
+         {},
+         state_.force,
+         {},
+         {},
+         reaction_,
+         {},
+         {},
+         {},
+         false},
+      effects_(new EffectList(w_, *this)),
+      accounts_(accounts_of(*effects_)),
       at_start_(state_.accumulated),
       first_step_(state_.step) {
     const std::size_t nodes = structure_->position().size();
@@ -32,37 +50,39 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
     initial_ = start_energy["kinetic"] + start_energy["elastic"];
     w_.external.assign(nodes, Vec6::Zero());
     w_.resisting.assign(nodes, Vec6::Zero());
-    for (const auto& e : effects_) e->add_steady_loads(w_.external);
-    for (const auto& e : effects_) e->steady_loads_known();
+    for (const auto& load : effects_->loads) load->add_steady_loads(w_.external);
+    w_.steady = w_.external;
     for (std::size_t i = 0; i < nodes; ++i)
         if (state_.held[i]) w_.supported.push_back(int(i));
 }
 
+Run::~Run() = default;
+
 Energy Run::energy_of(const State& state) const {
     Accounts sums;
     for (const auto& [name, sum] : state.accumulated) sums[name] = sum - at_start_[name];
-    for (const auto& e : effects_) e->add_energy(state, sums);
+    for (const auto& e : effects_->all) e->add_energy(state, sums);
     return balance(accounts_, initial_, sums);
 }
 
 Blocks Run::blocks_at(const ConfigurationView& at, double of_damping) const {
     Blocks blocks(of_damping);
-    for (const auto& e : effects_)
-        if (e->has_blocks()) e->add_blocks(at, blocks);
+    for (const auto& force : effects_->forces)
+        if (force->has_blocks()) force->add_blocks(at, blocks);
     return blocks;
 }
 
 void Run::change_steady_load(int node, const Vec3& force) {
     w_.external[node].head<3>() += force;
-    for (const auto& e : effects_) e->steady_load_changed(node, force);
+    w_.steady[node].head<3>() += force;
 }
 
 void Run::reached(const std::vector<Reached>& elements) {
-    for (const auto& e : effects_) e->reached(elements);
+    for (const auto& keeper : effects_->rest_keepers) keeper->reached(elements);
 }
 
 void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
-    for (const auto& e : effects_) e->keep_from_rest(bodies, rests);
+    for (const auto& e : effects_->all) e->keep_from_rest(bodies, rests);
 }
 
 void Run::note_activation(const std::string& effect, bool awake, const std::string& why) {
@@ -84,8 +104,7 @@ void Run::warn(std::optional<RunWarning> warning) {
 
 std::vector<RunWarning> Run::findings() const {
     std::vector<RunWarning> list;
-    for (const auto& e : effects_)
-        if (const auto* effect = dynamic_cast<const ChecksRun*>(e.get())) effect->check_run(list);
+    for (const auto& checker : effects_->run_checkers) checker->check_run(list);
     return list;
 }
 
@@ -112,13 +131,13 @@ SectionForces Run::section_forces(int element, double side) const {
     // N, Mx, My, Mz, then Qx and Qy: the slopes of the moments (eqs 8a-b)
     SectionForces forces{p[4], beam::moment_at(p[0], p[1], side), beam::moment_at(p[2], p[3], side),
                          p[5], -(p[2] + p[3]) / e.length,         (p[0] + p[1]) / e.length};
-    for (const auto& effect : effects_) effect->add_section_forces(element, side, forces);
+    for (const auto& source : effects_->section_forces) source->add_section_forces(element, side, forces);
     return forces;
 }
 
 std::vector<ShownLoad> Run::shown_loads() const {
     std::vector<ShownLoad> loads;
-    for (const auto& effect : effects_) effect->show_loads(loads);
+    for (const auto& load : effects_->loads) load->show_loads(loads);
     return loads;
 }
 
@@ -132,7 +151,8 @@ double Run::yield_value(int element, double r) const {
     beam::FixedEnd fixed;
     for (int end : {0, 1}) {
         SectionForces there;
-        for (const auto& effect : effects_) effect->add_section_forces(element, end == 0 ? -1 : 1, there);
+        for (const auto& source : effects_->section_forces)
+            source->add_section_forces(element, end == 0 ? -1 : 1, there);
         fixed.add(end, there.Mx, there.My, there.N, there.Mz);
     }
     return beam::yield_function(Vec6(state_.force[element] + fixed.at(r)), r, structure_->elements()[element].yield);
@@ -146,14 +166,13 @@ double Run::yield_value(int element) const {
 void Run::find_fixed_ends(double factor) {
     std::vector<beam::FixedEnd>& all = assembly_.fixed_ends();
     const bool asked = structure_->can_yield() || !structure_->model().fracture().empty();
-    if (!asked || std::none_of(effects_.begin(), effects_.end(), [](const auto& e) { return e->has_fixed_ends(); }))
-        return all.clear();
+    if (!asked || !any_of(effects_->section_forces, &SectionForceSource::has_fixed_ends)) return all.clear();
     all.resize(structure_->elements().size());
     bool first = true;
-    for (const auto& e : effects_) {
-        if (!e->has_fixed_ends()) continue;
-        if (first) e->set_fixed_ends(w_.trial, factor, all);
-        else e->add_fixed_ends(w_.trial, factor, all);
+    for (const auto& source : effects_->section_forces) {
+        if (!source->has_fixed_ends()) continue;
+        if (first) source->set_fixed_ends(w_.trial, factor, all);
+        else source->add_fixed_ends(w_.trial, factor, all);
         first = false;
     }
 }

@@ -7,10 +7,15 @@
 #include <unordered_map>
 #include <vector>
 
-#include "effects/all_effects.h"
+#include "algebra/node_blocks.h"
+#include "effects/host.h"
+#include "effects/reports.h"
+#include "effects/workspace.h"
 #include "run/pressed_pairs.h"
 
 namespace hinge {
+
+struct EffectList;
 
 enum class Verdict { running, completed, stopped, failed };
 const char* name(Verdict v);
@@ -24,7 +29,7 @@ struct StageTime {
 class Run : protected Host {
 public:
     Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia);
-    ~Run() override = default;
+    ~Run() override;
 
     /// One step. False when there is none left (see verdict); the state is then that of the last good step.
     virtual bool advance() = 0;
@@ -118,7 +123,7 @@ protected:
     ThreadPool pool_;
     ElementAssembly assembly_;
     Workspace w_;
-    EffectList effects_;
+    std::unique_ptr<const EffectList> effects_;
     AccountList accounts_;
     double initial_ = 0;  ///< J, kinetic and elastic energy at the start
     Accounts at_start_;   ///< what had been added up before this run

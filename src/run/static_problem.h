@@ -2,7 +2,7 @@
 // force scales of the structure.
 #pragma once
 
-#include "effects/all_effects.h"
+#include "effects/effect_list.h"
 #include "run/static_settings.h"
 
 namespace hinge {

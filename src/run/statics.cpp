@@ -3,12 +3,13 @@
 #include <cstdio>
 
 #include "core/text.h"
+#include "effects/all_effects.h"
 
 namespace hinge {
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
     : Run(std::move(structure), std::move(start), RunKind{}, 1, false),
-      problem_(w_, effects_, std::move(settings)),
+      problem_(w_, *effects_, std::move(settings)),
       forces_(problem_, stages_),
       tangent_(problem_, forces_, stages_),
       newton_(problem_, forces_, tangent_),
@@ -134,8 +135,8 @@ void Statics::commit_state() {
     const Step step{state_.time, 0, false, 0, {}, {}};
     forces_.add_work(state_.accumulated["work"]);
     forces_.find_reactions(w_.factor);
-    for (const auto& e : effects_) e->accumulate_energy(step, state_.accumulated);
-    for (const auto& e : effects_) e->before_commit(step);
+    for (const auto& e : effects_->all) e->accumulate_energy(step, state_.accumulated);
+    for (const auto& e : effects_->all) e->before_commit(step);
     state_.displacement = w_.trial.displacement;
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
@@ -143,7 +144,7 @@ void Statics::commit_state() {
     assembly_.keep_turns(state_, w_.trial);
     state_.factor = w_.factor;
     newton_.commit();
-    for (const auto& e : effects_) e->after_commit(step);
+    for (const auto& e : effects_->all) e->after_commit(step);
     tangent_.commit(w_.points_moved);
     if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
     ++substeps_;

@@ -23,35 +23,30 @@ StaticForces::StaticForces(const StaticProblem& problem, Stages& stages)
 // ---- what effects are asked for ---------------------------------------------------------------------------------
 
 void StaticForces::add_steady_and_static(std::vector<Vec6>& potential, std::vector<Vec6>& others) const {
-    for (const auto& e : problem_.effects) {
-        std::vector<Vec6>& sum = e->has_potential() ? potential : others;
-        e->add_steady_loads(sum);
-        e->add_static_loads(w_.trial, sum);
+    for (const auto& load : problem_.effects.loads) {
+        std::vector<Vec6>& sum = load->has_potential() ? potential : others;
+        load->add_steady_loads(sum);
+        load->add_static_loads(w_.trial, sum);
     }
 }
 
 void StaticForces::add_held(std::vector<Vec6>& weights, std::vector<Vec6>& others) const {
-    for (const auto& e : problem_.effects)
-        if (!e->has_potential()) e->add_held_loads(w_.trial, others);
-    for (const auto& e : problem_.effects)
-        if (e->has_potential()) e->add_held_loads(w_.trial, weights);
+    for (const auto& load : problem_.effects.loads)
+        load->add_held_loads(w_.trial, load->has_potential() ? weights : others);
 }
 
 void StaticForces::add_resistance_of_effects() {
-    for (const auto& e : problem_.effects) e->add_forces(0, w_.resisting);
+    for (const auto& force : problem_.effects.forces) force->add_forces(w_.state.time, w_.resisting);
 }
 
-bool StaticForces::any_follows() const {
-    return std::any_of(problem_.effects.begin(), problem_.effects.end(),
-                       [](const auto& e) { return e->loads_follow(); });
-}
+bool StaticForces::any_follows() const { return any_of(problem_.effects.loads, &Load::follows_nodes); }
 
 /// Weight along members turns with them, but its moments are next to nothing beside their stiffness.
 bool StaticForces::are_unsymmetric() const {
     const auto& loads = w_.structure.model().loads();
     const bool moments = std::any_of(loads.begin(), loads.end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
-    return moments || std::any_of(problem_.effects.begin(), problem_.effects.end(), [&](const auto& e) {
-               return e->loads_follow() && (!e->has_potential() || !w_.state.offset_mass.empty());
+    return moments || std::any_of(problem_.effects.loads.begin(), problem_.effects.loads.end(), [&](const auto& load) {
+               return load->follows_nodes() && (!load->has_potential() || !w_.state.offset_mass.empty());
            });
 }
 

@@ -1,0 +1,32 @@
+// An effect as the engine knows it before a run: its name, its accounts, its lines of the plan, and how it is made.
+#pragma once
+
+#include <memory>
+
+#include "algebra/node_blocks.h"
+#include "effects/reports.h"
+#include "state/energy.h"
+
+namespace hinge {
+
+class Effect;
+class Host;
+class Structure;
+struct RunKind;
+struct Workspace;
+
+struct EffectKind {
+    const char* name;
+    std::vector<AccountInfo> accounts;
+    /// Its lines of the plan.
+    std::vector<PlanLine> (*plan)(const Structure& structure, const RunKind& kind);
+    /// The effect, or null where the scene does not call for it.
+    std::unique_ptr<Effect> (*make)(Workspace& w, Host& host);
+    /// Declared by Model::declare under its name, so that a run can do without it (core.leave_out).
+    bool declared = false;
+    /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
+    /// stiffness and shortens explicit steps. The forces are the effect's (Force::add_forces).
+    std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
+};
+
+}  // namespace hinge

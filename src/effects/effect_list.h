@@ -1,0 +1,49 @@
+// The effects that a scene calls for, and for each role a list of those that have it. Each list has the order of
+// list.inc.
+#pragma once
+
+#include "effects/effect.h"
+#include "effects/roles.h"
+
+namespace hinge {
+
+/// An effect in one of its roles.
+template <class Role>
+struct InRole {
+    Effect* effect;
+    Role* role;
+    Role* operator->() const { return role; }
+};
+template <class Role>
+using RoleList = std::vector<InRole<Role>>;
+
+struct EffectList {
+    EffectList(Workspace& w, Host& host);
+    /// Whether one of the effects has this trait.
+    bool any(bool EffectTraits::*trait) const;
+
+    std::vector<std::unique_ptr<Effect>> all;
+    RoleList<Load> loads;
+    RoleList<Force> forces;
+    RoleList<SectionForceSource> section_forces;
+    RoleList<Prescriber> prescribers;
+    RoleList<MatrixWatcher> matrix_watchers;
+    RoleList<ContactLaw> contact_laws;
+    RoleList<Breaker> breakers;
+    RoleList<BreakListener> break_listeners;
+    RoleList<StepLimiter> step_limiters;
+    RoleList<Sleeper> sleepers;
+    RoleList<RestKeeper> rest_keepers;
+    RoleList<RunChecker> run_checkers;
+};
+
+/// Whether a role says so of one of the list.
+template <class Role>
+bool any_of(const RoleList<Role>& list, bool (Role::*says)() const) {
+    return std::any_of(list.begin(), list.end(), [&](const InRole<Role>& r) { return (r.role->*says)(); });
+}
+
+/// The accounts of the energy balance: those that are always there, and those of effects that the scene calls for.
+AccountList accounts_of(const EffectList& effects);
+
+}  // namespace hinge

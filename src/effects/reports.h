@@ -1,0 +1,42 @@
+// What effects report of a run: lines of the plan, section forces, loads to be drawn, warnings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/types.h"
+
+namespace hinge {
+
+/// A line of the plan: whether an effect is simulated, and why.
+struct PlanLine {
+    std::string name;
+    bool active;
+    std::string because;   ///< why it is in the step, or not
+    std::string asked_at;  ///< the script's line that asks for it, "" where none does
+    double seconds = 0;    ///< spent in it so far
+};
+
+/// The resultants of a section: N, N m; signs as run:forces has them.
+struct SectionForces {
+    double N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0;
+};
+
+/// A load to be drawn, as it acts where the state is: on a node, or on an element.
+struct ShownLoad {
+    int node = -1, element = -1;
+    double at = -1;            ///< on an element: at this share of its length, 0 to 1; -1: spread over it
+    Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the element's two ends, N/m and N m/m
+};
+
+/// A warning about a run, as hinge run prints it: "member 3 ...", and what can be done about it.
+struct RunWarning {
+    std::string what, advice;
+    int member = -1;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.what, s.advice, s.member);
+    }
+};
+
+}  // namespace hinge

@@ -1,0 +1,113 @@
+// The data that stages and effects of a run share: the state, the trial configuration and the forces on it.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/thread_pool.h"
+#include "state/breaking.h"
+#include "state/element_assembly.h"
+
+namespace hinge {
+
+/// Run properties by which effects are selected.
+struct RunKind {
+    bool dynamic = false;
+    bool explicit_steps = false;
+    bool geometric = true;    ///< initial-stress stiffness is asked for
+    bool rest = true;         ///< bodies at rest may be left alone
+    bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
+    double dt = 0;            ///< s, the script's own step; 0 in statics
+};
+
+/// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
+/// dt^2 ((1/2 - beta) a + beta a'). Eq 15 takes (1 - alpha) a' + alpha a: Bossak's weighting, 0 for Newmark's method.
+/// Here a stands for a value where the step begins and next for that at its end: numbers or vectors.
+struct Scheme {
+    double beta = 0.25, gamma = 0.5, alpha = 0;
+
+    /// What a change of the acceleration at the end adds to the displacement, s^2; to the velocity, s.
+    double to_displacement(double dt) const { return beta * dt * dt; }
+    double to_velocity(double dt) const { return gamma * dt; }
+    /// v' - v.
+    template <class V>
+    V velocity_change(const V& a, const V& next, double dt) const {
+        return dt * ((1 - gamma) * a + gamma * next);
+    }
+    /// u' - u - dt v.
+    template <class V>
+    V displacement_beyond_velocity(const V& a, const V& next, double dt) const {
+        return dt * dt * ((0.5 - beta) * a + beta * next);
+    }
+    /// What eq 15 takes of a quantity that changes from a to next.
+    template <class V>
+    V weighted(const V& a, const V& next) const {
+        return (1 - alpha) * next + alpha * a;
+    }
+    /// The value at the end of the step, from the weighted one.
+    template <class V>
+    V next_of_weighted(const V& a, const V& weighted) const {
+        return (weighted - alpha * a) / (1 - alpha);
+    }
+    /// Energy that the method with beta > gamma/2 holds back while forces of the power a . M a act, J.
+    double held_back(double power, double dt) const { return 0.5 * (beta - 0.5 * gamma) * dt * dt * power; }
+};
+
+/// An element that breaks at the end of a step, at end 1 or 2.
+struct Break {
+    int element, end;
+    beam::LimitReached cause = {};  ///< reported only; does not influence the run
+};
+
+/// A step of dynamics on its way.
+struct Step {
+    double begin = 0, dt = 0;   ///< s
+    bool longer = false;        ///< than the script's own dt: not for impacts
+    int iteration = 0;          ///< Newton iterations done; 0: stresses are recovered for the first time
+    std::vector<Break> breaks;  ///< what breaks at its end, rising
+    std::string failure;        ///< why it cannot go on, "" while it can
+    double end() const { return begin + dt; }
+};
+
+/// What the stages and effects of a run work on. Each array means one thing; six numbers a node are in space: force and
+/// moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
+struct Workspace {
+    const Structure& structure;
+    State& state;  ///< where the last step that was kept ended
+    ThreadPool& pool;
+    ElementAssembly& assembly;
+    RunKind kind;
+    Scheme scheme;
+    Configuration trial;                        ///< where the step is tried to end
+    double factor = 0;                          ///< the load factor that is tried; 1 in dynamics
+    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
+                                                ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
+    std::vector<Vec6> external;                 ///< F of eq 15
+    std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
+    std::vector<Vec6> force;                    ///< p of each element at the trial pose
+    std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
+    std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
+    std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
+    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
+                                                ///< last step and of this one
+    std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    long impulses = 0;          ///< that contact and ground have given to trial velocities so far
+    bool points_moved = false;  ///< integration points have moved: the assembly takes them up when the step is kept
+    /// Steps with one solution need the current offset masses: an outdated mass loses velocity at every step, by as
+    /// much in a short step as in a long one.
+    bool solved_at_once = false;
+    std::vector<Vec6> steady = {};  ///< the part of F that does not change with time: weights at nodes
+
+    /// Whether the node belongs to a body at rest.
+    bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }
+    /// The load factor that acts where the state is: 1 in dynamics.
+    double acting_factor() const { return kind.dynamic ? 1 : state.factor; }
+    /// Where a kept step has ended: its time, s; in statics the load factor.
+    double reached(const Step& step) const { return kind.dynamic ? step.end() : state.factor; }
+    /// p of the elements whose axial force counts in their fixed-end moments: where the step began, in statics those of
+    /// the last iteration.
+    const std::vector<Vec6>& force_of_fixed_ends() const { return kind.dynamic ? state.force : force; }
+};
+
+}  // namespace hinge
