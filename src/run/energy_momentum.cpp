@@ -24,9 +24,6 @@ constexpr double least_way = 1e-14;
 /// With a finer tolerance a last correction of 1e-8 of the first is near enough; one that has grown a million times
 /// leads nowhere. Both squared.
 constexpr double near_enough = 1e-16, lost = 1e12;
-/// Newton that swings between two sets of hinges is held back, as in Newmark's method (run/newmark.cpp has what that
-/// brings): a correction with more than `swings` of the energy of the one before is scaled down.
-constexpr double swings = 0.25, held_back = 0.6, grows = 1.5, least_damping = 0.1;
 /// Newton that goes slowly gets every element's stiffness anew after so many iterations.
 constexpr int all_anew = 6;
 
@@ -47,7 +44,7 @@ Vec3 turned(const Vec3& c, const Vec3& v) {
 }  // namespace
 
 EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings)
-    : Integrator(w, mass, stages),
+    : ImplicitIntegrator(w, mass, stages, {0.25, 0.5, 0}),
       settings_(settings),
       most_iterations_(settings.iterations ? settings.iterations : 40),
       tolerance_(settings.tolerance) {
@@ -56,11 +53,10 @@ EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, con
     solve_stage_ = stages.add("solve", "inertia");
     correct_stage_ = stages.add("correct", "inertia");
     const std::size_t nodes = w.structure.position().size(), elements = w.structure.elements().size();
-    for (std::vector<Vec6>* list : {&held_by_effects_, &load_, &internal_, &momentum_, &right_, &change_})
+    for (std::vector<Vec6>* list : {&held_by_effects_, &load_, &internal_, &momentum_})
         list->assign(nodes, Vec6::Zero());
     first_.resize(elements);
     of_element_.assign(elements, Vec12::Zero());
-    in_rebuild_.assign(elements, 0);
     has_turned_.assign(elements, 0);
     built_.assign(elements, Mat3::Zero());
     middle_ = w.trial;
@@ -81,14 +77,8 @@ void EnergyMomentum::find_node_inertia() {
 }
 
 void EnergyMomentum::begin(const EffectList& effects) {
-    effects_ = &effects;
-    effective_ = std::make_unique<EffectiveStiffness>(
-        w_.structure, w_.pool, 1, 0.25 * settings_.dt * settings_.dt, settings_.geometric,
-        settings_.solver.direct ? MatrixStorage::direct : MatrixStorage::iterative);
-    effective_->set_held(w_.state.held);
-    effective_->set_damping(damping_of(w_.structure), 0.5 * settings_.dt);
-    for (int e = 0; e < int(w_.state.broken.size()); ++e)
-        if (!w_.state.broken[e]) stiffness_changed(e);
+    make_effective_stiffness(effects, settings_.dt, settings_.geometric,
+                             settings_.solver.direct ? MatrixStorage::direct : MatrixStorage::iterative);
 }
 
 /// What acts where a step begins, after the acceleration was found there.
@@ -347,7 +337,7 @@ void EnergyMomentum::mark_changed(int iteration) {
     w_.pool.share(int(built_.size()), some_elements, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
             has_turned_[i] =
-                !w_.state.broken[i] && !in_rebuild_[i] &&
+                !w_.state.broken[i] && !is_to_be_built(i) &&
                 (all || (axes_of(element_frame(w_.structure, i, middle_)) - built_[i]).squaredNorm() > 2 * limit);
     });
     for (std::size_t i = 0; i < built_.size(); ++i)
@@ -358,19 +348,14 @@ void EnergyMomentum::renew_effective_stiffness() {
     flowing_.clear();
     for (const PlasticIncrement& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
     if (!rebuild_.empty()) {
-        std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
-        std::sort(rebuild_.begin(), rebuild_.end());
+        sort_rebuild();
         const std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
-        effective_->build(rebuild_, w_.state, middle_, given);
-        for (const auto& watcher : effects_->matrix_watchers)
-            for (std::size_t i = 0; i < rebuild_.size(); ++i)
-                if (watcher->watches_matrix(rebuild_[i]))
-                    watcher->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, middle_, given));
-        for (int e : rebuild_) built_[e] = axes_of(element_frame(w_.structure, e, middle_)), in_rebuild_[e] = 0;
-        rebuild_.clear();
+        build(middle_, given);
+        for (int e : rebuild_) built_[e] = axes_of(element_frame(w_.structure, e, middle_));
+        clear_rebuild();
     }
     effective_->assemble();
 }
@@ -378,10 +363,7 @@ void EnergyMomentum::renew_effective_stiffness() {
 /// Adds the change to where the step ends; decides whether Newton goes round again.
 bool EnergyMomentum::correct(Step& step) {
     const double before = last_size_;
-    if (step.iteration == 0) damping_ = 1;
-    else if (std::abs(size_) > swings * last_size_) damping_ = std::max(least_damping, held_back * damping_);
-    else damping_ = std::min(1.0, grows * damping_);
-    last_size_ = std::abs(size_);
+    damp_corrections(step.iteration, std::abs(size_));
     const double dt = step.dt, part = 0.5 * dt * dt * damping_;
     const State& s = w_.state;
     for (std::size_t i = 0; i < change_.size(); ++i) {
@@ -441,24 +423,8 @@ void EnergyMomentum::after_commit() {
     load_ = w_.external;
 }
 
-void EnergyMomentum::stiffness_changed(int element) {
-    if (!effective_ || in_rebuild_[element]) return;
-    in_rebuild_[element] = 1, rebuild_.push_back(element);
-    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
-}
-
-void EnergyMomentum::dt_changed(double dt) {
-    if (!effective_) return;
-    effective_->set_stiffness_factor(0.25 * dt * dt);
-    effective_->set_damping_factor(0.5 * dt);
-    for (int e = 0; e < int(w_.state.broken.size()); ++e)
-        if (!w_.state.broken[e]) stiffness_changed(e);
-}
-
 void EnergyMomentum::removed(int element) {
-    effective_->remove(element);
-    effective_->set_held(w_.state.held);
-    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
+    ImplicitIntegrator::removed(element);
     find_node_inertia();
 }
 
@@ -472,14 +438,11 @@ void EnergyMomentum::save(Writer& to) const { fields(*this, to); }
 void EnergyMomentum::restore(Reader& from) {
     const std::size_t nodes = right_.size();
     fields(*this, from);
-    const int elements = int(in_rebuild_.size());
-    const auto within = [&](int e) { return e >= 0 && e < elements; };
-    bool good = held_by_effects_.size() == nodes && load_.size() == nodes && int(built_.size()) == elements;
-    for (const std::vector<int>* list : {&flowing_, &rebuild_})
-        good = good && std::all_of(list->begin(), list->end(), within);
+    const bool good = held_by_effects_.size() == nodes && load_.size() == nodes &&
+                      built_.size() == w_.structure.elements().size() && are_elements(flowing_) &&
+                      are_elements(rebuild_);
     from.must(good && fastest.node < int(nodes));
-    in_rebuild_.assign(elements, 0);
-    for (int e : rebuild_) in_rebuild_[e] = 1;
+    rebuild_was_read();
     find_node_inertia();
 }
 

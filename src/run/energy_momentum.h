@@ -20,11 +20,11 @@
 // Newton's method, with the effective stiffness M + dt^2/4 K of Newmark's method at the middle of the step.
 #pragma once
 
-#include "run/integrator.h"
+#include "run/implicit_integrator.h"
 
 namespace hinge {
 
-class EnergyMomentum : public Integrator {
+class EnergyMomentum : public ImplicitIntegrator {
 public:
     EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings);
 
@@ -34,17 +34,13 @@ public:
     void recovered(const Step& step) override;
     void solve(Step& step) override;
     bool correct(Step& step) override;
-    const std::vector<Vec6>& change() const override { return change_; }
     bool recovers_last() const override { return true; }
     void recovered_last() override;
     int correct_stage() override { return correct_stage_; }
     void before_commit() override;
     void after_commit() override;
 
-    void stiffness_changed(int element) override;
-    void dt_changed(double dt) override;
     void removed(int element) override;
-    EffectiveStiffness* effective() override { return effective_.get(); }
 
     void save(Writer& to) const override;
     void restore(Reader& from) override;
@@ -75,11 +71,9 @@ private:
     Vec6 momentum_of(int node, const std::vector<Vec6>& velocity, const Quat& rotation) const;
 
     const DynamicSettings& settings_;
-    const EffectList* effects_ = nullptr;
     int most_iterations_;
     double tolerance_;
     int forces_stage_, stiffness_stage_, solve_stage_, correct_stage_;
-    std::unique_ptr<EffectiveStiffness> effective_;
     struct TranslationalMass {
         double own[2], across;
     };
@@ -91,14 +85,11 @@ private:
     std::vector<Vec12> of_element_;             ///< mean forces of each element on its nodes
     std::vector<Vec6> momentum_;                ///< of each node where the step begins
     Configuration middle_;
-    std::vector<Vec6> right_, change_;
-    std::vector<int> rebuild_;
-    std::vector<char> in_rebuild_, has_turned_;
-    std::vector<Mat3> built_;   ///< frame of each element in the effective stiffness
-    std::vector<int> flowing_;  ///< elements of which the effective stiffness has a plastic tangent
-    double step_ = 0;           ///< s
-    double damping_ = 1;        ///< of Newton's corrections
-    double floor_ = 0, first_size_ = 0, last_size_ = 0, size_ = 0;  ///< J: energies of a correction
+    std::vector<char> has_turned_;
+    std::vector<Mat3> built_;                       ///< frame of each element in the effective stiffness
+    std::vector<int> flowing_;                      ///< elements of which the effective stiffness has a plastic tangent
+    double step_ = 0;                               ///< s
+    double floor_ = 0, first_size_ = 0, size_ = 0;  ///< J: energies of a correction
 };
 
 }  // namespace hinge

@@ -29,16 +29,6 @@ constexpr double same_tangent = 0.2;
 /// 2e-9 at 3e-9.
 constexpr double rounding = 3e-13;
 
-/// Newton that swings between two sets of hinges is held back: a correction that is hardly smaller than the one before
-/// (by less than half, in squares a quarter) is scaled down by a bit less than half, and one that is grows by half, so
-/// that a swing of period two dies out in some five iterations and a good start is lost in none.
-///
-/// In 273 runs of tests/hard, with 2 to 8 times a scene's step and with step control, 251 keep their bounds, and 243
-/// without this. `swings` of 1/16 to 1/4 makes no difference, at 1/2 249 do, at 1 245. `held_back` 0.3 to 0.7: 251 or
-/// 252, at 0.9 244. `least_damping` 0.05 to 0.1: 250 or 251, at 0.4 245, at 0.01 250 with 28 % more iterations. `grows`
-/// tells in longer steps: of 117 runs with 16 to 64 times the step 73 keep their bounds, 71 if it is 1 or 3.
-constexpr double swings = 0.25, held_back = 0.6, grows = 1.5, least_damping = 0.1;
-
 /// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
 bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
     if (part == 0) return false;
@@ -74,7 +64,7 @@ double through_mass(const beam::Inertia& m, const Mat3& to_element, const Vec6 x
 }  // namespace
 
 Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings)
-    : Integrator(w, mass, stages),
+    : ImplicitIntegrator(w, mass, stages, w.scheme),
       settings_(settings),
       iterations_(settings.iterations),
       tolerance_(settings.tolerance) {
@@ -94,9 +84,6 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
     solve_stage_ = stages.add("solve", "inertia");
     correct_stage_ = stages.add("correct", "inertia");
     const std::size_t nodes = w.structure.position().size();
-    right_.assign(nodes, Vec6::Zero());
-    change_.assign(nodes, Vec6::Zero());
-    in_rebuild_.assign(w.structure.elements().size(), 0);
     lumped_.assign(nodes, 0);
     for (const Vec3& x : w.structure.position()) unseen_ = std::max(unseen_, x.cwiseAbs().maxCoeff());
     unseen_ *= 4 * std::numeric_limits<double>::epsilon() * std::sqrt(double(nodes));
@@ -105,29 +92,22 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
 }
 
 void Newmark::begin(const EffectList& effects) {
-    effects_ = &effects;
     const bool bends = any_of(effects.forces, &Force::blocks_follow);
     if (settings_.iterations == 0 && displacement_predictor_ && bends)
         iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
     w_.solved_at_once = displacement_predictor_ && iterations_ == 1;
-    const MatrixStorage keeping = settings_.solver.direct ? MatrixStorage::direct
+    const MatrixStorage storage = settings_.solver.direct ? MatrixStorage::direct
                                   : settings_.single_precision && !displacement_predictor_
                                       ? MatrixStorage::single_precision
                                       : MatrixStorage::iterative;
-    effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1 - w_.scheme.alpha,
-                                                      w_.scheme.beta * settings_.dt * settings_.dt,
-                                                      settings_.geometric && w_.structure.large(), keeping);
-    effective_->set_held(w_.state.held);
-    effective_->set_damping(damping_of(w_.structure), w_.scheme.gamma * settings_.dt);
+    make_effective_stiffness(effects, settings_.dt, settings_.geometric && w_.structure.large(), storage);
     if (w_.structure.large()) w_.assembly.watch_rotation(settings_.rebuild_angle);
-    for (int e = 0; e < int(w_.state.broken.size()); ++e)
-        if (!w_.state.broken[e]) stiffness_changed(e);
 }
 
 /// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
 /// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 as printed.
 void Newmark::predict(const Step& step) {
-    const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha, gamma = w_.scheme.gamma;
+    const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha;
     const State& s = w_.state;
     Configuration& trial = w_.trial;
     if (displacement_predictor_) {
@@ -135,8 +115,8 @@ void Newmark::predict(const Step& step) {
             trial.displacement[i] = s.displacement[i];
             w_.rotation_step[i].setZero();
             trial.acceleration[i] = -1 / (beta * dt) * s.velocity[i] - (0.5 - beta) / beta * s.acceleration[i];
-            trial.velocity[i] = s.velocity[i] + dt * ((1 - gamma) * s.acceleration[i] + gamma * trial.acceleration[i]);
-            if (alpha != 0) trial.acceleration[i] = (1 - alpha) * trial.acceleration[i] + alpha * s.acceleration[i];
+            trial.velocity[i] = s.velocity[i] + w_.scheme.velocity_change(s.acceleration[i], trial.acceleration[i], dt);
+            if (alpha != 0) trial.acceleration[i] = w_.scheme.weighted(s.acceleration[i], trial.acceleration[i]);
         }
         return move_to_rotated(0, int(w_.rotation_step.size()));
     }
@@ -197,25 +177,19 @@ void Newmark::mark_yielding() {
 /// Rebuilds M + beta dt^2 K for the elements that rotated, yielded or broke.
 void Newmark::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
-        std::erase_if(rebuild_, [&](int e) { return w_.state.broken[e] != 0; });
-        std::sort(rebuild_.begin(), rebuild_.end());
+        sort_rebuild();
         const std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
         for (std::size_t i = 0; i < tangents_.size(); ++i)
-            if (const int e = w_.yielding[i].element; in_rebuild_[e]) built_[e] = tangents_[i];
+            if (const int e = w_.yielding[i].element; is_to_be_built(e)) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
-        effective_->build(rebuild_, w_.state, w_.trial, given);
-        for (const auto& watcher : effects_->matrix_watchers)
-            for (std::size_t i = 0; i < rebuild_.size(); ++i)
-                if (watcher->watches_matrix(rebuild_[i]))
-                    watcher->matrix_built(rebuild_[i], effective_->part(rebuild_[i], w_.state, w_.trial, given));
+        build(w_.trial, given);
         w_.force.swap(w_.state.force);
         for (int e : rebuild_) {
             w_.assembly.mark_built(e, w_.state, w_.trial);
-            in_rebuild_[e] = 0;
             if (mass_.now()) mass_.changed(e);
         }
-        rebuild_.clear();
+        clear_rebuild();
     }
     effective_->assemble();
 }
@@ -253,15 +227,13 @@ void Newmark::solve_for_change(Step& step) {
 
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.
 bool Newmark::correct(Step& step) {
-    const double dt = step.dt, to_u = w_.scheme.beta * dt * dt, to_v = w_.scheme.gamma * dt, to_a = 1 - w_.scheme.alpha;
+    const double dt = step.dt, to_u = w_.scheme.to_displacement(dt), to_v = w_.scheme.to_velocity(dt),
+                 to_a = 1 - w_.scheme.alpha;
     Configuration& trial = w_.trial;
     if (iterations_ > 1) {
         double whole = 0;
         for (const Vec6& c : change_) whole += c.head<3>().squaredNorm();
-        if (step.iteration == 0) damping_ = 1;
-        else if (whole > swings * last_change_) damping_ = std::max(least_damping, held_back * damping_);
-        else damping_ = std::min(1.0, grows * damping_);
-        last_change_ = whole;
+        damp_corrections(step.iteration, whole);
         if (damping_ < 1)
             for (Vec6& c : change_) c *= damping_;
     }
@@ -324,11 +296,10 @@ bool Newmark::rotates_unseen(double to_u) const {
 /// Bossak: while a step is tried its acceleration is the weighted one of eq 15, (1 - alpha) a' + alpha a; it becomes
 /// the one at the end of the step.
 void Newmark::solved(const Step&) {
-    const double alpha = w_.scheme.alpha;
-    if (alpha == 0) return;
+    if (w_.scheme.alpha == 0) return;
     w_.next_weighted = w_.trial.acceleration;
     for (std::size_t i = 0; i < w_.next_weighted.size(); ++i)
-        w_.trial.acceleration[i] = (w_.next_weighted[i] - alpha * w_.state.acceleration[i]) / (1 - alpha);
+        w_.trial.acceleration[i] = w_.scheme.next_of_weighted(w_.state.acceleration[i], w_.next_weighted[i]);
 }
 
 /// The work of the forces by the trapezium rule, less the change of the kinetic energy. With b and b' the weighted
@@ -374,26 +345,6 @@ void Newmark::after_commit() {
     if (displacement_predictor_) hinges_ = flowing_on(w_.yielding);
 }
 
-void Newmark::stiffness_changed(int element) {
-    if (!effective_ || in_rebuild_[element]) return;
-    in_rebuild_[element] = 1, rebuild_.push_back(element);
-    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
-}
-
-void Newmark::dt_changed(double dt) {
-    if (!effective_) return;
-    effective_->set_stiffness_factor(w_.scheme.beta * dt * dt);
-    effective_->set_damping_factor(w_.scheme.gamma * dt);
-    for (int e = 0; e < int(w_.state.broken.size()); ++e)
-        if (!w_.state.broken[e]) stiffness_changed(e);
-}
-
-void Newmark::removed(int element) {
-    effective_->remove(element);
-    effective_->set_held(w_.state.held);
-    if (w_.structure.p_delta()) stiffness_changed(w_.structure.elements()[element].partner);
-}
-
 template <class Self, class A>
 void Newmark::fields(Self& s, A& a) {
     a(s.fastest, s.jump_, s.motion_, s.change_, s.hinges_, s.was_yielding_, s.built_, s.rebuild_, *s.effective_);
@@ -403,15 +354,10 @@ void Newmark::save(Writer& to) const { fields(*this, to); }
 
 void Newmark::restore(Reader& from) {
     fields(*this, from);
-    const int elements = int(in_rebuild_.size());
-    const auto within = [&](int e) { return e >= 0 && e < elements; };
-    bool good = change_.size() == lumped_.size();
-    for (const std::vector<int>* list : {&was_yielding_, &rebuild_})
-        good = good && std::all_of(list->begin(), list->end(), within);
-    for (const PlasticIncrement& y : hinges_) good = good && within(y.element);
+    bool good = change_.size() == lumped_.size() && are_elements(was_yielding_) && are_elements(rebuild_);
+    for (const PlasticIncrement& y : hinges_) good = good && are_elements({y.element});
     from.must(good && fastest.node < int(lumped_.size()));
-    in_rebuild_.assign(elements, 0);
-    for (int e : rebuild_) in_rebuild_[e] = 1;
+    rebuild_was_read();
 }
 
 }  // namespace hinge

@@ -10,11 +10,11 @@
 
 #include <unordered_map>
 
-#include "run/integrator.h"
+#include "run/implicit_integrator.h"
 
 namespace hinge {
 
-class Newmark : public Integrator {
+class Newmark : public ImplicitIntegrator {
 public:
     Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings);
 
@@ -23,7 +23,6 @@ public:
     void recovered(const Step& step) override;
     void solve(Step& step) override;
     bool correct(Step& step) override;
-    const std::vector<Vec6>& change() const override { return change_; }
     bool may_go_on(const Step& step) const override { return iterations_ == 1 && step.iteration < most_unsettled; }
     void solved(const Step& step) override;
     bool recovers_last() const override { return displacement_predictor_; }
@@ -33,10 +32,6 @@ public:
     void before_commit() override;
     void after_commit() override;
 
-    void stiffness_changed(int element) override;
-    void dt_changed(double dt) override;
-    void removed(int element) override;
-    EffectiveStiffness* effective() override { return effective_.get(); }
     double jump() const override { return jump_; }
 
     void save(Writer& to) const override;
@@ -52,22 +47,16 @@ private:
     bool rotates_unseen(double to_u) const;
 
     const DynamicSettings& settings_;
-    const EffectList* effects_ = nullptr;
     bool displacement_predictor_;
     int iterations_;
     double tolerance_;
     int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
-    std::unique_ptr<EffectiveStiffness> effective_;
-    std::vector<Vec6> right_;     ///< F - R - M a: the right side of eq 15
-    std::vector<Vec6> change_;    ///< of the acceleration
     std::vector<double> lumped_;  ///< kg, of each node: the weights of velocities and changes
-    std::vector<int> rebuild_;    ///< elements whose effective stiffness is to be built anew
-    std::vector<char> in_rebuild_;
     std::vector<Mat6> tangents_;  ///< of the elements that flow
     std::vector<int> was_yielding_;
     std::vector<PlasticIncrement> hinges_;  ///< of the last step, with the displacement predictor
     std::unordered_map<int, Mat6> built_;   ///< D_p in the effective stiffness, of the elements that have it there
-    double first_change_ = 0, last_change_ = 0, damping_ = 1;
+    double first_change_ = 0;
     double unseen_ = 0;             ///< m: root of the sum of squares of corrections that are the coordinates' rounding
     double jump_ = 0, motion_ = 0;  ///< of the last step: dt |da| / |v|; sum of m v^2
 };
