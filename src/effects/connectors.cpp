@@ -247,7 +247,7 @@ private:
 
     static bool is_linear(const Connector& c) {
         return std::none_of(std::begin(c.curve), std::end(c.curve), [](const Curve& k) { return !k.empty(); }) &&
-               std::none_of(std::begin(c.law), std::end(c.law), [](const ConnectorLaw& l) { return bool(l); });
+               !c.has_law();
     }
 
     std::string name_of(std::size_t i) const {
@@ -448,7 +448,19 @@ EffectKind connectors_kind() {
                 }
                 return std::make_unique<Connectors>(w, host);
             },
-            true};
+            true,
+            nullptr,
+            {.links =
+                 [](const Model& model) {
+                     std::vector<NodeLink> list;
+                     for (const Connector& c : model.declared<Connector>(connectors_effect)) list.push_back({c.a, c.b});
+                     return list;
+                 },
+             .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                 const auto& list = model.declared<Connector>(connectors_effect);
+                 if (std::none_of(list.begin(), list.end(), [](const Connector& c) { return c.has_law(); })) return {};
+                 return {{5, "a connector's law", false, model.asked_at(connectors_effect)}};
+             }}};
 }
 
 }  // namespace hinge

@@ -31,6 +31,9 @@ struct Connector {
     std::vector<std::pair<double, double>> curve[6];                          ///< of deformation and force, rising
     ConnectorLaw law[6];
 
+    bool has_law() const {
+        return std::any_of(std::begin(law), std::end(law), [](const ConnectorLaw& l) { return bool(l); });
+    }
     template <class Self, class A>
     static void fields(Self& s, A& archive) {
         archive(s.a, s.b, s.axes, s.stiffness, s.damping, s.capacity, s.curve);

@@ -13,6 +13,11 @@ namespace {
 
 using contact::Contact;
 
+bool calls_functions(const Model& model) {
+    return std::any_of(model.contact().begin(), model.contact().end(),
+                       [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
+}
+
 /// Steps between renewals of the ties' tangent where nothing began: they rotate slowly, by some mrad a step. Of 125
 /// runs of tests/hard (contacts and breaking, 1 to 8 times a scene's step) 116 or 117 keep their bounds with 1 to 40
 /// steps, 114 with 80 and 113 if it is never renewed. The first 0.06 s of Case I renew it 352 times with 20 steps, 4746
@@ -28,9 +33,7 @@ class ContactEffect : public Effect,
                       public Sleeper {
 public:
     ContactEffect(Workspace& w, Host& host) : Effect(contact_effect, w, host, {.forces_vanish = true}) {
-        traits_.calls_script = std::any_of(declared().begin(), declared().end(), [](const ContactRule& r) {
-            return r.pairs || r.on_contact || r.on_release;
-        });
+        traits_.calls_script = calls_functions(w.structure.model());
         if (!w.state.data.find<Contact>(contact_effect)) {
             std::vector<contact::ContactSettings> rules;
             for (const ContactRule& rule : declared()) rules.push_back(rule.settings);
@@ -303,7 +306,13 @@ EffectKind contact_kind() {
                     return nullptr;
                 }
                 return std::make_unique<ContactEffect>(w, host);
-            }};
+            },
+            false,
+            nullptr,
+            {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                if (!calls_functions(model)) return {};
+                return {{1, "a function in model:contact", true, model.asked_at("contact")}};
+            }}};
 }
 
 }  // namespace hinge

@@ -19,9 +19,9 @@
 
 #include <map>
 
-#include "effects/connectors.h"
+#include "effects/declared.h"
+#include "effects/joined_bodies.h"
 #include "effects/kinds.h"
-#include "effects/point_mass.h"
 #include "state/hinges.h"
 #include "state/node_mass.h"
 
@@ -73,10 +73,10 @@ public:
         before_.assign(w.structure.position().size(), Vec6::Zero());
         now_ = before_;
         std::map<int, OffsetMass> masses;
-        for (const PointMass& m : w.structure.model().declared<PointMass>(point_mass_effect))
+        for (const AddedMass& m : added_masses(w.structure.model()))
             for (const int e : w.structure.elements_at(m.node))
                 if (damping_[e].of_mass != 0) {
-                    attach(m, masses[m.node]);
+                    add(m.mass, masses[m.node]);
                     break;
                 }
         for (const auto& [node, mass] : masses)
@@ -249,29 +249,6 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 }
 
 }  // namespace
-
-Bodies joined_bodies(const Structure& structure, const State& state) {
-    Bodies bodies = find_bodies(structure, state);
-    for (const Connector& c : structure.model().declared<Connector>(connectors_effect)) {
-        if (c.a < 0 || c.b < 0) continue;
-        const int keep = bodies.of_node[c.a], gone = bodies.of_node[c.b];
-        if (keep == gone || keep < 0 || gone < 0) continue;
-        for (int& body : bodies.of_node)
-            if (body == gone) body = keep;
-    }
-    return bodies;
-}
-
-std::vector<char> held_bodies(const Structure& structure, const State& state, const Bodies& bodies) {
-    std::vector<char> held(bodies.count, 0);
-    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
-        if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
-    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
-        for (const auto& [by, what] : {std::pair{c.a, c.b}, std::pair{c.b, c.a}})
-            if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.elements_at(by).empty()))
-                held[bodies.of_node[what]] = 1;
-    return held;
-}
 
 EffectKind damping_kind() {
     return {damping_effect,

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "state/bodies.h"
+#include "core/types.h"
 
 namespace hinge {
 
@@ -29,13 +29,5 @@ inline Damping rayleigh(const double (&ratio)[2], const double (&period)[2]) {
     const double apart = (two - one) * (two + one);
     return {2 * one * two * (ratio[0] * two - ratio[1] * one) / apart, 2 * (ratio[1] * two - ratio[0] * one) / apart};
 }
-
-/// Bodies that whole elements hold together in `state`, and connectors of the model, broken or not. A node without
-/// elements that a connector reaches is part of none.
-Bodies joined_bodies(const Structure& structure, const State& state);
-
-/// Of each body, whether something holds it: a support in any direction, or a connector to the ground or to a node
-/// without elements that is held.
-std::vector<char> held_bodies(const Structure& structure, const State& state, const Bodies& bodies);
 
 }  // namespace hinge

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "algebra/node_blocks.h"
+#include "effects/declared.h"
 #include "effects/reports.h"
 #include "state/energy.h"
 
@@ -27,6 +28,8 @@ struct EffectKind {
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
     /// stiffness and shortens explicit steps. The forces are the effect's (Force::add_forces).
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
+    /// What a model declares of it.
+    Declarer declarer = {};
 };
 
 }  // namespace hinge

@@ -22,6 +22,11 @@ int joint_at(const Structure& s, const Element& e, int end) {
     return e.node[end - 1] < int(s.model().nodes().size()) ? e.node[end - 1] : -1;
 }
 
+bool calls_functions(const Model& model) {
+    const auto& rules = model.fracture();
+    return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
+}
+
 double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
 
 /// Part of EI that stays: no section bends by four times its yield curvature without flowing.
@@ -196,8 +201,7 @@ private:
 
 Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host, {.forces_vanish = true}) {
     const auto& rules = w.structure.model().fracture();
-    traits_.calls_script =
-        std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
+    traits_.calls_script = calls_functions(w.structure.model());
     const std::size_t elements = w.structure.elements().size();
     for (const FractureRule& rule : rules) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
     const bool news = std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) {
@@ -587,7 +591,13 @@ EffectKind fracture_kind() {
                     return nullptr;
                 }
                 return std::make_unique<Fracture>(w, host);
-            }};
+            },
+            false,
+            nullptr,
+            {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                if (!calls_functions(model)) return {};
+                return {{0, "a function in model:fracture", true, model.asked_at("fracture")}};
+            }}};
 }
 
 }  // namespace hinge

@@ -552,7 +552,13 @@ EffectKind ground_kind() {
             }
             return std::make_unique<Ground>(w, host);
         },
-        true};
+        true,
+        nullptr,
+        {.planes = [](const Model& model) {
+            std::vector<DeclaredPlane> list;
+            for (const GroundPlane& p : model.declared<GroundPlane>(ground_effect)) list.push_back({p.point, p.normal});
+            return list;
+        }}};
 }
 
 }  // namespace hinge

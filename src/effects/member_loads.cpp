@@ -434,6 +434,20 @@ bool acts(const Structure& s) {
     return false;
 }
 
+/// The whole load in space, N.
+Vec3 whole_force(const Model& model, const MemberLoad& l) {
+    if (l.axes == LoadAxes::local) return Vec3::Zero();
+    if (!l.spread()) return l.force[0];
+    const auto& node = model.members()[l.member].node;
+    const Vec3 chord = model.nodes()[node[1]].position - model.nodes()[node[0]].position;
+    const auto length = [&](const Vec3& force) {
+        if (l.axes != LoadAxes::projected || force.isZero(0)) return chord.norm();
+        const Vec3 along = force.normalized();
+        return (chord - chord.dot(along) * along).norm();
+    };
+    return 0.5 * (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]);
+}
+
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<MemberLoad>(member_loads_effect).size();
     const bool on = acts(s);
@@ -454,7 +468,27 @@ EffectKind member_loads_kind() {
                 if (!acts(w.structure)) return nullptr;
                 return std::make_unique<MemberLoads>(w, host);
             },
-            true};
+            true,
+            nullptr,
+            {.loads =
+                 [](const Model& model) {
+                     std::vector<DeclaredLoad> list;
+                     for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
+                         DeclaredLoad load{"the load on member " + std::to_string(l.member + 1),
+                                           "member load " + std::to_string(l.number), -1, l.member};
+                         if (l.has_history) load.history = &l.history;
+                         load.constant = !l.has_history;
+                         load.load_case = l.load_case, load.force = whole_force(model, l);
+                         list.push_back(std::move(load));
+                     }
+                     return list;
+                 },
+             .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                 const auto& list = model.declared<MemberLoad>(member_loads_effect);
+                 if (std::none_of(list.begin(), list.end(), [](const MemberLoad& l) { return l.has_history; }))
+                     return {};
+                 return {{4, "a load's history", false, model.asked_at(member_loads_effect)}};
+             }}};
 }
 
 }  // namespace hinge

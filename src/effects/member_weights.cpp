@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "effects/connectors.h"
+#include "effects/joined_bodies.h"
 
 namespace hinge {
 namespace {
@@ -289,26 +289,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
 
 std::vector<char> carried_members(const Structure& s, const State& state, const MemberWeights& weights, const Vec3& g) {
     const Bodies bodies = find_bodies(s, state);
-    std::vector<char> carried(bodies.count, 0);
-    for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
-        for (int c : {0, 1, 2})
-            if (bodies.of_node[n] >= 0 && g[c] != 0 && state.held[n] >> c & 1) carried[bodies.of_node[n]] = 1;
-    const auto& connectors = s.model().declared<Connector>(connectors_effect);
-    for (bool more = true; more;) {
-        more = false;
-        for (const Connector& joint : connectors) {
-            // a node without elements carries where it is held
-            const auto carries = [&](int node) {
-                return node < 0 ||
-                       (bodies.of_node[node] >= 0 ? carried[bodies.of_node[node]] != 0 : state.held[node] != 0);
-            };
-            for (const auto& [by, what] : {std::pair{joint.a, joint.b}, std::pair{joint.b, joint.a}}) {
-                if (what < 0 || bodies.of_node[what] < 0 || carried[bodies.of_node[what]] || !carries(by)) continue;
-                carried[bodies.of_node[what]] = 1;
-                more = true;
-            }
-        }
-    }
+    const std::vector<char> carried = carried_bodies(s, state, bodies, g);
     std::vector<char> of(weights.count(), 0);
     for (int m = 0; m < weights.count(); ++m) {
         const MemberEnds& ends = weights.ends(m);

@@ -87,9 +87,8 @@ private:
     std::vector<int> joints_;
 };
 
-/// Of each member, whether it is whole and its body is carried: a support holds one of the body's nodes in a direction
-/// in which gravity acts, or a connector joins it to the ground or to a body that is carried. What nothing carries
-/// falls, and its weight bends it no more than its inertia does.
+/// Of each member, whether it is whole and its body is carried (carried_bodies). What nothing carries falls, and its
+/// weight bends it no more than its inertia does.
 std::vector<char> carried_members(const Structure& structure, const State& state, const MemberWeights& weights,
                                   const Vec3& g);
 

@@ -197,10 +197,26 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 }  // namespace
 
 EffectKind moving_supports_kind() {
-    return {"moving supports", {}, plan, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {"moving supports",
+            {},
+            plan,
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!w.kind.dynamic || w.structure.model().motions().empty()) return nullptr;
                 return std::make_unique<MovingSupports>(w, host);
-            }};
+            },
+            false,
+            nullptr,
+            {.loads = [](const Model& model) {
+                std::vector<DeclaredLoad> list;
+                for (const SupportMotion& m : model.motions()) {
+                    DeclaredLoad motion{
+                        "the motion of node " + std::to_string(m.node + 1) + " along " + "xyz"[m.component],
+                        "motion of node " + std::to_string(m.node), m.node};
+                    motion.history = &m.displacement, motion.constant = false, motion.motion = true;
+                    list.push_back(std::move(motion));
+                }
+                return list;
+            }}};
 }
 
 }  // namespace hinge

@@ -26,6 +26,14 @@ struct Added {
 /// length.
 constexpr double slender = 1e-3, small_radius = 1e-2;
 
+/// Adds it to what a node carries.
+void attach(const PointMass& m, OffsetMass& to) {
+    to.mass += m.mass;
+    to.moment += m.mass * m.offset;
+    to.inertia += m.inertia.asDiagonal().toDenseMatrix() +
+                  m.mass * (m.offset.squaredNorm() * Mat3::Identity() - m.offset * m.offset.transpose());
+}
+
 class PointMasses : public Effect, public BreakListener {
 public:
     PointMasses(Workspace& w, Host& host) : Effect(point_mass_effect, w, host, {.mean_forces = true}) {
@@ -103,13 +111,6 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 }  // namespace
 
-void attach(const PointMass& m, OffsetMass& to) {
-    to.mass += m.mass;
-    to.moment += m.mass * m.offset;
-    to.inertia += m.inertia.asDiagonal().toDenseMatrix() +
-                  m.mass * (m.offset.squaredNorm() * Mat3::Identity() - m.offset * m.offset.transpose());
-}
-
 EffectKind point_mass_kind() {
     return {point_mass_effect,
             {},
@@ -118,7 +119,16 @@ EffectKind point_mass_kind() {
                 if (w.structure.model().declared<PointMass>(point_mass_effect).empty()) return nullptr;
                 return std::make_unique<PointMasses>(w, host);
             },
-            true};
+            true,
+            nullptr,
+            {.masses = [](const Model& model) {
+                std::vector<AddedMass> list;
+                for (const PointMass& m : model.declared<PointMass>(point_mass_effect)) {
+                    list.push_back({m.node, {}});
+                    attach(m, list.back().mass);
+                }
+                return list;
+            }}};
 }
 
 }  // namespace hinge

@@ -5,8 +5,6 @@
 
 namespace hinge {
 
-struct OffsetMass;
-
 inline constexpr const char* point_mass_effect = "point masses";
 
 /// Attached rigidly to a node, with which it rotates. Offset and axes are those of space before anything has moved.
@@ -21,8 +19,5 @@ struct PointMass {
         a(s.node, s.mass, s.inertia, s.offset);
     }
 };
-
-/// Adds it to what a node carries.
-void attach(const PointMass& m, OffsetMass& to);
 
 }  // namespace hinge

@@ -45,10 +45,10 @@ public:
     virtual ~Force() = default;
     /// Adds the forces in the trial configuration. `time`: that of the configuration, s.
     virtual void add_forces(double time, std::vector<Vec6>& resisting) = 0;
-    /// Adds the derivative of those forces.
-    virtual void add_blocks(const ConfigurationView& at, Blocks& blocks) const = 0;
+    /// Adds the derivative of those forces, for the effective stiffness.
+    virtual void add_blocks(const ConfigurationView& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add now.
-    virtual bool has_blocks() const = 0;
+    virtual bool has_blocks() const { return false; }
     /// Whether the blocks depend on where the nodes are: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
 };

@@ -7,8 +7,7 @@
 #include "script/checks/check.h"
 #include "script/files/run_checkpoint.h"
 #include "script/checks/load_warnings.h"
-#include "effects/member_loads.h"
-#include "effects/point_mass.h"
+#include "effects/declared.h"
 #include "run/dynamics.h"
 #include "script/checks/element_count.h"
 #include "script/checks/size_notice.h"
@@ -128,22 +127,23 @@ void refuse_idle_velocities(const Structure& structure, const State& start) {
 }
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
-    for (const NodalLoad& l : m.loads())
-        if (start.gone[l.node])
+    for (const DeclaredLoad& l : declared_loads(m))
+        if (!l.motion && l.node >= 0 && start.gone[l.node])
             throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
                              ", which has no element left");
 }
 
 bool is_weightless(const Structure& structure) {
-    return structure.model().declared<PointMass>(point_mass_effect).empty() &&
+    return added_masses(structure.model()).empty() &&
            std::none_of(structure.elements().begin(), structure.elements().end(),
                         [](const Element& e) { return e.rigidity.rhoA > 0; });
 }
 
 /// All loads wait for dynamics.
 void refuse_no_loads(const Model& m, int aside) {
-    const std::size_t all = m.loads().size() + m.declared<MemberLoad>(member_loads_effect).size();
-    if (aside == 0 || std::size_t(aside) < all || m.gravity()) return;
+    const std::vector<DeclaredLoad> list = declared_loads(m);
+    const long all = std::count_if(list.begin(), list.end(), [](const DeclaredLoad& l) { return !l.motion; });
+    if (aside == 0 || aside < all || m.gravity()) return;
     throw InputError(
         "model:static: nothing acts: all loads have a history, which is for dynamics; leave the history out, or put "
         "them into a load case and name it, loads = { name = 1 }, which takes them in full");

@@ -22,8 +22,8 @@ std::string checked_model(const RunRecord& record);
 /// `loads`: those that are too large.
 std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads);
 
-/// Pairs of nodes that connectors join.
-std::vector<std::pair<int, int>> joined_by_connectors(const Model& model);
+/// Pairs of nodes that are joined other than by members (node_links), the ground left out.
+std::vector<std::pair<int, int>> linked_nodes(const Model& model);
 
 /// "what (line, and 3 more like it); advice"
 std::string warning_text(const Warning& d);

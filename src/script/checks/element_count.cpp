@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/text.h"
-#include "effects/member_loads.h"
+#include "effects/declared.h"
 #include "script/checks/linear_solution.h"
 
 namespace hinge::script {
@@ -84,7 +84,8 @@ void decide_elements(Model& model) {
     if (!model.has_undecided_elements()) return;
     Model linear = model;
     std::set<int> loaded;
-    for (const MemberLoad& load : model.declared<MemberLoad>(member_loads_effect)) loaded.insert(load.member);
+    for (const DeclaredLoad& load : declared_loads(model))
+        if (load.member >= 0) loaded.insert(load.member);
     for (int i = 0; i < int(model.members().size()); ++i)
         if (const MemberData& m = model.members()[i]; m.elements_by == ElementsBy::undecided)
             linear.set_elements(i,

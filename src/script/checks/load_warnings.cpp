@@ -5,10 +5,9 @@
 #include <set>
 
 #include "core/text.h"
-#include "effects/connectors.h"
 #include "effects/damping.h"
-#include "effects/member_loads.h"
-#include "effects/point_mass.h"
+#include "effects/declared.h"
+#include "effects/joined_bodies.h"
 #include "run/statics.h"
 #include "state/breaking.h"
 
@@ -68,10 +67,11 @@ std::vector<char> free_ends(const Model& model, const std::vector<std::uint8_t>&
     std::vector<int> joined(model.nodes().size(), 0);
     for (const MemberData& m : model.members())
         for (int n : m.node) ++joined[n];
-    for (const Connector& c : model.declared<Connector>(connectors_effect))
-        for (int n : {c.a, c.b})
+    for (const NodeLink& link : node_links(model))
+        for (int n : {link.a, link.b})
             if (n >= 0) ++joined[n];
-    for (const SupportMotion& m : model.motions()) ++joined[m.node];
+    for (const DeclaredLoad& l : declared_loads(model))
+        if (l.motion) ++joined[l.node];
     std::vector<char> free(joined.size(), 0);
     for (std::size_t n = 0; n < free.size(); ++n)
         free[n] = joined[n] == 1 && model.nodes()[n].fixed == 0 && (n >= held.size() || held[n] == 0);
@@ -144,26 +144,15 @@ struct UsedHistory {
 
 /// What has a history given as points, and acts in this run for the first time; of those that share one the first.
 std::vector<UsedHistory> histories_of(const Model& m, const Model* before) {
+    const std::vector<DeclaredLoad> there = before ? declared_loads(*before) : std::vector<DeclaredLoad>();
     std::vector<UsedHistory> list;
     std::set<const History::Points*> seen;
-    const auto add = [&](const History& h, const std::string& of, const std::string& asked, bool is_new) {
-        if (h.points() && is_new && seen.insert(h.points()).second) list.push_back({&h, of, m.asked_at(asked)});
-    };
-    const auto is_new = [](const auto& there, const auto& same) {
-        return std::none_of(there.begin(), there.end(), same);
-    };
-    for (const NodalLoad& l : m.loads())
-        add(l.history, "the load on node " + std::to_string(l.node + 1), "load " + std::to_string(l.number),
-            !before || is_new(before->loads(), [&](const NodalLoad& b) { return b.number == l.number; }));
-    for (const MemberLoad& l : m.declared<MemberLoad>(member_loads_effect))
-        add(l.history, "the load on member " + std::to_string(l.member + 1), "member load " + std::to_string(l.number),
-            !before || is_new(before->declared<MemberLoad>(member_loads_effect),
-                              [&](const MemberLoad& b) { return b.number == l.number; }));
-    for (const SupportMotion& s : m.motions())
-        add(s.displacement, "the motion of node " + std::to_string(s.node + 1) + " along " + "xyz"[s.component],
-            "motion of node " + std::to_string(s.node),
-            !before || is_new(before->motions(),
-                              [&](const SupportMotion& b) { return b.node == s.node && b.component == s.component; }));
+    for (const DeclaredLoad& l : declared_loads(m)) {
+        const bool is_new = std::none_of(there.begin(), there.end(),
+                                         [&](const DeclaredLoad& b) { return b.asked == l.asked && b.what == l.what; });
+        if (is_new && l.history && l.history->points() && seen.insert(l.history->points()).second)
+            list.push_back({l.history, l.what, m.asked_at(l.asked)});
+    }
     return list;
 }
 
@@ -306,8 +295,8 @@ std::vector<Warning> lone_velocities(const Structure& s, const State& start, con
     for (const MemberData& m : model.members())
         if (given(m.node[0]) && given(m.node[1])) alone[m.node[0]] = alone[m.node[1]] = 0;
     std::vector<double> masses(alone.size(), 0);  // J
-    for (const PointMass& m : model.declared<PointMass>(point_mass_effect))
-        masses[m.node] += 0.5 * m.mass * start.velocity[m.node].head<3>().squaredNorm();
+    for (const AddedMass& m : added_masses(model))
+        masses[m.node] += 0.5 * m.mass.mass * start.velocity[m.node].head<3>().squaredNorm();
     std::vector<Warning> list;
     State only;
     for (std::size_t n = 0; n < alone.size(); ++n) {
@@ -382,8 +371,7 @@ std::vector<Warning> empty_cases(const ScriptModel& m, const LoadChoice& choice,
     const auto note = [&](int load_case) {
         if (load_case >= 0) holds[load_case] = 1;
     };
-    for (const NodalLoad& l : m.loads()) note(l.load_case);
-    for (const MemberLoad& l : m.declared<MemberLoad>(member_loads_effect)) note(l.load_case);
+    for (const DeclaredLoad& l : declared_loads(m)) note(l.load_case);
     note(m.gravity_case.value_or(-1));
     std::vector<Warning> list;
     for (std::size_t i = 0; i < holds.size(); ++i)

@@ -1,7 +1,7 @@
 // Likely mistakes that hinge run prints before the mechanism or the failure that may follow.
 #include <algorithm>
 
-#include "effects/connectors.h"
+#include "effects/declared.h"
 #include "script/checks/check.h"
 #include "script/record/events.h"
 
@@ -16,10 +16,10 @@ constexpr int most_solved = 2000;            ///< nodes, where a linear solution
 
 }  // namespace
 
-std::vector<std::pair<int, int>> joined_by_connectors(const Model& model) {
+std::vector<std::pair<int, int>> linked_nodes(const Model& model) {
     std::vector<std::pair<int, int>> pairs;
-    for (const Connector& c : model.declared<Connector>(connectors_effect))
-        if (c.a >= 0 && c.b >= 0) pairs.emplace_back(c.a, c.b);
+    for (const NodeLink& link : node_links(model))
+        if (link.a >= 0 && link.b >= 0) pairs.emplace_back(link.a, link.b);
     return pairs;
 }
 
@@ -44,7 +44,7 @@ void look_over(Context& c, const Model& model) {
     c.messages.of_units.reset();
     if (!c.mode.looks_over || c.messages.looked_over >= most_models || model.members().size() > most_members) return;
     ++c.messages.looked_over;
-    const std::vector<Warning> list = warnings(model, joined_by_connectors(model));
+    const std::vector<Warning> list = warnings(model, linked_nodes(model));
     c.messages.of_units = of_units(list);
     for (const Warning& w : list) tell(c, w);
 }

@@ -5,7 +5,7 @@
 #include "contact/segments.h"
 #include "core/text.h"
 #include "effects/contact.h"
-#include "effects/damping.h"
+#include "effects/joined_bodies.h"
 #include "model/member_text.h"
 #include "script/checks/load_warnings.h"
 

@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "core/text.h"
-#include "effects/member_loads.h"
-#include "effects/point_mass.h"
+#include "effects/declared.h"
 #include "script/checks/load_warnings.h"
 
 namespace hinge::script {
@@ -27,17 +26,6 @@ struct Weights {
     double all() const { return members + point_masses + loads(); }
 };
 
-/// The part of a load on a member along `down`, N.
-double load_along(const MemberLoad& l, const Vec3& chord, const Vec3& down) {
-    if (!l.spread()) return l.force[0].dot(down);
-    const auto length = [&](const Vec3& force) {
-        if (l.axes != LoadAxes::projected || force.isZero(0)) return chord.norm();
-        const Vec3 along = force.normalized();
-        return (chord - chord.dot(along) * along).norm();
-    };
-    return 0.5 * (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]).dot(down);
-}
-
 /// None where the model has no gravity.
 std::optional<Weights> weights_of(const Structure& s) {
     const Model& model = s.model();
@@ -45,15 +33,10 @@ std::optional<Weights> weights_of(const Structure& s) {
     const double g = model.gravity()->norm();
     const Vec3 down = *model.gravity() / g;
     Weights w;
-    for (const NodalLoad& l : model.loads())
-        if (!l.history && !l.follows_state()) w.on_nodes += l.force.dot(down);
-    for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
-        if (l.has_history || l.axes == LoadAxes::local) continue;
-        const auto& node = model.members()[l.member].node;
-        w.on_members += load_along(l, model.nodes()[node[1]].position - model.nodes()[node[0]].position, down);
-    }
+    for (const DeclaredLoad& l : declared_loads(model))
+        if (l.constant) (l.member >= 0 ? w.on_members : w.on_nodes) += l.force.dot(down);
     for (const Element& e : s.elements()) w.mass += e.mass();
-    for (const PointMass& m : model.declared<PointMass>(point_mass_effect)) w.point_mass += m.mass;
+    for (const AddedMass& m : added_masses(model)) w.point_mass += m.mass.mass;
     w.members = g * w.mass, w.point_masses = g * w.point_mass;
     return w;
 }

@@ -6,8 +6,7 @@
 
 #include "beam/fracture.h"
 #include "beam/yield.h"
-#include "effects/connectors.h"
-#include "effects/ground.h"
+#include "effects/declared.h"
 #include "run/statics.h"
 #include "state/configuration.h"
 #include "state/turned_ends.h"
@@ -84,8 +83,8 @@ output::Snapshot make_snapshot(const Run& run) {
     snapshot.held = structure.fixed();
     for (std::size_t m = 0; m < structure.model().members().size(); ++m)
         for (const int g : structure.model().members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
-    for (const Connector& c : structure.model().declared<Connector>(connectors_effect))
-        if (c.a >= 0) snapshot.connected.push_back({c.a, c.b});
+    for (const NodeLink& link : node_links(structure.model()))
+        if (link.a >= 0) snapshot.connected.push_back({link.a, link.b});
     std::map<const Section*, int> shape_at;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
@@ -122,7 +121,7 @@ output::Snapshot make_snapshot(const Run& run) {
         snapshot.bars.push_back(bar);
     }
     add_loads(snapshot, run);
-    for (const GroundPlane& plane : structure.model().declared<GroundPlane>(ground_effect))
+    for (const DeclaredPlane& plane : declared_planes(structure.model()))
         snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});
     return snapshot;
 }

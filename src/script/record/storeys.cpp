@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "effects/connectors.h"
+#include "effects/declared.h"
 
 namespace hinge::script {
 namespace {
@@ -21,8 +21,8 @@ public:
     explicit Bodies(const Model& model) : root_(model.nodes().size()) {
         std::iota(root_.begin(), root_.end(), 0);
         for (const MemberData& m : model.members()) root_[std::size_t(of(m.node[0]))] = of(m.node[1]);
-        for (const Connector& c : model.declared<Connector>(connectors_effect))
-            if (c.a >= 0) root_[std::size_t(of(c.a))] = of(c.b);
+        for (const NodeLink& link : node_links(model))
+            if (link.a >= 0) root_[std::size_t(of(link.a))] = of(link.b);
     }
     int of(int node) {
         auto& up = root_;
@@ -49,8 +49,8 @@ std::vector<int> storeys_of(const Structure& structure) {
     };
     for (std::size_t n = 0; n < model.nodes().size(); ++n)
         if (model.nodes()[n].fixed & 4) support(int(n));  // uz
-    for (const Connector& c : model.declared<Connector>(connectors_effect))
-        if (c.a < 0) support(c.b);
+    for (const NodeLink& link : node_links(model))
+        if (link.a < 0) support(link.b);
     const auto stands = [&](const MemberData& m) { return supported[std::size_t(bodies.of(m.node[0]))] != 0; };
 
     std::vector<double> heights, floors;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "effects/point_mass.h"
+#include "effects/declared.h"
 #include "script/checks/element_count.h"
 #include "script/record/element_events.h"
 #include "script/checks/plan.h"
@@ -21,11 +21,11 @@ Json energy_json(const Run& run) {
     return j;
 }
 
-/// Of all members and point masses, kg.
+/// Of all members and added masses, kg.
 double mass_of(const Structure& s) {
     double mass = 0;
     for (const Element& e : s.elements()) mass += e.mass();
-    for (const PointMass& m : s.model().declared<PointMass>(point_mass_effect)) mass += m.mass;
+    for (const AddedMass& m : added_masses(s.model())) mass += m.mass.mass;
     return mass;
 }
 
