@@ -35,4 +35,11 @@ std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {
     return lines;
 }
 
+void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan) {
+    for (const EffectKind& kind : all_effects())
+        if (std::find(kind.stages.begin(), kind.stages.end(), stage) != kind.stages.end())
+            for (PlanLine& line : plan)
+                if (line.active && line.name == kind.name) line.seconds += seconds;
+}
+
 }  // namespace hinge

@@ -13,4 +13,7 @@ std::vector<ElementDamping> damping_of(const Structure& structure);
 /// What is simulated and what is not, and why.
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind);
 
+/// Counts the time of a stage, s, for the effect that names it (EffectKind::stages), where that is active.
+void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan);
+
 }  // namespace hinge

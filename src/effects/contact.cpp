@@ -312,7 +312,8 @@ EffectKind contact_kind() {
             {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
                 if (!calls_functions(model)) return {};
                 return {{1, "a function in model:contact", true, model.asked_at("contact")}};
-            }}};
+            }},
+            {"contact", "contact ends", "events"}};
 }
 
 }  // namespace hinge

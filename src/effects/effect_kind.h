@@ -30,6 +30,8 @@ struct EffectKind {
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
     /// What a model declares of it.
     Declarer declarer = {};
+    /// Stages of a step whose time counts for its first line of the plan.
+    std::vector<const char*> stages = {};
 };
 
 }  // namespace hinge

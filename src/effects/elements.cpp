@@ -61,9 +61,22 @@ EffectKind inertia_kind() {
              {"elastic", 30, "strain energy of the elements", {}, true},
              {"numerical", 90, "taken out by a dissipative integrator", {}, true}},
             inertia_plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> { return std::make_unique<Elements>(w, host); }};
+            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> { return std::make_unique<Elements>(w, host); },
+            false,
+            nullptr,
+            {},
+            {"predict", "stiffness", "solve", "correct", "accelerate", "step control", "commit"}};
 }
 
-EffectKind large_displacement_kind() { return {"large displacement", {}, large_displacement_plan, nullptr}; }
+EffectKind large_displacement_kind() {
+    return {"large displacement",
+            {},
+            large_displacement_plan,
+            nullptr,
+            false,
+            nullptr,
+            {},
+            {"recover stresses", "mean forces"}};
+}
 
 }  // namespace hinge

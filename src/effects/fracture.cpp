@@ -597,7 +597,8 @@ EffectKind fracture_kind() {
             {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
                 if (!calls_functions(model)) return {};
                 return {{0, "a function in model:fracture", true, model.asked_at("fracture")}};
-            }}};
+            }},
+            {"restart", "fracture"}};
 }
 
 }  // namespace hinge

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/lanes.h"
+#include "core/thread_pool.h"
 #include "effects/clamped_member.h"
 
 namespace hinge {

@@ -81,7 +81,11 @@ EffectKind plasticity_kind() {
                 const bool flowed = std::any_of(hinges.begin(), hinges.end(), [](int h) { return h != 0; });
                 if (!w.structure.can_yield() && !flowed) return nullptr;
                 return std::make_unique<Plasticity>(w, host);
-            }};
+            },
+            false,
+            nullptr,
+            {},
+            {"yield"}};
 }
 
 }  // namespace hinge

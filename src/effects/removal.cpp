@@ -89,7 +89,10 @@ EffectKind removal_kind() {
                 if (!built::fracture || !w.kind.dynamic || declared(w.structure).empty()) return nullptr;
                 return std::make_unique<Removals>(w, host);
             },
-            true};
+            true,
+            nullptr,
+            {},
+            {removal_effect}};
 }
 
 }  // namespace hinge

@@ -9,7 +9,7 @@ namespace hinge {
 class CentralDifferences : public Integrator {
 public:
     CentralDifferences(Workspace& w, KeptMass& mass, Stages& stages)
-        : Integrator(w, mass, stages), accelerate_(stages.add("accelerate", "inertia")) {
+        : Integrator(w, mass, stages), accelerate_(stages.add("accelerate")) {
         w.assembly.set_return_tolerance(one_solution);
     }
 

@@ -64,20 +64,19 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
             for (int n : e.node) lumped_[n] += 0.5 * e.mass();
     }
 
-    at_.loads = stages_.add("loads", "loads");
-    if (meets_) at_.contact = stages_.add("contact", "contact");
-    if (breaks_or_parts_) at_.restart = stages_.add("restart", "fracture");
-    at_.predict = stages_.add("predict", "inertia");
-    at_.recover = stages_.add("recover stresses", "large displacement");
+    at_.loads = stages_.add("loads");
+    if (meets_) at_.contact = stages_.add("contact");
+    if (breaks_or_parts_) at_.restart = stages_.add("restart");
+    at_.predict = stages_.add("predict");
+    at_.recover = stages_.add("recover stresses");
     if (explicit_steps()) integrator_ = std::make_unique<CentralDifferences>(w_, mass_, stages_);
     else if (settings_.conserving) integrator_ = std::make_unique<EnergyMomentum>(w_, mass_, stages_, settings_);
     else integrator_ = std::make_unique<Newmark>(w_, mass_, stages_, settings_);
     at_.correct = integrator_->correct_stage();
-    if (meets_) at_.ends = stages_.add("contact ends", "contact");
-    if (settings_.controlled()) at_.control = stages_.add("step control", "inertia");
-    if (const auto& list = effects_->breakers; decides_)
-        at_.decide = stages_.add(list.front()->decides(), list.front()->decides());
-    at_.commit = stages_.add("commit", "inertia");
+    if (meets_) at_.ends = stages_.add("contact ends");
+    if (settings_.controlled()) at_.control = stages_.add("step control");
+    if (const auto& list = effects_->breakers; decides_) at_.decide = stages_.add(list.front()->decides());
+    at_.commit = stages_.add("commit");
 
     assembly_.take_up(state_);
     std::vector<Vec6> out_of_balance;
@@ -135,9 +134,6 @@ void Dynamics::stage(int stage, F f) {
 
 /// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
-    const auto each = [this](const auto& list, auto does) {
-        for (const auto& e : list) (e.role->*does)(step_);
-    };
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
     integrator_->remedy = nullptr;
@@ -151,15 +147,11 @@ void Dynamics::take_step() {
         if (step_.failure.empty()) integrator_->solve(step_);  // [yield: eq 10a], effective stiffness, eq 15
         stage(at_.correct, [&] { more = correct(); });
     }
-    stage(at_.recover, [&] { settle(); });  // stresses where a long step has led
-    if (meets_)
-        stage(at_.ends, [&] {
-            each(effects_->contact_laws, &ContactLaw::end);
-        });  // [ties that are due, contacts that began or ended]
+    stage(at_.recover, [&] { settle(); });                 // stresses where a long step has led
+    if (meets_) stage(at_.ends, [&] { end_contacts(); });  // [ties that are due, contacts that began or ended]
     if (settings_.controlled()) stage(at_.control, [&] { control_step(); });  // [whether the step is kept]
-    if (decides_)
-        stage(at_.decide, [&] { each(effects_->breakers, &Breaker::decide); });  // [eq 16; the script is told]
-    stage(at_.commit, [&] { commit(); });                                        // what was tried becomes the state
+    if (decides_) stage(at_.decide, [&] { decide(); });                       // [eq 16; the script is told]
+    stage(at_.commit, [&] { commit(); });                                     // what was tried becomes the state
 }
 
 void Dynamics::begin_step() {
@@ -221,6 +213,14 @@ void Dynamics::settle() {
         integrator_->recovered_last();
     }
     if (assembly_.unreturned() >= 0) step_.failure = assembly_.failure();
+}
+
+void Dynamics::end_contacts() {
+    for (const auto& law : effects_->contact_laws) law->end(step_);
+}
+
+void Dynamics::decide() {
+    for (const auto& breaker : effects_->breakers) breaker->decide(step_);
 }
 
 /// What was tried becomes the state.

@@ -67,6 +67,8 @@ private:
     void recover(double time);
     bool correct();
     void settle();
+    void end_contacts();
+    void decide();
     void control_step();
     bool is_abrupt();
     double motion_of_trial() const;

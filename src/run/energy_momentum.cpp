@@ -48,10 +48,10 @@ EnergyMomentum::EnergyMomentum(Workspace& w, KeptMass& mass, Stages& stages, con
       settings_(settings),
       most_iterations_(settings.iterations ? settings.iterations : 40),
       tolerance_(settings.tolerance) {
-    forces_stage_ = stages.add("mean forces", "large displacement");
-    stiffness_stage_ = stages.add("stiffness", "inertia");
-    solve_stage_ = stages.add("solve", "inertia");
-    correct_stage_ = stages.add("correct", "inertia");
+    forces_stage_ = stages.add("mean forces");
+    stiffness_stage_ = stages.add("stiffness");
+    solve_stage_ = stages.add("solve");
+    correct_stage_ = stages.add("correct");
     const std::size_t nodes = w.structure.position().size(), elements = w.structure.elements().size();
     for (std::vector<Vec6>* list : {&held_by_effects_, &load_, &internal_, &momentum_})
         list->assign(nodes, Vec6::Zero());

@@ -79,10 +79,10 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
         if (newton) tolerance_ = std::max(tolerance_, 1e-6);
     }
     if (iterations_ == 1) w.assembly.set_return_tolerance(one_solution);
-    if (can_yield) yield_stage_ = stages.add("yield", "plasticity");
-    stiffness_stage_ = stages.add("stiffness", "inertia");
-    solve_stage_ = stages.add("solve", "inertia");
-    correct_stage_ = stages.add("correct", "inertia");
+    if (can_yield) yield_stage_ = stages.add("yield");
+    stiffness_stage_ = stages.add("stiffness");
+    solve_stage_ = stages.add("solve");
+    correct_stage_ = stages.add("correct");
     const std::size_t nodes = w.structure.position().size();
     lumped_.assign(nodes, 0);
     for (const Vec3& x : w.structure.position()) unseen_ = std::max(unseen_, x.cwiseAbs().maxCoeff());

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "effects/run_warning.h"
+#include "effects/reports.h"
 #include "run/newton.h"
 
 namespace hinge {

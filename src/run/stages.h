@@ -4,15 +4,15 @@
 #include <chrono>
 #include <vector>
 
+#include "effects/all_effects.h"
 #include "run/run.h"
 
 namespace hinge {
 
 class Stages {
 public:
-    /// `effect`: the plan's name of what the time counts for.
-    int add(const char* name, const char* effect) {
-        list_.push_back({name, effect});
+    int add(const char* name) {
+        list_.push_back({name});
         return int(list_.size()) - 1;
     }
     template <class F>
@@ -27,9 +27,7 @@ public:
         return times;
     }
     void add_to(std::vector<PlanLine>& plan) const {
-        for (PlanLine& line : plan)
-            for (const Stage& s : list_)
-                if (line.name == s.effect) line.seconds += s.seconds;
+        for (const Stage& s : list_) add_stage_time(s.name, s.seconds, plan);
     }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -38,7 +36,7 @@ public:
 
 private:
     struct Stage {
-        const char *name, *effect;
+        const char* name;
         double seconds = 0;
     };
     std::vector<Stage> list_;

@@ -31,8 +31,8 @@ StaticTangent::StaticTangent(const StaticProblem& problem, StaticForces& forces,
       forces_(forces),
       matrix_(make_matrix(problem, MatrixStorage::direct)),
       stages_(stages),
-      build_stage_(stages.add("stiffness", "")),
-      factorise_stage_(stages.add("solve", "")) {}
+      build_stage_(stages.add("stiffness")),
+      factorise_stage_(stages.add("solve")) {}
 
 void StaticTangent::keep_unsymmetric() {
     matrix_ = make_matrix(problem_, MatrixStorage::unsymmetric);

@@ -16,7 +16,7 @@ StaticForces::StaticForces(const StaticProblem& problem, Stages& stages)
       follow_(any_follows()),
       potential_(w_.external.size(), Vec6::Zero()),
       stages_(stages),
-      recover_stage_(stages.add("recover stresses", "large displacement")) {
+      recover_stage_(stages.add("recover stresses")) {
     find_loads();
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/files.h"
+#include "effects/all_effects.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {

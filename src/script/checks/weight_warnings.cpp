@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "effects/declared.h"
+#include "effects/point_mass.h"
 #include "script/checks/load_warnings.h"
 
 namespace hinge::script {
