@@ -35,7 +35,7 @@ Names names(const RoleList<Role>& list) {
     return of;
 }
 
-/// A steel portal with weight, a load, rules of fracture and contact; `add`: what else its model has.
+/// The effects of a steel column with weight and a load; `breaks`: with rules of fracture and contact.
 template <class Check>
 void with_effects(bool dynamic, bool breaks, Check check) {
     Frame frame;
@@ -54,8 +54,8 @@ void with_effects(bool dynamic, bool breaks, Check check) {
     std::unordered_map<int, Vec6> reaction;
     RunKind kind;
     kind.dynamic = dynamic, kind.dt = 1e-3;
-    Workspace w{*structure, state, pool,        assembly, kind, {},      configuration_of(state), 1, {},
-                {},         {},    state.force, {},       {},   reaction};
+    Workspace w{*structure, state, pool,     assembly, kind, {}, configuration_of(state), 1, {}, {}, {}, state.force,
+                {},         {},    reaction, {},       {},   {}};
     NoRun run;
     check(EffectList(w, run));
 }
