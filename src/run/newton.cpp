@@ -57,6 +57,8 @@ bool Newton::find_from_trial(PathControl& control, double increment) {
     return iterate(control, increment, 0, false);
 }
 
+void Newton::recover() { forces_.recover(); }
+
 bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on) {
     for (Vec3& m : w_.rotation_step) m.setZero();
     for (Vec6& v : total_) v.setZero();

@@ -33,6 +33,8 @@ public:
     void set_result(NewtonResult result) { result_ = std::move(result); }
     /// Finds the response of the tangent that is factorised. False where there is none.
     bool find_response();
+    /// Recovers the stresses and the forces of all effects at the trial.
+    void recover();
     /// True if an iteration of find had a tangent with more negative eigenvalues than where the run begins.
     bool passed_unstable() const { return passed_unstable_; }
     /// Elements that yield at the last equilibrium.

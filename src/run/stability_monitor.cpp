@@ -64,7 +64,6 @@ bool StabilityMonitor::unloading_returns(PathControl& control, double increment)
     const Configuration arrived = w_.trial;
     const std::vector<Vec3> rotation_step = w_.rotation_step;
     const double factor = w_.factor;
-    const auto kept = std::tuple(w_.force, w_.resisting, w_.external);
     const bool found = newton_.find_from_trial(control, -increment);
     double off = 0, way = 0;
     for (std::size_t i = 0; i < arrived.displacement.size(); ++i) {
@@ -72,7 +71,7 @@ bool StabilityMonitor::unloading_returns(PathControl& control, double increment)
         way = std::max(way, (arrived.displacement[i] - w_.state.displacement[i]).norm());
     }
     w_.trial = arrived, w_.rotation_step = rotation_step, w_.factor = factor;
-    std::tie(w_.force, w_.resisting, w_.external) = kept;
+    newton_.recover();  // effects have the forces of this place again: a connector keeps that of its law
     w_.yielding.clear();
     newton_.set_result(result);
     return !newton_.passed_unstable() && (!found || off <= comes_back * way);

@@ -85,6 +85,23 @@ case("a force law with a kink gives its force and the energy below it", function
   end
 end)
 
+-- Elastic steps that take many iterations are unloaded again, to see whether they come back.
+for _, steps in ipairs { 1, 20 } do
+  case(("a force law has the force of its deformation after long steps: %d"):format(steps), function()
+    local model = hinge.model { elements_per_member = 4 }
+    local wall, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+    model:fix(wall)
+    model:member { wall, tip, section = hinge.section.solid { width = 0.02, depth = 0.02 }, material = steel }
+    local function law(u) return 1e3 * u + 2e2 * u ^ 3 end
+    local c = model:connector { tip, ground = true, law = { z = law } }
+    model:load { node = tip, force = { 0, 0, -1500 } }
+    local run = model:static { steps = steps }:finish()
+    local u, F = select(3, c:deformation(run)), select(3, c:force(run))
+    expect(u < -0.9, "the tip has moved by %g m", u)
+    near(F, law(u), 1e-12 * math.abs(law(u)), "force of the law")
+  end)
+end
+
 case("a curve given for both signs acts by its sign", function()
   local model, left = sliding_bar()
   local c = model:connector { left, ground = true,
