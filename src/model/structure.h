@@ -56,7 +56,8 @@ public:
     std::vector<Vec6> initial_velocity() const;
     /// Elements at a node, in rising order.
     std::span<const int> elements_at(int node) const {
-        return {&at_[first_at_[node]], std::size_t(first_at_[node + 1] - first_at_[node])};
+        return {&elements_of_nodes_[first_element_[node]],
+                std::size_t(first_element_[node + 1] - first_element_[node])};
     }
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
@@ -77,19 +78,28 @@ public:
     std::string element_name(int element) const;  ///< "element 2 of member 31 (columns), nodes 4-9"
 
 private:
-    std::shared_ptr<const Model> model_;
-    MassKind mass_;
-    std::vector<Vec3> position_;
-    std::vector<std::uint8_t> fixed_;
-    std::vector<Element> elements_;
     struct Kind {
         Quat axes;
         beam::Rigidity rigidity;
         beam::Stiffness stiffness;
         beam::YieldSurface yield;
     };
+    struct KindIndex;  // kinds by section, material, length, integration point and axes
+
+    void add_declared_nodes();
+    void add_elements(int member, KindIndex& kinds);
+    int add_inner_node(const Vec3& position);
+    const Kind& kind_of(const MemberData& member, const Quat& axes, double length, double s, KindIndex& kinds);
+    void list_elements_of_nodes();
+
+    std::shared_ptr<const Model> model_;
+    MassKind mass_;
+    std::vector<Vec3> position_;
+    std::vector<std::uint8_t> fixed_;
+    std::vector<Element> elements_;
     std::deque<Kind> kinds_;
-    std::vector<int> first_at_, at_;  // elements of each node
+    std::vector<int> elements_of_nodes_;  ///< indices of the elements, node by node
+    std::vector<int> first_element_;      ///< of each node: its first place in elements_of_nodes_; then the end
     bool can_yield_ = false;
 };
 
