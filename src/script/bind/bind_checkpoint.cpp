@@ -48,7 +48,11 @@ struct Beside {
 
 void write_checkpoint(lua_State* L, const Context& c, const RunRecord& r, const std::string& path) {
     const auto* run = dynamic_cast<const Dynamics*>(r.run.get());
-    Beside beside{r, (r.history_path.empty() ? r.past : read_whole(r.history_path)) + r.rows, {}, c.output.frames, ""};
+    Beside beside{r,
+                  (r.files.history_path.empty() ? r.files.past : read_whole(r.files.history_path)) + r.files.rows,
+                  {},
+                  c.output.frames,
+                  ""};
     if (r.checkpoint && r.checkpoint->keep) {
         r.checkpoint->keep->push(L);
         beside.kept = pack_table(L, -1, "model:dynamic, checkpoint: keep");
@@ -105,9 +109,9 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
     }
     static_cast<Recorded&>(r) = std::move(beside.recorded);
     for (std::size_t i = 0; i < r.probes.size(); ++i) *r.probes[i] = std::move(beside.probes[i]);
-    r.past = std::move(beside.history);
+    r.files.past = std::move(beside.history);
     c.output.frames = std::move(beside.frames);
-    r.wakings_seen = r.run->activations().size();
+    r.progress.activations_seen = r.run->activations().size();
     r.resumed_at = r.run->steps_done();
     if (c.messages.progress) std::fprintf(stderr, "goes on from %s: %s\n", path.c_str(), place_text(*r.run).c_str());
 }

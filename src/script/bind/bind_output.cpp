@@ -66,80 +66,104 @@ int planning(lua_State* L) {
     return 1;
 }
 
-/// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
-
 constexpr int most_failed = 10;  ///< lines about runs that failed before the last one
 
+/// Verdict of the script, and why.
+struct Outcome {
+    std::string verdict = "completed", reason;
+};
+
+/// That of the last run, or of the one before it that failed without the script having asked for its verdict.
+Outcome outcome_of_runs(const Context& c) {
+    if (!c.runs.last) return {};
+    const RunRecord& r = *c.runs.last;
+    const bool running = r.run->verdict() == Verdict::running;
+    Outcome out{running ? "stopped" : name(verdict_of(r)),
+                running ? "the script stopped before the last step" : reason_of(r)};
+    if (is_weak(r)) out = {"failed", reason_of(r)};
+    if (const std::string other = unasked_failure(c); out.verdict != "failed" && !other.empty())
+        out = {"failed", other};
+    return out;
+}
+
+/// A script some of whose files could not be written has failed.
+void count_lost_files(const Context& c, Outcome& out) {
+    const auto& lost = c.output.lost;
+    if (lost.empty()) return;
+    const std::string missing =
+        lost.front() + (lost.size() > 1 ? "; and " + std::to_string(lost.size() - 1) + " more" : "");
+    out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing};
+}
+
+std::string hash_text(const State& state) {
+    char t[20];
+    std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(state));
+    return t;
+}
+
+/// Lists the runs that failed before the last one, whose failure is the verdict and is told by itself.
+void list_failed_runs(const Context& c, Json& j) {
+    int told = 0;
+    for (const auto& [number, text] : c.runs.failed) {
+        if (c.runs.last && number == c.runs.last->number) continue;
+        j["failed_runs"].push_back(text);
+        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    }
+    if (told > most_failed)
+        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
+}
+
+/// Warns of a script that made runs and never stepped one.
+void warn_of_idle_runs(const Context& c, Json& j) {
+    const int idle = c.runs.made - c.runs.begun;
+    if (idle <= 0 || c.runs.begun > 0) return;
+    const std::string text = count_text(idle, "run") + " made, and none has taken a step";
+    j["warnings"].push_back(text);
+    if (c.messages.warns)
+        std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
+                     text.c_str());
+}
+
+/// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
 /// with the verdict and reason of `whole` where the script says how all its runs went. Returns verdict, reason.
 int write_summary(lua_State* L) {
     const auto c = context(L);
-    Json j;
-    std::string verdict = "completed", reason;
     const auto field = [&](const char* name) {
         lua_getfield(L, 1, name);
         Json v = to_json(L, -1, 0);
         lua_pop(L, 1);
         return v;
     };
-    if (const auto& r = c->runs.last) {
-        tell_findings(*c, *r);
-        const Run& run = *r->run;
-        verdict = run.verdict() == Verdict::running ? "stopped" : name(verdict_of(*r));
-        reason = run.verdict() == Verdict::running ? "the script stopped before the last step" : reason_of(*r);
-        if (is_weak(*r)) verdict = "failed", reason = reason_of(*r);
-        if (const std::string other = unasked_failure(*c); verdict != "failed" && !other.empty())
-            verdict = "failed", reason = other;
-    }
+    Json j;
+    if (c->runs.last) tell_findings(*c, *c->runs.last);
+    Outcome out = outcome_of_runs(*c);
     if (const Json whole = field("whole"); !whole.is_null())
-        verdict = whole.value("verdict", verdict), reason = whole.value("reason", "");
-    if (!c->output.lost.empty()) {
-        const std::string missing =
-            c->output.lost.front() +
-            (c->output.lost.size() > 1 ? "; and " + std::to_string(c->output.lost.size() - 1) + " more" : "");
-        reason = (verdict == "failed" ? reason + "; " : "") + "not all was written: " + missing;
-        verdict = "failed";
-        j["lost"] = c->output.lost;
-    }
-    j["verdict"] = verdict;
-    if (!reason.empty()) j["reason"] = reason;
+        out = {whole.value("verdict", out.verdict), whole.value("reason", "")};
+    count_lost_files(*c, out);
+    if (!c->output.lost.empty()) j["lost"] = c->output.lost;
+    j["verdict"] = out.verdict;
+    if (!out.reason.empty()) j["reason"] = out.reason;
     for (const char* name : {"script", "case", "parameters"})
         if (Json v = field(name); !v.is_null()) j[name] = v;
     j["hinge"] = HINGE_VERSION;
     if (const auto& r = c->runs.last) {
         describe_run(j, *r);
-        j["state_hash"] = [&] {
-            char t[20];
-            std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(r->run->state()));
-            return std::string(t);
-        }();
+        j["state_hash"] = hash_text(r->run->state());
     }
     Json results = field("results");
     j["results"] = results.is_null() ? Json::object() : results;
     if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
     if (!c->messages.warned.empty()) j["warnings"] = c->messages.warned;
-    int told = 0;  // the last run's failure is the verdict, which is told by itself
-    for (const auto& [number, text] : c->runs.failed) {
-        if (c->runs.last && number == c->runs.last->number) continue;
-        j["failed_runs"].push_back(text);
-        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
-    }
-    if (told > most_failed)
-        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
-    if (const int idle = c->runs.made - c->runs.begun; idle > 0 && c->runs.begun == 0) {
-        const std::string text = count_text(idle, "run") + " made, and none has taken a step";
-        j["warnings"].push_back(text);
-        if (c->messages.warns)
-            std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
-                         text.c_str());
-    }
+    list_failed_runs(*c, j);
+    warn_of_idle_runs(*c, j);
     if (!c->output.folder.empty()) {
         take_folder(*c);
         if (c->runs.last) leave_happenings(*c, *c->runs.last);
         write_whole(c->output.folder + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     }
     write_event(*c, "summary", {{"folder", c->output.folder}, {"summary", j}});
-    lua_pushstring(L, verdict.c_str());
-    lua_pushstring(L, reason.c_str());
+    lua_pushstring(L, out.verdict.c_str());
+    lua_pushstring(L, out.reason.c_str());
     return 2;
 }
 

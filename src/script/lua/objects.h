@@ -219,10 +219,14 @@ struct RunRecord : Recorded {
     std::shared_ptr<Run> run;
     std::shared_ptr<ScriptModel> model;  ///< the script's own, to know its nodes and groups again
     std::vector<std::shared_ptr<Probe>> probes;
-    long every = 1;    ///< steps between rows of history.csv; 0: none is kept
-    std::string rows;  ///< not yet written
-    std::string history_path, events_path;
-    std::size_t events_written = 0;        ///< of the happenings
+    long every = 1;  ///< steps between rows of history.csv; 0: none is kept
+    /// The files that grow as the run goes.
+    struct Files {
+        std::string history_path, events_path;  ///< history.csv and events.csv; "": the run has none
+        std::string rows;                       ///< of history.csv, not yet written
+        std::string past;                       ///< of history.csv, from a checkpoint
+        std::size_t events_written = 0;         ///< of the happenings
+    } files;
     std::string asked_at;                  ///< the script's line that made the run
     std::vector<Warning> likely_mistakes;  ///< likely mistakes found when it was made
     std::optional<Warning> of_units;       ///< of its model: a value that looks as if in another unit
@@ -233,19 +237,21 @@ struct RunRecord : Recorded {
     bool stepping = false;                 ///< inside a step: the script's functions may not start another
     bool mid_step = false;                 ///< inside a step that was not completed
     std::optional<CheckpointPlan> checkpoint;
-    std::string past;                  ///< of history.csv, from a checkpoint
     long resumed_at = 0;               ///< steps
     std::vector<LuaFunction> on_step;  ///< called after each step
-    std::chrono::steady_clock::time_point start, last_progress, last_write;
-    int number = 0;  ///< of the program's runs that have begun, from 1
-    std::size_t wakings_seen = 0, warnings_seen = 0;
+    int number = 0;                    ///< of the program's runs that have begun, from 1
+    /// Changes of state of an effect.
     struct Changes {
         int awake = 0, asleep = 0;
         double last = 0;  ///< s
     };
-    std::map<std::string, Changes>
-        changes;  ///< of state, by effect: the first of each kind is printed, the others counted
-    bool instability_shown = false;
+    /// What has been printed and written of it so far.
+    struct Progress {
+        std::chrono::steady_clock::time_point start, last_shown, last_write;
+        std::size_t activations_seen = 0, warnings_seen = 0;
+        std::map<std::string, Changes> changes;  ///< by effect: the first of each kind is printed, the others counted
+        bool instability_shown = false;
+    } progress;
     std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
     double last_energy_share = 0;   ///< the energy error as a part of it, also of a balance that no longer closed
     double state_energy_share = 0;  ///< likewise of the last state, to which such a run went back

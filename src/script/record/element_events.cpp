@@ -136,20 +136,20 @@ std::string lines_from(const RunRecord& r, std::size_t first) {
 }  // namespace
 
 void begin_happenings(RunRecord& r, const std::string& path) {
-    r.events_path = path;
-    r.events_written = r.happenings.size();
+    r.files.events_path = path;
+    r.files.events_written = r.happenings.size();
     if (r.happenings.empty()) std::remove(path.c_str());
     else write_whole(path, lines_from(r, 0));
 }
 
 void write_happenings(RunRecord& r) {
-    if (r.events_path.empty() || r.events_written == r.happenings.size()) return;
-    append(r.events_path, lines_from(r, r.events_written));
-    r.events_written = r.happenings.size();
+    if (r.files.events_path.empty() || r.files.events_written == r.happenings.size()) return;
+    append(r.files.events_path, lines_from(r, r.files.events_written));
+    r.files.events_written = r.happenings.size();
 }
 
 void leave_happenings(const Context& c, RunRecord& r) {
-    if (!r.events_path.empty()) return write_happenings(r);
+    if (!r.files.events_path.empty()) return write_happenings(r);
     if (r.begun || !c.runs.writer) begin_happenings(r, c.output.folder + "/events.csv");
 }
 

@@ -15,6 +15,12 @@ int run_history(lua_State* L);  ///< core.run_history(run): the recorded rows
 /// that are not numbers; null: that of the state.
 std::string history_row(const RunRecord& record, const Energy& energy, const LostBalance* lost = nullptr);
 
+/// The balance of a run whose energy no longer balanced, at the moment when this was seen; else null.
+const LostBalance* lost_by(const RunRecord& record);
+/// The energy error as a part of the largest energy: of the state, and of the run, which for a run whose balance no
+/// longer closed is that of the moment at which this was seen, not that of the state to which it went back.
+void weigh_error(RunRecord& record, const Energy& energy);
+
 /// 12 s, 3 min 20 s, 2 h 5 min
 std::string duration_text(double s);
 

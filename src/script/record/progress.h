@@ -1,0 +1,14 @@
+// Messages on a run under way: progress, changes of state, warnings.
+#pragma once
+
+#include "script/lua/objects.h"
+
+namespace hinge::script {
+
+/// Announces a run that takes its first step.
+void tell_of_beginning(const std::shared_ptr<Context>& context, RunRecord& record);
+
+/// Prints what is new since the last step: changes of state, warnings, findings, an instability, progress.
+void tell_step(Context& context, RunRecord& record, bool over);
+
+}  // namespace hinge::script
