@@ -13,7 +13,7 @@
 #include "prompt.h"
 #include "script/files/folders.h"
 #include "script/lua/interrupts.h"
-#include "script/lua/module.h"
+#include "script/lua/lua_module.h"
 #include "script/lua/objects.h"
 #include "version.h"
 

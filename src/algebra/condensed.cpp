@@ -71,10 +71,10 @@ Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : str
             if (colour_[p] == c) by_colour.push_back(order_[p]);
     std::stable_partition(colour_.begin(), colour_.end(), [](Colour c) { return c == Colour::red; });
     order_ = std::move(by_colour);
-    first_.assign(1, 0);
+    row_begin_.assign(1, 0);
     for (int p = 0; p < joints_; ++p) {
         place_[order_[p]] = p;
-        first_.push_back(first_.back() + 1 + int(at(order_[p]).size()));
+        row_begin_.push_back(row_begin_.back() + 1 + int(at(order_[p]).size()));
     }
     lay_out();
 }
@@ -125,29 +125,29 @@ int Condensed<Number>::far(int place, int entry) const {
 template <class Number>
 void Condensed<Number>::lay_out() {
     order_.resize(joints_);
-    first_.resize(joints_ + 1);
-    for (CondensedNode& m : between_) m.kept = false, place_[m.node] = -1;
+    row_begin_.resize(joints_ + 1);
+    for (CondensedNode& m : between_) m.excluded = false, place_[m.node] = -1;
     for (int node : coupled_)
         if (which_[node] >= 0) {
-            between_[which_[node]].kept = true;
+            between_[which_[node]].excluded = true;
             place_[node] = int(order_.size());
             order_.push_back(node);
-            first_.push_back(first_.back() + 1 + between_[which_[node]].count);
+            row_begin_.push_back(row_begin_.back() + 1 + between_[which_[node]].count);
         }
     const int places = int(order_.size());
-    at_.resize(first_.back());
-    via_.resize(first_.back());
-    value_.resize(36 * std::size_t(first_.back()) + 2);
+    column_.resize(row_begin_.back());
+    condensed_side_.resize(row_begin_.back());
+    value_.resize(36 * std::size_t(row_begin_.back()) + 2);
     inverse_.resize(36 * std::size_t(places) + 2);
     for (auto* v : {&x_, &r_, &d_, &q_}) v->resize(stride * std::size_t(places));
     for (int p = 0; p < places; ++p) {
         const int node = order_[p];
-        at_[first_[p]] = p;
-        via_[first_[p]] = -1;
-        for (int k = 1; k < first_[p + 1] - first_[p]; ++k) {
-            at_[first_[p] + k] = far(p, k);
+        column_[row_begin_[p]] = p;
+        condensed_side_[row_begin_[p]] = -1;
+        for (int k = 1; k < row_begin_[p + 1] - row_begin_[p]; ++k) {
+            column_[row_begin_[p] + k] = far(p, k);
             const int next = other_node(structure_.elements()[structure_.elements_at(node)[k - 1]], node);
-            via_[first_[p] + k] =
+            condensed_side_[row_begin_[p] + k] =
                 place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
         }
     }
@@ -156,7 +156,7 @@ void Condensed<Number>::lay_out() {
     staying_.clear();
     going_.clear();
     for (int i = 0; i < int(between_.size()); ++i)
-        if (!between_[i].kept && takes_part(between_[i].node)) going_.push_back(i);
+        if (!between_[i].excluded && takes_part(between_[i].node)) going_.push_back(i);
     for (int p = 0; p < places; ++p) {
         if (!takes_part(order_[p])) continue;
         staying_.push_back(p);
@@ -212,15 +212,17 @@ void Condensed<Number>::renew_between(CondensedNode& m, const ElementMatrices& p
     const Mat6 inverse = inverse_by_halves(parts.own(m.node));
     put(m.inverse, inverse);
     for (int s = 0; s < m.count; ++s)
-        if (parts.empty(m.element[s])) put(m.pull[s], Mat6::Zero());
-        else put(m.pull[s], inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
+        if (parts.empty(m.element[s])) put(m.coupling[s], Mat6::Zero());
+        else
+            put(m.coupling[s],
+                inverse * parts.across(m.element[s], end_at(structure_.elements()[m.element[s]], m.node)));
 }
 
 template <class Number>
 void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
-    const int node = order_[place], begin = first_[place];
+    const int node = order_[place], begin = row_begin_[place];
     Mat6 own = parts.own(node);
-    for (int k = 1; k < first_[place + 1] - begin; ++k) {
+    for (int k = 1; k < row_begin_[place + 1] - begin; ++k) {
         const int element = structure_.elements_at(node)[k - 1];
         const Element& e = structure_.elements()[element];
         const int next = other_node(e, node);
@@ -232,8 +234,8 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
         if (place_[next] < 0) {
             const CondensedNode& m = between_[which_[next]];
             const int here = m.side[0] == node ? 0 : 1;
-            own -= block * get(m.pull[here]);
-            if (m.count == 2) block = -block * get(m.pull[1 - here]);
+            own -= block * get(m.coupling[here]);
+            if (m.count == 2) block = -block * get(m.coupling[1 - here]);
             else block.setZero();
             if (parts.has_bridges() && m.count == 2 && e.partner == m.element[1 - here])
                 block += parts.bridge(std::min(element, e.partner), element < e.partner ? 0 : 1);
@@ -245,7 +247,7 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
 
 template <class Number>
 void Condensed<Number>::renew_inverse(int place) {
-    Mat6 own = get(&value_[36 * std::size_t(first_[place])]);
+    Mat6 own = get(&value_[36 * std::size_t(row_begin_[place])]);
     const int node = order_[place];
     if (!coupled_.empty() && std::binary_search(coupled_.begin(), coupled_.end(), node))
         for (const Coupling& c : couplings_) {
@@ -262,7 +264,7 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
         if (place_[i] >= 0) rows.push_back(place_[i]);
         if (which_[i] < 0) continue;
         const CondensedNode& m = between_[which_[i]];
-        if (!m.kept) taken_out.push_back(which_[i]);
+        if (!m.excluded) taken_out.push_back(which_[i]);
         for (int s = 0; s < m.count; ++s) rows.push_back(place_[m.side[s]]);
     }
     std::sort(rows.begin(), rows.end());
@@ -284,10 +286,10 @@ void Condensed<Number>::reduce(const double* right) {
         for (int i = first; i < end; ++i) {
             const int p = staying_[i];
             Wide sum = load_six(right + 6 * order_[p]);
-            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
-                if (const int via = via_[k]; via >= 0)
-                    sum -=
-                        times_transposed(between_[via / 2].pull[via % 2], load_six(right + 6 * between_[via / 2].node));
+            for (int k = row_begin_[p] + 1; k < row_begin_[p + 1]; ++k)
+                if (const int side = condensed_side_[k]; side >= 0)
+                    sum -= times_transposed(between_[side / 2].coupling[side % 2],
+                                            load_six(right + 6 * between_[side / 2].node));
             store(&r_[stride * p], sum);
         }
     });
@@ -303,7 +305,7 @@ void Condensed<Number>::solve_back(const double* right, double* x) const {
         for (int i = first; i < end; ++i) {
             const CondensedNode& m = between_[going_[i]];
             Wide v = times(m.inverse, right + 6 * m.node);
-            for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &x_[stride * place_[m.side[s]]]);
+            for (int s = 0; s < m.count; ++s) v -= times(m.coupling[s], &x_[stride * place_[m.side[s]]]);
             store_six(x + 6 * m.node, v);
         }
     });
@@ -317,8 +319,8 @@ void Condensed<Number>::follow(double alpha) {
             const int p = red_[i];
             store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
             Row row;
-            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
-                row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            for (int k = row_begin_[p] + 1; k < row_begin_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &d_[stride * column_[k]]);
             double sum[8];
             store(sum, row.sum());
             store(&d_[stride * p], -times(&inverse_[36 * std::size_t(p)], sum));
@@ -334,7 +336,8 @@ double Condensed<Number>::multiply() {
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
             Row row;
-            for (int k = first_[p]; k < first_[p + 1]; ++k) row.add(&value_[36 * std::size_t(k)], &d_[stride * at_[k]]);
+            for (int k = row_begin_[p]; k < row_begin_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &d_[stride * column_[k]]);
             store(&q_[stride * p], row.sum());
             product += six * row.sum() * load(&d_[stride * p]);
         }
@@ -371,8 +374,8 @@ double Condensed<Number>::begin_iterations() {
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
             Row row;
-            for (int k = first_[p] + 1; k < first_[p + 1]; ++k)
-                row.add(&value_[36 * std::size_t(k)], &x_[stride * at_[k]]);
+            for (int k = row_begin_[p] + 1; k < row_begin_[p + 1]; ++k)
+                row.add(&value_[36 * std::size_t(k)], &x_[stride * column_[k]]);
             store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
             product += precondition(&inverse_[36 * std::size_t(p)], &r_[stride * p], &q_[stride * p]);
             store(&d_[stride * p], load(&q_[stride * p]));
@@ -453,7 +456,7 @@ void Condensed<Number>::direction(double* d) const {
     for (int i : going_) {
         const CondensedNode& m = between_[i];
         Wide v{};
-        for (int s = 0; s < m.count; ++s) v -= times(m.pull[s], &d_[stride * place_[m.side[s]]]);
+        for (int s = 0; s < m.count; ++s) v -= times(m.coupling[s], &d_[stride * place_[m.side[s]]]);
         store_six(d + 6 * m.node, v);
     }
 }

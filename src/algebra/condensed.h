@@ -50,12 +50,12 @@ public:
 private:
     enum class Colour : char { between, red, black };
     struct CondensedNode {
-        int node, count;  ///< number of its neighbours, 0 to 2
-        int side[2];      ///< its neighbours
-        int element[2];   ///< that joins it to that neighbour
-        bool kept = false;
-        Number inverse[38];  ///< A_mm^-1; blocks are read two numbers past their end
-        Number pull[2][38];  ///< A_mm^-1 A_m,side
+        int node, count;         ///< number of its neighbours, 0 to 2
+        int side[2];             ///< its neighbours
+        int element[2];          ///< that joins it to that neighbour
+        bool excluded = false;   ///< coupled, so not condensed
+        Number inverse[38];      ///< A_mm^-1; blocks are read two numbers past their end
+        Number coupling[2][38];  ///< A_mm^-1 A_m,side
     };
 
     void paint();
@@ -90,17 +90,16 @@ private:
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`
     int joints_ = 0;
     std::vector<int> order_, place_;  ///< node of each place; place of each node, -1
-    std::vector<int> first_;  ///< of each place: its entries, its own block first, then one for each element there
-    std::vector<int>
-        at_;  ///< of each entry: place of its column; its own, with a block of zeros, where it leads nowhere
-    std::vector<int>
-        via_;  ///< of each entry: 2 times the node between that is taken out, and which of its sides this is; -1
-    LargeVector<Number> value_;          ///< of each entry, 36
-    LargeVector<Number> inverse_;        ///< of each place, 36: of its own block, couplings included
-    std::vector<int> red_, black_;       ///< places, of what takes part
-    std::vector<int> staying_, going_;   ///< likewise: places of all that stay; of between_ that are taken out
-    std::vector<int> resting_;           ///< of each node, not negative where it does not take part; empty: all do
-    LargeVector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then what the preconditioner makes of r
+    // rows in compressed form (CSR); the first entry of a row is its own block, the others one for each element there
+    std::vector<int> row_begin_;        ///< of each place: its first entry
+    std::vector<int> column_;           ///< of each entry: place of its column; its own if zero (without far node)
+    std::vector<int> condensed_side_;   ///< of each entry through a condensed node: 2 index in between_ + side; else -1
+    LargeVector<Number> value_;         ///< of each entry, 36
+    LargeVector<Number> inverse_;       ///< of each place, 36: of its own block, couplings included
+    std::vector<int> red_, black_;      ///< places of active rows
+    std::vector<int> staying_, going_;  ///< likewise: places of all that stay; of between_ that are taken out
+    std::vector<int> resting_;          ///< of each node, not negative where it does not take part; empty: all do
+    LargeVector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then the preconditioned r
 };
 
 extern template class Condensed<float>;

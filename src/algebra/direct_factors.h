@@ -1,6 +1,6 @@
 // Sparse direct factors of a symmetric or unsymmetric matrix of six rows a node, by Eigen.
 //
-// Eigen's sparse solvers are templates that take seconds to compile, so no other file includes them: they stand in
+// Eigen's sparse solvers are templates that take seconds to compile, so no other file includes them: they are in
 // direct_factors_eigen.h. Where two files compile the same template with different options, the linker takes one of the
 // two, and the last bits of every static result would hang on the order in which files are linked. So the factors are
 // made in direct_factors.cpp, without fused products like nearly all of the engine; the solution is in

@@ -19,7 +19,7 @@ enum class MatrixStorage : std::uint8_t {
     iterative,         ///< for conjugate gradients; without initial stress where a part would be indefinite
     single_precision,  ///< likewise, in single precision: half the memory to go through. Good where inertia rules A
                        ///< (steps no longer than the fastest waves need): the solution is a change of the
-                       ///< accelerations, and what it lacks the next step sees
+                       ///< accelerations, and the next step corrects its error
 };
 
 /// Tangent dp/dd of an element that yields, or whose partner yields.
@@ -69,7 +69,7 @@ public:
         int other = -1;
     };
     Weakest weakest_part() const;
-    /// Factorises A as it stands. False when it is singular.
+    /// Factorises the present A. False when it is singular.
     bool factorise();
     const DirectFactors& factors() const { return factors_; }
     /// Number of negative eigenvalues of the factorised A, that is of unstable modes; only real ones if A is not
@@ -93,8 +93,7 @@ public:
     };
     const Counts& counts() const { return counts_; }
 
-    /// Fields of a checkpoint: the blocks as they were built. All that follows from them is computed
-    /// again.
+    /// Fields of a checkpoint: the blocks as they were built. All that follows from them is computed again.
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,

@@ -16,9 +16,8 @@ struct RigidMotion {
     Vec3 centre, v, w;
 };
 
-/// All independent rigid motions of the body of these nodes: six if it is free, none if its
-/// supports hold it. Members join their nodes rigidly, so a body has no other motion without
-/// resistance.
+/// All independent rigid motions of the body of these nodes: six if it is free, none if its supports hold it. Members
+/// join their nodes rigidly, so a body has no other motion without resistance.
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes);
 
 /// Text that names the motion of a body that its supports (nodes) do not hold: along or about an axis of space if

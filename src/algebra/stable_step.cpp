@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "state/node_mass.h"
 
 namespace hinge {

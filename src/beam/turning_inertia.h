@@ -42,8 +42,8 @@ inline NodalForces<Lanes> turning_inertia(const ElementFrame<Lanes>& p, unsigned
     const Triple<Lanes> W = {-of.relative.y / p.length, of.relative.x / p.length,
                              slope * of.relative.x / p.length -
                                  to_z * (y[0].z * w[0].y - y[0].y * w[0].z + y[1].z * w[1].y - y[1].y * w[1].z)};
-    const auto times = [](const Lanes& x, const Lanes& y, const Lanes& z, const Triple<Lanes>& v) {
-        return Triple<Lanes>{x * v.x, y * v.y, z * v.z};
+    const auto times = [](const Lanes& a, const Lanes& b, const Lanes& c, const Triple<Lanes>& v) {
+        return Triple<Lanes>{a * v.x, b * v.y, c * v.z};
     };
     NodalForces<Lanes> out;
     Triple<Lanes> mu[2];

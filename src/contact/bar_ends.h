@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 #include "contact/gap_rule.h"
 
 namespace hinge::contact {

@@ -84,12 +84,12 @@ std::vector<IndexPair> swept(const std::vector<Box>& boxes, const std::function<
 
 }  // namespace
 
-Box::Box(const Vec3& low, const Vec3& high) {
+Box::Box(const Vec3& lowest, const Vec3& highest) {
     constexpr float far = std::numeric_limits<float>::infinity();
     for (int c = 0; c < 3; ++c) {
         // what is not a number is everywhere: a run that comes to this is ended by the solver, which names the place
-        this->low[c] = std::isnan(low[c]) ? -far : std::nextafter(static_cast<float>(low[c]), -far);
-        this->high[c] = std::isnan(high[c]) ? far : std::nextafter(static_cast<float>(high[c]), far);
+        low[c] = std::isnan(lowest[c]) ? -far : std::nextafter(static_cast<float>(lowest[c]), -far);
+        high[c] = std::isnan(highest[c]) ? far : std::nextafter(static_cast<float>(highest[c]), far);
     }
 }
 

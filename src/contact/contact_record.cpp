@@ -1,7 +1,7 @@
 // Saves and restores the state of contact for a step that is undone, and checks a state read from a checkpoint.
 #include <algorithm>
 
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 
 namespace hinge::contact {
 

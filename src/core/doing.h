@@ -8,9 +8,9 @@ namespace hinge {
 /// Marks, for its lifetime, an operation of the script's thread during which interrupts are not checked.
 class Doing {
 public:
-    /// `what`: name of the operation, which must outlive the mark; `size` and `of`: amount and unit of the work, 0 for
-    /// none.
-    explicit Doing(const char* what, long size = 0, const char* of = "") : what(what), of(of), size(size), outer_(now) {
+    /// `operation`: its name, which must outlive the mark; `amount` and `unit`: of the work, 0 for none.
+    explicit Doing(const char* operation, long amount = 0, const char* unit = "")
+        : what(operation), of(unit), size(amount), outer_(now) {
         now = this;
     }
     ~Doing() { now = outer_; }

@@ -1,7 +1,7 @@
 // Contact between elements as others read it.
 #pragma once
 
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 #include "state/state.h"
 
 namespace hinge {

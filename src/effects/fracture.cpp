@@ -1,5 +1,5 @@
 // When elements break (eq 16): limits of curvature and axial strain, or rules of the script's own.
-#include "beam/fracture.h"
+#include "beam/fracture_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -241,7 +241,7 @@ void Fracture::take_up(int index) {
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
     } else if (rule.hook && rule.where == Where::plastic && w_.state.yielded[index]) {
         const auto at = std::lower_bound(watched_.begin(), watched_.end(), index,
-                                         [](const Watched& w, int e) { return w.element < e; });
+                                         [](const Watched& w, int element) { return w.element < element; });
         if (at == watched_.end() || at->element != index) watched_.insert(at, watch_strains(index));
     }
 }

@@ -1,5 +1,5 @@
 // A ground that is a layer: springs and dashpots per area, which press on the area that members touch it with and never
-// pull (contact/ground_layer.h has the law). It acts on the elements, not on points, so that what lands is stopped in
+// pull (contact/layer_law.h has the law). It acts on the elements, not on points, so that what lands is stopped in
 // the same way with any number of elements. An element that breaks goes on as the rigid bar that hangs on its other
 // node.
 //
@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "contact/ground_friction.h"
-#include "contact/ground_layer.h"
+#include "contact/layer_law.h"
 #include "core/rotation.h"
 #include "effects/ground.h"
 #include "effects/kinds.h"

@@ -61,7 +61,7 @@ public:
                               count_text(still, "element") + " at rest until something reaches them");
         std::erase_if(w_.supported, [&](int n) { return resting[n] >= 0; });
         for (std::size_t e = 0; e < elements.size(); ++e)
-            if (!s.broken[e] && resting[elements[e].node[0]] >= 0) w_.assembly.drop(int(e));
+            if (!s.broken[e] && resting[elements[e].node[0]] >= 0) w_.assembly.deactivate(int(e));
         host_.leave_out(resting);
     }
 
@@ -83,7 +83,7 @@ public:
             return resting[node] >= 0 && std::find(woken.begin(), woken.end(), resting[node]) != woken.end();
         };
         for (std::size_t e = 0; e < elements.size(); ++e)
-            if (!w_.state.broken[e] && wakes(elements[e].node[0])) w_.assembly.raise(int(e));
+            if (!w_.state.broken[e] && wakes(elements[e].node[0])) w_.assembly.activate(int(e));
         for (int n = 0; n < int(resting.size()); ++n)
             if (wakes(n)) {
                 w_.external[n] = weight_[n];

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "beam/fracture.h"
+#include "beam/fracture_limits.h"
 
 namespace hinge {
 
 /// Data of a section of an element at the end of a step, passed to a script's own fracture rule. Strains are the
-/// element's (beam/fracture.h); the rotation of the hinge is the section's own.
+/// element's (beam/fracture_limits.h); the rotation of the hinge is the section's own.
 struct SectionView {
     double time, dt;           ///< s, of the step's end; of the step
     double step;               ///< from 1

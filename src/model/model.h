@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 #include "core/archive.h"
 #include "core/types.h"
 #include "model/fracture_rule.h"

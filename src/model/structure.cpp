@@ -16,45 +16,6 @@ namespace {
 /// 12a). `inner`: +1 when the pair's middle is at node 2.
 double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
 
-/// Local axes of a member: z along it, y in the plane of z and `up`.
-Quat axes_of(const MemberData& member, const Vec3& span) {
-    const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
-    Mat3 axes;
-    axes << x, y, z;
-    return Quat(axes).normalized();
-}
-
-beam::Rigidity rigidity_of(const Section& section, const Material& material) {
-    return {material.E * section.Ix,
-            material.E * section.Iy,
-            material.E * section.area,
-            material.G * section.J,
-            material.G * section.shear_area_x,
-            material.G * section.shear_area_y,
-            material.density * section.area,
-            material.density * (section.mass_Ix > 0 ? section.mass_Ix : section.Ix),
-            material.density * (section.mass_Iy > 0 ? section.mass_Iy : section.Iy)};
-}
-
-/// Half the smaller side of a section, m; where its sides are not given, of the square of the same area.
-double contact_radius(const Section& s) {
-    return 0.5 * (s.width > 0 && s.depth > 0 ? std::min(s.width, s.depth) : std::sqrt(s.area));
-}
-
-/// Index of the fracture rule of a member: the last rule for one of its groups, else the last one for all members;
-/// -1 for none.
-int fracture_rule_of(const Model& model, const MemberData& member) {
-    int rule = -1;
-    for (std::size_t r = 0; r < model.fracture().size(); ++r) {
-        const int group = model.fracture()[r].group;
-        const bool applies = group < 0
-                                 ? rule < 0 || model.fracture()[rule].group < 0
-                                 : std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end();
-        if (applies) rule = int(r);
-    }
-    return rule;
-}
-
 }  // namespace
 
 beam::YieldSurface yield_surface(const Section& s, const Material& m) {
@@ -67,18 +28,7 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
             inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
 }
 
-/// The members that are alike share one kind.
-struct Structure::KindIndex
-    : std::map<std::tuple<const Section*, const Material*, double, double, std::array<double, 4>>, const Kind*> {};
-
 Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
-    add_declared_nodes();
-    KindIndex kinds;
-    for (std::size_t member = 0; member < model_->members().size(); ++member) add_elements(int(member), kinds);
-    list_elements_of_nodes();
-}
-
-void Structure::add_declared_nodes() {
     const Model& m = *model_;
     for (const auto& n : m.nodes()) {
         position_.push_back(n.position);
@@ -89,64 +39,72 @@ void Structure::add_declared_nodes() {
     position_.reserve(m.nodes().size() + inner);
     fixed_.reserve(m.nodes().size() + inner);
     elements_.reserve(pieces);
-}
-
-void Structure::add_elements(int index, KindIndex& kinds) {
-    const Model& m = *model_;
-    const MemberData& member = m.members()[index];
-    const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
-    const Quat axes = axes_of(member, span);
-    const double length = span.norm() / member.elements, radius = contact_radius(*member.section);
-    const int fracture = fracture_rule_of(m, member);
-    const bool collides = m.can_collide(index);
-    int left = member.node[0];
-    for (int i = 0; i < member.elements; ++i) {
-        const bool last = i + 1 == member.elements;
-        const int right = last ? member.node[1] : add_inner_node(start + double(i + 1) / member.elements * span);
-        const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-        const Kind& kind = kind_of(member, axes, length, s, kinds);
-        const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
-        elements_.push_back({{left, right},
-                             index,
-                             partner,
-                             length,
-                             span / member.elements,
-                             s,
-                             kind.axes,
-                             kind.rigidity,
-                             kind.stiffness,
-                             kind.yield,
-                             radius,
-                             fracture,
-                             collides});
-        left = right;
+    std::map<std::tuple<const Section*, const Material*, double, double, std::array<double, 4>>, const Kind*> alike;
+    for (std::size_t index = 0; index < m.members().size(); ++index) {
+        const MemberData& member = m.members()[index];
+        const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
+        const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
+        Mat3 axes;
+        axes << x, y, z;
+        const Material& mat = *member.material;
+        const Section& sec = *member.section;
+        const Quat rotation = Quat(axes).normalized();
+        const double length = span.norm() / member.elements;
+        int fracture = -1;  // the last rule for one of its groups, else the last one for all
+        for (std::size_t r = 0; r < m.fracture().size(); ++r) {
+            const int group = m.fracture()[r].group;
+            const bool fits = group < 0
+                                  ? fracture < 0 || m.fracture()[fracture].group < 0
+                                  : std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end();
+            if (fits) fracture = int(r);
+        }
+        const bool collides = m.can_collide(int(index));
+        int left = member.node[0];
+        for (int i = 0; i < member.elements; ++i) {
+            int right = member.node[1];
+            if (i + 1 < member.elements) {
+                right = int(position_.size());
+                position_.push_back(start + double(i + 1) / member.elements * span);
+                fixed_.push_back(0);
+            }
+            const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
+            const auto [at, fresh] = alike.try_emplace(
+                {&sec, &mat, length, s, {rotation.w(), rotation.x(), rotation.y(), rotation.z()}}, nullptr);
+            if (fresh) {
+                const beam::Rigidity rigidity = {mat.E * sec.Ix,
+                                                 mat.E * sec.Iy,
+                                                 mat.E * sec.area,
+                                                 mat.G * sec.J,
+                                                 mat.G * sec.shear_area_x,
+                                                 mat.G * sec.shear_area_y,
+                                                 mat.density * sec.area,
+                                                 mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix),
+                                                 mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
+                kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s),
+                                  m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
+                at->second = &kinds_.back();
+                can_yield_ |= !kinds_.back().yield.elastic();
+            }
+            const Kind& kind = *at->second;
+            const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
+            const double radius =
+                0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
+            elements_.push_back({{left, right},
+                                 int(index),
+                                 partner,
+                                 length,
+                                 span / member.elements,
+                                 s,
+                                 kind.axes,
+                                 kind.rigidity,
+                                 kind.stiffness,
+                                 kind.yield,
+                                 radius,
+                                 fracture,
+                                 collides});
+            left = right;
+        }
     }
-}
-
-int Structure::add_inner_node(const Vec3& position) {
-    position_.push_back(position);
-    fixed_.push_back(0);
-    return int(position_.size()) - 1;
-}
-
-const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& axes, double length, double s,
-                                          KindIndex& kinds) {
-    const Section& section = *member.section;
-    const Material& material = *member.material;
-    const auto [at, fresh] =
-        kinds.try_emplace({&section, &material, length, s, {axes.w(), axes.x(), axes.y(), axes.z()}}, nullptr);
-    if (fresh) {
-        const beam::Rigidity rigidity = rigidity_of(section, material);
-        kinds_.push_back({axes, rigidity, beam::stiffness(rigidity, length, s),
-                          model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{}});
-        at->second = &kinds_.back();
-        can_yield_ |= !kinds_.back().yield.elastic();
-    }
-    return *at->second;
-}
-
-/// Counts the elements of each node, sums the counts up to the place of each node's first one, and fills the places.
-void Structure::list_elements_of_nodes() {
     first_element_.assign(position_.size() + 1, 0);
     for (const Element& e : elements_)
         for (int node : e.node) ++first_element_[node + 1];

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "beam/timoshenko.h"
 #include "beam/yield.h"
 #include "model/model.h"
@@ -78,28 +78,19 @@ public:
     std::string element_name(int element) const;  ///< "element 2 of member 31 (columns), nodes 4-9"
 
 private:
+    std::shared_ptr<const Model> model_;
+    MassKind mass_;
+    std::vector<Vec3> position_;
+    std::vector<std::uint8_t> fixed_;
+    std::vector<Element> elements_;
     struct Kind {
         Quat axes;
         beam::Rigidity rigidity;
         beam::Stiffness stiffness;
         beam::YieldSurface yield;
     };
-    struct KindIndex;  // kinds by section, material, length, integration point and axes
-
-    void add_declared_nodes();
-    void add_elements(int member, KindIndex& kinds);
-    int add_inner_node(const Vec3& position);
-    const Kind& kind_of(const MemberData& member, const Quat& axes, double length, double s, KindIndex& kinds);
-    void list_elements_of_nodes();
-
-    std::shared_ptr<const Model> model_;
-    MassKind mass_;
-    std::vector<Vec3> position_;
-    std::vector<std::uint8_t> fixed_;
-    std::vector<Element> elements_;
     std::deque<Kind> kinds_;
-    std::vector<int> elements_of_nodes_;  ///< indices of the elements, node by node
-    std::vector<int> first_element_;      ///< of each node: its first place in elements_of_nodes_; then the end
+    std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
     bool can_yield_ = false;
 };
 

@@ -30,7 +30,7 @@ Actors hinge_actors(std::span<const DrawnBar> bars, const Camera& camera, double
 struct Support {
     /// In order: all held; rotations free; some displacements free; only rotations held.
     enum Kind { clamped, pinned, roller, rotations } kind;
-    Vec at, towards, x;  ///< m; of unit length: to the side where it stands, and across that
+    Vec at, towards, x;  ///< m; unit vectors: towards the support, and across that
     double section;      ///< m, the larger side of the member's section
 };
 

@@ -78,7 +78,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     if (const auto& list = effects_->breakers; decides_) at_.decide = stages_.add(list.front()->decides());
     at_.commit = stages_.add("commit");
 
-    assembly_.take_up(state_);
+    assembly_.update_active(state_);
     std::vector<Vec6> out_of_balance;
     find_acceleration(out_of_balance);
     if (!step_.failure.empty()) fail(step_.failure);
@@ -235,12 +235,12 @@ void Dynamics::commit() {
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
     state_.force.swap(w_.force);
-    for (int e : assembly_.keep_turns(state_, w_.trial)) stiffness_changed(e);
+    for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
     for (const auto& e : effects_->all) e->after_commit(step_);
     if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
-    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
+    if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     if (control_.on() && !control_.by_default() && anew_) control_.start_from(energy().error);
     watch_effects();
     ++state_.step;
@@ -262,9 +262,9 @@ void Dynamics::break_elements() {
         for (const auto& listener : effects_->break_listeners) listener->breaks(b, impulse);
         integrator_->removed(b.element);
         for (const auto& listener : effects_->break_listeners) listener->broke(b);
-        assembly_.drop(b.element);
+        assembly_.deactivate(b.element);
     }
-    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
+    if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     Mass& mass = mass_.renewed(configuration_of(state_));
     const double before = work_of_supports(state_.velocity, state_.velocity);
     if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
@@ -313,7 +313,7 @@ void Dynamics::add_inertia_to_reactions() {
     const auto moves = [](const Vec6& a) { return !a.isZero(0); };
     if (explicit_steps() || std::none_of(state_.acceleration.begin(), state_.acceleration.end(), moves)) return;
     ElementAssembly assembly(*structure_, pool_, true);
-    assembly.take_up(state_);
+    assembly.update_active(state_);
     Configuration pose = configuration_of(state_);
     std::vector<Vec6> with(pose.displacement.size(), Vec6::Zero()), without = with, force = state_.force;
     std::vector<PlasticIncrement> yielding;

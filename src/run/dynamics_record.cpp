@@ -85,7 +85,7 @@ void Dynamics::read(std::string_view saved) {
     std::vector<const State*> states{&state_};
     if (const State* good = guard_.good_state()) states.push_back(good);
     for (const auto& e : effects_->all) reader.must(e->restored(states));
-    assembly_.take_up(state_);
+    assembly_.update_active(state_);
     reader(assembly_);
     reader.must(reader.rest().empty());
 }

@@ -47,9 +47,10 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);
     }));
     parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
-        const Section& s = *m.section;
-        a(s.area, s.Ix, s.Iy, s.J, s.shear_area_x, s.shear_area_y, s.mass_Ix, s.mass_Iy, s.plastic_area, s.Zx, s.Zy,
-          s.Zz, s.N0, s.Mx0, s.My0, s.Mz0, s.width, s.depth);
+        const Section& section = *m.section;
+        a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
+          section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.N0, section.Mx0,
+          section.My0, section.Mz0, section.width, section.depth);
     }));
     parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
     parts.back().count = model.groups().size();
@@ -72,10 +73,11 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     }));
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));
-    parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& s) {
-        a(s.beta, s.iterations, s.predictor, s.tolerance, s.geometric, s.rebuild_angle, s.single_precision,
-          s.energy_tolerance, s.step_control, s.controlled_by_default, s.rho_infinity, s.conserving, s.rest,
-          s.solver.direct, s.solver.tolerance, s.solver.max_iterations);
+    parts.push_back(part("settings of the run", std::vector{s}, [](Sum& a, const DynamicSettings& settings) {
+        a(settings.beta, settings.iterations, settings.predictor, settings.tolerance, settings.geometric,
+          settings.rebuild_angle, settings.single_precision, settings.energy_tolerance, settings.step_control,
+          settings.controlled_by_default, settings.rho_infinity, settings.conserving, settings.rest,
+          settings.solver.direct, settings.solver.tolerance, settings.solver.max_iterations);
     }));
     for (const auto& [effect, what] : model.declarations()) {
         std::string bytes;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/effective_stiffness.h"
-#include "algebra/mass.h"
+#include "algebra/mass_matrix.h"
 #include "core/built.h"
 #include "effects/effect_list.h"
 #include "run/settings.h"

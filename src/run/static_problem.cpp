@@ -13,8 +13,11 @@ std::vector<std::uint8_t> all_supports(std::vector<std::uint8_t> held, const std
 
 }  // namespace
 
-StaticProblem::StaticProblem(Workspace& w, const EffectList& effects, StaticSettings settings)
-    : w(w), effects(effects), settings(std::move(settings)), held(all_supports(w.state.held, this->settings.held)) {
+StaticProblem::StaticProblem(Workspace& workspace, const EffectList& all_effects, StaticSettings given)
+    : w(workspace),
+      effects(all_effects),
+      settings(std::move(given)),
+      held(all_supports(workspace.state.held, settings.held)) {
     const auto& elements = w.structure.elements();
     double length = 0;
     for (const Element& e : elements) length += e.length;

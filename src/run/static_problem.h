@@ -8,7 +8,7 @@
 namespace hinge {
 
 struct StaticProblem {
-    StaticProblem(Workspace& w, const EffectList& effects, StaticSettings settings);
+    StaticProblem(Workspace& workspace, const EffectList& all_effects, StaticSettings given);
 
     /// Sets the components of supported degrees of freedom to zero.
     Vec6 without_supported(std::size_t node, Vec6 v) const;

@@ -19,7 +19,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
       halving_(path_->step_rule()) {
     w_.rotation_step.assign(structure_->position().size(), Vec3::Zero());
     state_.factor = w_.factor = 0;
-    assembly_.take_up(state_);
+    assembly_.update_active(state_);
     forces_.recover();
     forces_.find_reactions(0);
     refuse_mechanism();
@@ -141,12 +141,12 @@ void Statics::commit_state() {
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
     state_.force = w_.force;
-    assembly_.keep_turns(state_, w_.trial);
+    assembly_.save_turns(state_, w_.trial);
     state_.factor = w_.factor;
     newton_.commit();
     for (const auto& e : effects_->all) e->after_commit(step);
     tangent_.commit(w_.points_moved);
-    if (w_.points_moved) assembly_.take_up(state_), w_.points_moved = false;
+    if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     ++substeps_;
 }
 

@@ -160,9 +160,9 @@ template <bool large>
     const Quadruple<Lanes> axes = {kind.axes[0], kind.axes[1], kind.axes[2], kind.axes[3]};
     if constexpr (large) {
         const Triple<Lanes> chord = Triple<Lanes>{b.chord[0], b.chord[1], b.chord[2]} + (u2 - u1);
-        Quadruple<Lanes> end[2] = {gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1])};
-        if (!state.turned.empty()) turn(end, state.turned, element);
-        place = beam::place(chord, end[0], end[1], axes);
+        Quadruple<Lanes> node_turn[2] = {gather(pose.rotation, b.node[0]), gather(pose.rotation, b.node[1])};
+        if (!state.turned.empty()) turn(node_turn, state.turned, element);
+        place = beam::place(chord, node_turn[0], node_turn[1], axes);
         beam::deformation(place, kind.length, d);
         const Lanes rotated = dot(place.theta[0], place.theta[0]) + dot(place.theta[1], place.theta[1]);
         if (!any_not_below(rotated, beam::far_rotation) && !any_remembered(state.twist, element)) return 0;
@@ -301,9 +301,9 @@ template <bool large, bool cubic, bool p_delta>
     for (int e : {0, 1}) transpose(by_end[e], row[e]);
     for (int i = 0; i < lane_count; ++i)
         for (int e = 0; e < 2 && b.whole >> i & 1; ++e) {
-            const int place = place_.empty() ? -1 : place_[2 * (element + i) + e];
+            const int place = shared_index_.empty() ? -1 : shared_index_[2 * (element + i) + e];
             if (place < 0) add_six(nodal[b.node[e][i]].data(), row[e][i]);
-            else store_row<6>(left_[place].data(), row[e][i]);
+            else store_row<6>(shared_forces_[place].data(), row[e][i]);
         }
     const Lanes forces[lane_count] = {p[0], p[1], p[2], p[3], p[4], p[5]};
     transpose(forces, row[0]);
@@ -371,7 +371,7 @@ ElementAssembly::Stages ElementAssembly::choose_stages() const {
 
 void ElementAssembly::run(const State& state, const Configuration& pose, std::vector<Vec6>& nodal,
                           std::vector<Vec6>& force, std::vector<PlasticIncrement>& yielding) {
-    if (pool_.threads() > 1 && place_.empty()) share_out();
+    if (pool_.threads() > 1 && shared_index_.empty()) share_out();
     found_.resize((blocks_.size() + piece - 1) / piece);
     const auto chosen = structure_.large()
                             ? structure_.p_delta() ? choose_stages<true, true>() : choose_stages<true, false>()
@@ -385,7 +385,7 @@ void ElementAssembly::run(const State& state, const Configuration& pose, std::ve
     });
     pool_.share(int(shared_.size()), 8 * piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
-            for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += left_[k];
+            for (int k = shared_[i].first; k < shared_[i].end; ++k) nodal[shared_[i].node] += shared_forces_[k];
     });
     yielding.clear();
     rotated_.clear();

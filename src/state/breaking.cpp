@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "state/hinges.h"
 
 namespace hinge {

@@ -15,8 +15,8 @@ struct BreakReport {
 };
 
 /// Breaks `element` at `end` (1 or 2) in `state`; velocities stay. `impulse` (of each node, six) receives the input of
-/// pass_on (algebra/mass.h). The other element of a pair whose bending follows N keeps its forces as far as the energy
-/// allows: a break releases no more than was stored.
+/// pass_on (algebra/mass_matrix.h). The other element of a pair whose bending follows N keeps its forces as far as the
+/// energy allows: a break releases no more than was stored.
 BreakReport break_off(const Structure& structure, State& state, int element, int end, std::vector<Vec6>& impulse);
 
 /// Linear momentum (kg m/s) and angular momentum about the origin (kg m^2/s), and the mass (kg).

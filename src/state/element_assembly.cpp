@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "core/built.h"
 #include "state/element_block.h"
 #include "state/hinges.h"
@@ -38,7 +38,7 @@ void ElementAssembly::watch_rotation(double tolerance) {
     built_.assign(built_stride() * blocks_.size(), Lanes{});
 }
 
-void ElementAssembly::take_up(const State& state) {
+void ElementAssembly::update_active(const State& state) {
     const int count = int(state.broken.size());
     blocks_.resize((count + lane_count - 1) / lane_count);
     kinds_.clear();
@@ -103,16 +103,16 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
     return kind;
 }
 
-void ElementAssembly::raise(int element) { blocks_[element / lane_count].whole |= 1u << element % lane_count; }
+void ElementAssembly::activate(int element) { blocks_[element / lane_count].whole |= 1u << element % lane_count; }
 
-void ElementAssembly::drop(int element) {
+void ElementAssembly::deactivate(int element) {
     blocks_[element / lane_count].whole &= ~(1u << element % lane_count);
-    if (place_.empty()) return;
+    if (shared_index_.empty()) return;
     for (int e : {0, 1})
-        if (const int place = place_[2 * element + e]; place >= 0) left_[place].setZero();
+        if (const int place = shared_index_[2 * element + e]; place >= 0) shared_forces_[place].setZero();
 }
 
-std::vector<std::uint8_t> ElementAssembly::taking_part() const {
+std::vector<std::uint8_t> ElementAssembly::active_bits() const {
     std::vector<std::uint8_t> whole;
     for (const Block& b : blocks_) whole.push_back(std::uint8_t(b.whole));
     return whole;
@@ -124,29 +124,29 @@ std::vector<double> ElementAssembly::frames() const {
 }
 
 /// False, and nothing has changed, where somebody would take part who is broken or not there.
-bool ElementAssembly::take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built) {
+bool ElementAssembly::restore_active(const std::vector<std::uint8_t>& whole, const std::vector<double>& built) {
     if (whole.size() != blocks_.size() || built.size() != built_.size() * lane_count) return false;
     for (std::size_t i = 0; i < whole.size(); ++i)
         if (whole[i] & ~blocks_[i].whole) return false;
     for (std::size_t i = 0; i < whole.size(); ++i) blocks_[i].whole = whole[i];
     std::copy(built.begin(), built.end(), reinterpret_cast<double*>(built_.data()));
-    for (Vec6& l : left_) l.setZero();
+    for (Vec6& l : shared_forces_) l.setZero();
     return true;
 }
 
 /// Which nodes have elements in more than one piece.
 void ElementAssembly::share_out() {
-    place_.assign(2 * structure_.elements().size(), -1);
+    shared_index_.assign(2 * structure_.elements().size(), -1);
     const auto piece_of = [](int element) { return element / (piece * lane_count); };
     for (int node = 0; node < int(structure_.position().size()); ++node) {
         const std::span<const int> at = structure_.elements_at(node);
         if (at.empty() || piece_of(at.front()) == piece_of(at.back())) continue;
-        const int first = int(left_.size());
+        const int first = int(shared_forces_.size());
         for (int e : at) {
-            place_[2 * e + (structure_.elements()[e].node[0] == node ? 0 : 1)] = int(left_.size());
-            left_.push_back(Vec6::Zero());
+            shared_index_[2 * e + (structure_.elements()[e].node[0] == node ? 0 : 1)] = int(shared_forces_.size());
+            shared_forces_.push_back(Vec6::Zero());
         }
-        shared_.push_back({node, first, int(left_.size())});
+        shared_.push_back({node, first, int(shared_forces_.size())});
     }
 }
 

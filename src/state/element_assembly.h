@@ -32,9 +32,9 @@ public:
     ~ElementAssembly();
 
     /// Reads which elements are whole and where their integration points are. Call when a point has moved.
-    void take_up(const State& state);
-    void drop(int element);   ///< it broke, or rests
-    void raise(int element);  ///< it no longer rests
+    void update_active(const State& state);
+    void deactivate(int element);  ///< it broke, or rests
+    void activate(int element);    ///< it no longer rests
 
     /// Adds internal (and inertia) forces at `pose` to `nodal` (N, N m; resisting), writes p of each element to
     /// `force`, and lists the elements whose plastic deformation grows. Reads plastic deformation from `state`, changes
@@ -53,10 +53,9 @@ public:
     /// follows the axial force, that have bent by more. Filled by run.
     const std::vector<int>& rotated() const { return rotated_; }
     void watch_rotation(double tolerance);
-    /// Saves the winding of elements and the turns of their ends by hinges, in the state, whose nodes are at the
-    /// pose of the last run, and in the trial pose of the next step. Returns the elements whose ends have new
-    /// axes.
-    std::vector<int> keep_turns(State& state, Configuration& trial) const;
+    /// Saves the winding of elements and the turns of their ends by hinges in the state, whose nodes are at the pose of
+    /// the last run, and in the trial pose of the next step. Returns the elements whose ends have new axes.
+    std::vector<int> save_turns(State& state, Configuration& trial) const;
     /// An element of which an end points backwards along its chord, where a bending angle has no direction; -1 when
     /// there is none. Filled by run; large displacement.
     int folded() const { return folded_; }
@@ -76,17 +75,17 @@ public:
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
 
-    /// Fields of a checkpoint, read after take_up: active elements, and the frames of the last builds.
+    /// Fields of a checkpoint, read after update_active: active elements, and the frames of the last builds.
     template <class A>
     static void fields(const ElementAssembly& s, A& a) {
-        a(s.taking_part(), s.frames(), s.updates_);
+        a(s.active_bits(), s.frames(), s.updates_);
     }
     template <class A>
     static void fields(ElementAssembly& s, A& a) {
         std::vector<std::uint8_t> whole;
         std::vector<double> built;
         a(whole, built, s.updates_);
-        a.must(s.take_part(whole, built));
+        a.must(s.restore_active(whole, built));
     }
 
 private:
@@ -127,9 +126,9 @@ private:
     void find_rotated(const Block& b, int block, const EightFrames& place, const Lanes (&d)[6], Found& found) const;
 
     void share_out();
-    std::vector<std::uint8_t> taking_part() const;  ///< a byte a block, a bit for each of its elements
+    std::vector<std::uint8_t> active_bits() const;  ///< a byte a block, a bit for each of its elements
     std::vector<double> frames() const;
-    bool take_part(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
+    bool restore_active(const std::vector<std::uint8_t>& whole, const std::vector<double>& built);
 
     const Structure& structure_;
     ThreadPool& pool_;
@@ -138,15 +137,15 @@ private:
     std::deque<Kind> kinds_;
     std::vector<beam::FixedEnd> fixed_ends_;
     std::vector<Found> found_;
-    // several threads: forces that elements of several pieces put on one node are in `left_` and added up afterwards
+    // several threads: forces of elements of several pieces on one node are stored apart and added up afterwards
     struct Shared {
         int node, first, end;
     };
-    std::vector<Shared> shared_;  ///< places in left_ of each such node, in the order of its elements
-    std::vector<int> place_;      ///< of each element's two ends: in left_, -1 where one piece has the node to itself
-    std::vector<Vec6> left_;
+    std::vector<Shared> shared_;     ///< range in shared_forces_ of each such node, in the order of its elements
+    std::vector<int> shared_index_;  ///< of each element's two ends: in shared_forces_; -1: node of one piece
+    std::vector<Vec6> shared_forces_;
     std::size_t built_stride() const { return structure_.p_delta() ? 8 : 6; }
-    std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and what its elements were bent by
+    std::vector<Lanes> built_;  ///< of each block: frame z and y at the last build, and bending of its elements then
     std::vector<int> rotated_;
     std::vector<int> far_;
     int folded_ = -1, unreturned_ = -1;

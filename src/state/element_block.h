@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "beam/beam_column.h"
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "beam/turning_inertia.h"
 #include "beam/winding.h"
 #include "state/element_assembly.h"

@@ -40,7 +40,7 @@ struct AccountInfo {
     std::string_view name;
     int place;                      ///< order in the list: rising
     std::string_view meaning;       ///< for people
-    std::string_view part_of = {};  ///< the account that it is a part of; "" for one that stands in the balance itself
+    std::string_view part_of = {};  ///< the account that it is a part of; "" for an account of the balance itself
     bool always = false;            ///< in every list, as the contract of summary.json asks, whatever a scene calls for
     bool may_give = false;  ///< below zero it has given energy, as a potential does; another one below zero is an error
 };

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "beam/fracture.h"
+#include "beam/fracture_limits.h"
 
 namespace hinge {
 namespace {

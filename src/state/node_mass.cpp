@@ -1,6 +1,6 @@
 #include "state/node_mass.h"
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 
 namespace hinge {
 

@@ -14,7 +14,7 @@
 
 namespace hinge {
 
-/// Mass attached rigidly to a node: what is left of broken elements (paper, fig 5). In the node's own frame.
+/// Mass attached rigidly to a node by broken elements (paper, fig 5). In the node's own frame.
 struct OffsetMass {
     double mass = 0;              ///< kg
     Vec3 moment = Vec3::Zero();   ///< first moment about the node, kg m
@@ -95,7 +95,7 @@ private:
 /// Turns of the ends of an element by its hinges (state/turned_ends.h).
 struct TurnedEnds {
     double by[2][4] = {{1}, {1}};  ///< of each end's axes against its node's, at the start: quaternion w x y z
-    double flowed[6] = {};         ///< the plastic deformation that this stands for
+    double flowed[6] = {};         ///< the plastic deformation that `by` replaces
     Quat of(int end) const { return {by[end][0], by[end][1], by[end][2], by[end][3]}; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -130,7 +130,7 @@ struct State {
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
     std::vector<double>
-        kept;  ///< what fracture rules of the script keep: of both ends of each element; empty where none does
+        kept;  ///< values saved by fracture rules of the script, for both ends of each element; or empty
 
     double time = 0;
     long step = 0;
@@ -178,8 +178,7 @@ struct State {
 /// The state at the start: declared positions and velocities, no stress.
 State initial_state(const Structure& structure);
 
-/// True if a state that was read fits the structure: each array has the right length, and no index is out of
-/// range.
+/// True if a state that was read fits the structure: each array has the right length, and no index is out of range.
 bool makes_sense(const State& state, const Structure& structure);
 bool is_finite(const State& state);  ///< each of its numbers
 

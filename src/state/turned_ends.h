@@ -1,11 +1,10 @@
-// Element ends that hinges have turned far: the plastic rotation is moved into the reference axes of the
-// end.
+// Element ends that hinges have turned far: the plastic rotation is moved into the reference axes of the end.
 //
 // An end's rotation against its element is a rotation vector, and there is none beyond half a turn. A hinge may go on
-// for longer: a member folds onto itself. What bends the element elastically stays small all the same. So once the
-// plastic rotation at an end passes two radians, both ends get new axes, in which the rotation that is left is the
-// elastic one. Elastic deformation, forces p and energy are the same before and after, to rounding; the plastic
-// deformation moved is stored, for the total plastic deformation of a hinge.
+// for longer: a member folds onto itself. The elastic bending of the element stays small. So once the plastic rotation
+// at an end passes two radians, both ends get new axes, in which the rotation that is left is the elastic one. Elastic
+// deformation, forces p and energy are the same before and after, to rounding; the plastic deformation moved is stored,
+// for the total plastic deformation of a hinge.
 #pragma once
 
 #include "state/state.h"

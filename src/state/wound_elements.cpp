@@ -56,7 +56,7 @@ bool turned_over(const double (&bent)[4], const Vec6& plastic) {
 }
 
 /// An element's twist is remembered from a third of a turn on: below, it can be told from the nodes' rotations alone.
-std::vector<int> ElementAssembly::keep_turns(State& state, Configuration& trial) const {
+std::vector<int> ElementAssembly::save_turns(State& state, Configuration& trial) const {
     std::vector<int> turned;
     if (far_.empty() && state.twist.empty()) return turned;
     const auto keep = [&](int index) {

@@ -50,9 +50,9 @@ struct Falling {
     }
     Falling(const Falling&) = delete;
     /// kg m/s after that many steps. `tip_lost`: from the break on the far end is no node.
-    Vec3 momentum_after(long steps, double mass, bool tip_lost) const {
-        const double with_tip = double(tip_lost ? std::min<long>(steps, breaks_in) : steps);
-        return dt * (double(steps) * (mass * gravity + on_hub + of_rule) + with_tip * on_tip);
+    Vec3 momentum_after(long done, double mass, bool tip_lost) const {
+        const double with_tip = double(tip_lost ? std::min<long>(done, breaks_in) : done);
+        return dt * (double(done) * (mass * gravity + on_hub + of_rule) + with_tip * on_tip);
     }
 };
 

@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "script/lua/module.h"
+#include "script/lua/lua_module.h"
 #include "script/lua/objects.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include "core/errors.h"
 #include "helpers.h"
 #include "run/checkpoint.h"
-#include "algebra/mass.h"
+#include "algebra/mass_matrix.h"
 
 using namespace hinge;
 using namespace hinge::test;

@@ -1,7 +1,7 @@
 // What the tests of contact are made of: bars that move, two that cross.
 #pragma once
 
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 #include "helpers.h"
 
 namespace hinge::contact {

@@ -85,7 +85,7 @@ TEST_CASE("a structure flown through 1000 rigid rotations by its state has no fo
     State state = initial_state(*structure);
     ThreadPool alone;
     ElementAssembly assembly(*structure, alone, false);
-    assembly.take_up(state);
+    assembly.update_active(state);
     Dice dice(22);
     Quat whole = Quat::Identity();
     for (int i = 0; i < 1000; ++i) whole = rotated(dice.vector(2), whole);

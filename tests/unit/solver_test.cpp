@@ -5,7 +5,7 @@
 #include <atomic>
 #include <numeric>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "helpers.h"
 #include "state/breaking.h"
 

@@ -49,7 +49,7 @@ struct Sample {
         const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
         for (int i : {0, 1})
             now.q[i] = turn * exponential(dice.vector(bend)) * axes * about_z(first + i * twist) * axes.conjugate();
-        for (int c : {0, 1, 2, 3, 4, 5}) plastic[c] = dice(-0.1, 0.1);
+        for (int part : {0, 1, 2, 3, 4, 5}) plastic[part] = dice(-0.1, 0.1);
         plastic[5] = twist + dice(-0.3, 0.3);
     }
     Winding at(const Ends& n) const {

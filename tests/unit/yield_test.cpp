@@ -349,7 +349,7 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12)") {
             const auto nodal = [&](std::vector<Vec6>& force) {
                 ThreadPool alone;
                 ElementAssembly assembly(*structure, alone, false);
-                assembly.take_up(state);
+                assembly.update_active(state);
                 std::vector<Vec6> at(state.displacement.size(), Vec6::Zero());
                 assembly.run(state, configuration_of(state), at, force, yielding);
                 return at;

@@ -215,7 +215,7 @@ int case_load(lua_State* L) {
         lua_pushvalue(L, copy);
         lua_pushvalue(L, -3);
         lua_rotate(L, -3, -1);  // the copy, the key, the value
-        protect(L, 3, 0, [](lua_State* L) { lua_rawset(L, 1), lua_settop(L, 0); });
+        protect(L, 3, 0, [](lua_State* inner) { lua_rawset(inner, 1), lua_settop(inner, 0); });
     }
     lua_settop(L, copy);
     lua_pushvalue(L, 1);

@@ -146,8 +146,8 @@ int list_get(lua_State* L) {
     }
     box.room.resize(n);
     box.now->read(SectionField(place % field_count), place / field_count, box.room.data());
-    protect(L, 1, 1, [&](lua_State* L) {
-        for (int i = 0; i < n; ++i) lua_pushnumber(L, box.room[i]), ::lua_rawseti(L, 1, i + 1);
+    protect(L, 1, 1, [&](lua_State* inner) {
+        for (int i = 0; i < n; ++i) lua_pushnumber(inner, box.room[i]), ::lua_rawseti(inner, 1, i + 1);
     });
     box.filled.set(place);
     return 1;
@@ -246,21 +246,21 @@ FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& mo
     lua_pop(L, 2);
     FractureHook hook;
     hook.ask = [f, section, fields, box](const std::vector<SectionView>& sections, std::size_t& at) {
-        lua_State* L = f.running();
+        lua_State* running = f.running();
         struct Shown {
             lua_State* L;
             const LuaValue& fields;
             SectionViewBox& box;
             const SectionView* outer = box.now;  // the rule itself may step another run that has it
             ~Shown() { empty(L, fields), box.now = outer; }
-        } shown{L, fields, *box};
+        } shown{running, fields, *box};
         Asking asking{sections, at, *box};
-        lua_pushcfunction(L, ask_each);
-        f.push(L), section.push(L), fields.push(L);
-        lua_pushlightuserdata(L, &asking);
-        call_hook(L, f, 4, 1);
-        const std::string wrong = lua_isnil(L, -1) || lua_isboolean(L, -1) ? "" : show(L, -1);
-        lua_pop(L, 1);
+        lua_pushcfunction(running, ask_each);
+        f.push(running), section.push(running), fields.push(running);
+        lua_pushlightuserdata(running, &asking);
+        call_hook(running, f, 4, 1);
+        const std::string wrong = lua_isnil(running, -1) || lua_isboolean(running, -1) ? "" : show(running, -1);
+        lua_pop(running, 1);
         if (!wrong.empty())
             throw HookError(f.place() + ": model:fracture: the rule returned " + wrong +
                             "; it must return true where the section breaks, false or nil where it holds");
@@ -293,28 +293,28 @@ FractureBatch read_batch(lua_State* L, int index, const std::shared_ptr<Model>& 
     const LuaValue view(L, -1, *model);
     lua_pop(L, 1);
     return [f, view, box](const ElementList& elements, std::vector<int>& breaks) {
-        lua_State* L = f.running();
-        f.push(L);
-        view.push(L);
+        lua_State* running = f.running();
+        f.push(running);
+        view.push(running);
         box->filled.reset();
         struct Shown {
             ElementListBox& box;
             ~Shown() { box.now = nullptr; }
         } shown{*box};
         box->now = &elements;
-        call_hook(L, f, 1, 1);
-        std::string wrong = lua_istable(L, -1) || lua_isnil(L, -1) ? "" : show(L, -1);
-        if (lua_istable(L, -1))
-            for (lua_Integer i = 1, n = lua_rawlen(L, -1); i <= n && wrong.empty(); ++i) {
-                lua_rawgeti(L, -1, i);
+        call_hook(running, f, 1, 1);
+        std::string wrong = lua_istable(running, -1) || lua_isnil(running, -1) ? "" : show(running, -1);
+        if (lua_istable(running, -1))
+            for (lua_Integer i = 1, n = lua_rawlen(running, -1); i <= n && wrong.empty(); ++i) {
+                lua_rawgeti(running, -1, i);
                 int whole = 0;
-                const lua_Integer place = lua_tointegerx(L, -1, &whole);
+                const lua_Integer place = lua_tointegerx(running, -1, &whole);
                 if (!whole || place < 1 || place > elements.count())
-                    wrong = show(L, -1) + " as item " + std::to_string(i);
+                    wrong = show(running, -1) + " as item " + std::to_string(i);
                 else breaks.push_back(int(place) - 1);
-                lua_pop(L, 1);
+                lua_pop(running, 1);
             }
-        lua_pop(L, 1);
+        lua_pop(running, 1);
         if (!wrong.empty())
             throw HookError(f.place() + ": model:fracture: the batch rule returned " + wrong +
                             "; it must return nil, or a list of the elements that break, whole numbers from 1 to " +

@@ -14,14 +14,14 @@ History read_history(Options& o, const char* field, const std::string& each, con
         LuaFunction f(L, -1, model);
         lua_pop(L, 1);
         return History([f, who = o.function(), field = std::string(field)](double t) {
-            lua_State* L = f.running();
-            f.push(L);
-            lua_pushnumber(L, t);
-            call_hook(L, f, 1, 1, who + ", field '" + field + "', t = " + show(t) + " s");
-            const bool good = lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
-            const double v = lua_tonumber(L, -1);
-            const std::string shown = show(L, -1);
-            lua_pop(L, 1);
+            lua_State* running = f.running();
+            f.push(running);
+            lua_pushnumber(running, t);
+            call_hook(running, f, 1, 1, who + ", field '" + field + "', t = " + show(t) + " s");
+            const bool good = lua_type(running, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(running, -1));
+            const double v = lua_tonumber(running, -1);
+            const std::string shown = show(running, -1);
+            lua_pop(running, 1);
             if (!good)
                 throw HookError(f.place() + ": " + who + ": the function in field '" + field + "' returned " + shown +
                                 " at t = " + show(t) + " s; it must return a finite number");
@@ -82,37 +82,38 @@ std::function<Vec3(double)> read_acting(Options& o, const char* field, const cha
     lua_pop(L, 1);
     return [f, who = o.function() + ": the function in field '" + field + "'", unit,
             model = std::weak_ptr<ScriptModel>(m)](double t) {
-        lua_State* L = f.running();
-        const int top = lua_gettop(L);
-        f.push(L);
-        lua_pushnumber(L, t);
+        lua_State* running = f.running();
+        const int top = lua_gettop(running);
+        f.push(running);
+        lua_pushnumber(running, t);
         const auto own = model.lock();
         if (const auto record = own ? stepping_run(*own) : nullptr) {
-            push<RunBox>(L, record);
-            hold_registry(L, *own);
+            push<RunBox>(running, record);
+            hold_registry(running, *own);
         } else {
-            lua_pushnil(L);
+            lua_pushnil(running);
         }
-        call_hook(L, f, 2, 3, who + ", t = " + show(t) + " s");
+        call_hook(running, f, 2, 3, who + ", t = " + show(t) + " s");
         Vec3 v;
         try {
-            if (lua_istable(L, top + 1)) {
-                v = read_triple(L, top + 1, who, unit);
+            if (lua_istable(running, top + 1)) {
+                v = read_triple(running, top + 1, who, unit);
             } else {
                 for (int i = 0; i < 3; ++i) {
-                    if (lua_type(L, top + 1 + i) != LUA_TNUMBER || !std::isfinite(lua_tonumber(L, top + 1 + i)))
-                        throw InputError(who + " returned " + show(L, top + 1 + i) + " as value " +
+                    if (lua_type(running, top + 1 + i) != LUA_TNUMBER ||
+                        !std::isfinite(lua_tonumber(running, top + 1 + i)))
+                        throw InputError(who + " returned " + show(running, top + 1 + i) + " as value " +
                                          std::to_string(i + 1) + " at t = " + show(t) +
                                          " s; it must return three finite numbers in " + unit +
                                          ", or a table of three");
-                    v[i] = lua_tonumber(L, top + 1 + i);
+                    v[i] = lua_tonumber(running, top + 1 + i);
                 }
             }
         } catch (const InputError& e) {
-            lua_settop(L, top);
+            lua_settop(running, top);
             throw HookError(f.place() + ": " + e.what());
         }
-        lua_settop(L, top);
+        lua_settop(running, top);
         return v;
     };
 }

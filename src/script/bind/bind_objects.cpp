@@ -1,5 +1,4 @@
-// Nodes, members, groups and loads as objects of a script: their fields, and error messages for those that are
-// gone.
+// Nodes, members, groups and loads as objects of a script: their fields, and error messages for those that are gone.
 #include <algorithm>
 
 #include "core/text.h"

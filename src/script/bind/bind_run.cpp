@@ -44,9 +44,9 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
             if (!c->mode.checking) {
                 std::printf("\n");
             } else {
-                const std::string model = checked_model(*record);
-                const auto [known, fresh] = c->messages.described_at.try_emplace(model, record->asked_at);
-                if (fresh) std::printf("%s\n", model.c_str());
+                const std::string summary = checked_model(*record);
+                const auto [known, fresh] = c->messages.described_at.try_emplace(summary, record->asked_at);
+                if (fresh) std::printf("%s\n", summary.c_str());
                 else
                     std::printf("  the same model as that of the run made at %s, with the same warnings\n\n",
                                 known->second.c_str());

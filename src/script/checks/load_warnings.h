@@ -44,8 +44,7 @@ std::string weight_by_source(const Structure& structure);
 std::vector<Warning> lone_velocities(const Structure& structure, const State& start, const Model* before,
                                      const std::string& line);
 
-/// Dynamic run: bodies that no support holds, directly or through connectors, and that alpha of model:damping
-/// damps.
+/// Dynamic run: bodies that no support holds, directly or through connectors, and that alpha of model:damping damps.
 std::vector<Warning> damped_free_bodies(const Structure& structure, const State& start);
 
 /// Load cases that a run uses and that are empty.

@@ -12,7 +12,8 @@
 namespace hinge::script {
 namespace {
 
-constexpr double rests = 1e-6;  ///< of the sum of the half depths: bars that rest on each other (contact/contact.cpp)
+constexpr double rests =
+    1e-6;  ///< of the sum of the half depths: bars that rest on each other (contact/member_contacts.cpp)
 
 }  // namespace
 

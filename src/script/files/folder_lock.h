@@ -5,15 +5,13 @@
 
 namespace hinge::script {
 
-/// Sharing of a folder with other processes: none, or with tasks of the same study, which write to cases of their
-/// own.
+/// Sharing of a folder with other processes: none, or with tasks of the same study, which write to cases of their own.
 enum class Share { alone, with_tasks };
 
 /// Locks the folder, which must exist, until leave_lock or the end of the process and of those that it forks. The
-/// kernel keeps the lock (flock), so nothing is left of it after a kill. A process that has the lock may take it
-/// again. Throws OutsideError, naming the process, where another one has it. On a network file system it is the
-/// lock of a file in the folder, .lock, which other machines see. Without any lock, a line to stderr says so,
-/// once.
+/// kernel keeps the lock (flock), so nothing is left of it after a kill. A process that has the lock may take it again.
+/// Throws OutsideError, naming the process, where another one has it. On a network file system it is the lock of a file
+/// in the folder, .lock, which other machines see. Without any lock, a line to stderr says so, once.
 void take_lock(const std::string& folder, Share share = Share::alone);
 
 /// Throws like take_lock, and locks nothing. A folder that does not exist is free.

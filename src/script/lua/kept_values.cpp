@@ -120,21 +120,21 @@ void check_packed_table(const std::string& bytes) { read_table(bytes); }
 void unpack_table(lua_State* L, int index, const std::string& bytes) {
     const std::vector<Token> tokens = read_table(bytes);
     lua_pushvalue(L, index);
-    protect(L, 1, 0, [first = tokens.data()](lua_State* L) {
+    protect(L, 1, 0, [first = tokens.data()](lua_State* inner) {
         const Token* token = first;
-        push_value(L, token);
-        for (lua_pushnil(L); lua_next(L, 1);) {  // out with the old
-            lua_settop(L, 3);
-            lua_pushvalue(L, 3);
-            lua_pushnil(L);
-            lua_rawset(L, 1);
+        push_value(inner, token);
+        for (lua_pushnil(inner); lua_next(inner, 1);) {  // out with the old
+            lua_settop(inner, 3);
+            lua_pushvalue(inner, 3);
+            lua_pushnil(inner);
+            lua_rawset(inner, 1);
         }
-        for (lua_pushnil(L); lua_next(L, 2);) {
-            lua_pushvalue(L, 3);
-            lua_rotate(L, 4, 1);
-            lua_rawset(L, 1);
+        for (lua_pushnil(inner); lua_next(inner, 2);) {
+            lua_pushvalue(inner, 3);
+            lua_rotate(inner, 4, 1);
+            lua_rawset(inner, 1);
         }
-        lua_settop(L, 0);
+        lua_settop(inner, 0);
     });
 }
 

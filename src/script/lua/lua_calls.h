@@ -28,11 +28,11 @@ void protect(lua_State* L, int arguments, int results, F f) {
     if (!lua_checkstack(L, 4)) throw std::bad_alloc();
     ::lua_pushcclosure(
         L,
-        [](lua_State* L) {
-            F& f = *static_cast<F*>(lua_touserdata(L, -1));
-            lua_settop(L, -2);
-            f(L);
-            return lua_gettop(L);
+        [](lua_State* inner) {
+            F& body = *static_cast<F*>(lua_touserdata(inner, -1));
+            lua_settop(inner, -2);
+            body(inner);
+            return lua_gettop(inner);
         },
         0);
     lua_rotate(L, -arguments - 1, 1);
@@ -46,10 +46,10 @@ struct Pushing {
     template <class... A>
     auto operator()(lua_State* L, A... a) const {
         if constexpr (std::is_void_v<decltype(function(L, a...))>) {
-            protect(L, 0, 1, [&](lua_State* L) { function(L, a...); });
+            protect(L, 0, 1, [&](lua_State* inner) { function(inner, a...); });
         } else {
             decltype(function(L, a...)) result{};
-            protect(L, 0, 1, [&](lua_State* L) { result = function(L, a...); });
+            protect(L, 0, 1, [&](lua_State* inner) { result = function(inner, a...); });
             return result;
         }
     }
@@ -63,8 +63,9 @@ struct OnTable {
         if (!lua_checkstack(L, 1)) throw std::bad_alloc();
         lua_pushvalue(L, index);
         lua_rotate(L, -values - 1, 1);
-        protect(L, values + 1, results,
-                [&](lua_State* L) { function(L, 1, key), results ? lua_remove(L, 1) : lua_settop(L, 0); });
+        protect(L, values + 1, results, [&](lua_State* inner) {
+            function(inner, 1, key), results ? lua_remove(inner, 1) : lua_settop(inner, 0);
+        });
         return results ? lua_type(L, -1) : LUA_TNONE;
     }
 };
@@ -84,13 +85,13 @@ inline constexpr OnTable<::lua_rawsetp, 1, 0> lua_rawsetp;
 inline constexpr struct {
     void operator()(lua_State* L, lua_CFunction f, int upvalues) const {
         if (upvalues == 0) return ::lua_pushcclosure(L, f, 0);
-        protect(L, upvalues, 1, [=](lua_State* L) { ::lua_pushcclosure(L, f, upvalues); });
+        protect(L, upvalues, 1, [=](lua_State* inner) { ::lua_pushcclosure(inner, f, upvalues); });
     }
 } lua_pushcclosure;
 
 inline constexpr struct {
     void operator()(lua_State* L, const luaL_Reg* functions, int) const {
-        protect(L, 1, 1, [=](lua_State* L) { ::luaL_setfuncs(L, functions, 0); });
+        protect(L, 1, 1, [=](lua_State* inner) { ::luaL_setfuncs(inner, functions, 0); });
     }
 } luaL_setfuncs;  // without upvalues
 
@@ -99,7 +100,7 @@ inline constexpr struct {
         if (lua_type(L, index) != LUA_TNUMBER) return ::lua_tolstring(L, index, length);
         index = lua_absindex(L, index);
         lua_pushvalue(L, index);
-        protect(L, 1, 1, [](lua_State* L) { ::lua_tolstring(L, 1, nullptr); });
+        protect(L, 1, 1, [](lua_State* inner) { ::lua_tolstring(inner, 1, nullptr); });
         lua_replace(L, index);
         return ::lua_tolstring(L, index, length);
     }

@@ -62,7 +62,7 @@ void push_handles(lua_State* L, const Model& model, const char* kind) {
 struct LuaValue::Slot {
     lua_State* main;
     const Model* model;
-    Slot(lua_State* main, const Model* model) : main(main), model(model) {}
+    Slot(lua_State* of_main, const Model* of_model) : main(of_main), model(of_model) {}
     Slot(const Slot&) = delete;
     /// The model may be gone by now and its address another's: then that one's registry knows nothing of this key.
     ~Slot() {

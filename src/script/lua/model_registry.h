@@ -28,7 +28,7 @@ void push_handles(lua_State* L, const Model& model, const char* kind);
 /// cycle that Lua sees and collects. It may be used as long as an object of the script holds that registry.
 class LuaValue {
 public:
-    LuaValue(lua_State* L, int index, const Model& model);  ///< takes what is at index
+    LuaValue(lua_State* L, int index, const Model& model);  ///< the value at `index`
     void push(lua_State* L) const;
 
 private:

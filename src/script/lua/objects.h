@@ -40,7 +40,7 @@ struct Context {
         std::optional<Warning> of_units;         ///< the first such warning of the model checked last
         int warnings_told = 0, looked_over = 0;  ///< lines printed; models checked
         std::string described;                   ///< all plans printed so far: a loop's runs are described once
-        std::map<std::string, std::string> described_at;  ///< line of the run, by what was printed of its model
+        std::map<std::string, std::string> described_at;  ///< line of the run, by the text printed of its model
     };
     /// How the program was asked to execute the script.
     struct Mode {
@@ -65,7 +65,7 @@ struct Context {
         int made = 0;
         int begun = 0;                                    ///< runs that have taken a step
         int histories = 0;                                ///< numbered history files so far
-        std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, what and why
+        std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, text and reason
         std::set<int> asked;                              ///< runs whose verdict the script has read
     };
     /// The error that the engine raised last, to tell its kind from its text.
@@ -332,9 +332,8 @@ int set_gravity(lua_State* L);
 #include "script/bind/load_targets.inc"
 #undef HINGE_LOAD_ON
 
-/// Reads a quantity over time from a field of the options: a function, or points with linear interpolation.
-/// `each`: the value of a point beside its time. Empty if the field is absent. `jumps`: two points may have the
-/// same time.
+/// Reads a quantity over time from a field of the options: a function, or points with linear interpolation. `each`: the
+/// value of a point beside its time. Empty if the field is absent. `jumps`: two points may have the same time.
 History read_history(Options& o, const char* field, const std::string& each, const Model& model, bool jumps);
 
 /// Calls body, which changes its model: runs made before are then refused (advance).
@@ -342,7 +341,7 @@ int declaring(lua_State* L, const char* name, Body body);
 void note_change(lua_State* L, ScriptModel& model, const char* name);
 template <Name name, int most, Body body>
 int declares(lua_State* L) {
-    return taking(L, name.text, most, [](lua_State* L) { return declaring(L, name.text, body); });
+    return taking(L, name.text, most, [](lua_State* inner) { return declaring(inner, name.text, body); });
 }
 
 /// The case in field 'case' of a load, by name or handle; -1 where there is none.

@@ -86,30 +86,30 @@ void push_metatable(lua_State* L, bool times, lua_Integer count) {
 int push_probe_list(lua_State* L, bool times) {
     const lua_Integer count = lua_Integer(find<ProbeBox>(L, 1)->value->value.size());
     lua_pushvalue(L, 1);
-    protect(L, 1, 1, [times, count](lua_State* L) {
+    protect(L, 1, 1, [times, count](lua_State* inner) {
         // the probe's own value: { metatable of times, of values, how many they are for }
-        if (lua_getiuservalue(L, 1, 1) != LUA_TTABLE) {
-            ::lua_createtable(L, 4, 0);
-            lua_pushvalue(L, -1);
-            lua_setiuservalue(L, 1, 1);
+        if (lua_getiuservalue(inner, 1, 1) != LUA_TTABLE) {
+            ::lua_createtable(inner, 4, 0);
+            lua_pushvalue(inner, -1);
+            lua_setiuservalue(inner, 1, 1);
         }
-        const int kept = lua_gettop(L), which = times ? 1 : 2;
-        lua_rawgeti(L, kept, which + 2);
-        const bool known = lua_tointeger(L, -1) == count && lua_type(L, -1) == LUA_TNUMBER;
-        lua_settop(L, kept);
-        ::lua_createtable(L, 0, 0);
+        const int kept = lua_gettop(inner), which = times ? 1 : 2;
+        lua_rawgeti(inner, kept, which + 2);
+        const bool known = lua_tointeger(inner, -1) == count && lua_type(inner, -1) == LUA_TNUMBER;
+        lua_settop(inner, kept);
+        ::lua_createtable(inner, 0, 0);
         if (known) {
-            lua_rawgeti(L, kept, which);
+            lua_rawgeti(inner, kept, which);
         } else {
-            push_metatable(L, times, count);
-            lua_pushvalue(L, -1);
-            ::lua_rawseti(L, kept, which);
-            lua_pushinteger(L, count);
-            ::lua_rawseti(L, kept, which + 2);
+            push_metatable(inner, times, count);
+            lua_pushvalue(inner, -1);
+            ::lua_rawseti(inner, kept, which);
+            lua_pushinteger(inner, count);
+            ::lua_rawseti(inner, kept, which + 2);
         }
-        lua_setmetatable(L, -2);
-        lua_replace(L, 1);
-        lua_settop(L, 1);
+        lua_setmetatable(inner, -2);
+        lua_replace(inner, 1);
+        lua_settop(inner, 1);
     });
     return 1;
 }
@@ -117,12 +117,12 @@ int push_probe_list(lua_State* L, bool times) {
 void fill_probe_list(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TTABLE) return;
     lua_pushvalue(L, index);
-    protect(L, 1, 0, [](lua_State* L) {
-        if (lua_getmetatable(L, 1) && lua_rawgetp(L, 2, &mark) == LUA_TFUNCTION) {
-            lua_pushvalue(L, 1);
-            lua_call(L, 1, 0);
+    protect(L, 1, 0, [](lua_State* inner) {
+        if (lua_getmetatable(inner, 1) && lua_rawgetp(inner, 2, &mark) == LUA_TFUNCTION) {
+            lua_pushvalue(inner, 1);
+            lua_call(inner, 1, 0);
         }
-        lua_settop(L, 0);
+        lua_settop(inner, 0);
     });
 }
 

@@ -141,7 +141,9 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
     if (!over) return;
     for (const auto& [effect, n] : r.progress.changes) {
         if (n.awake + n.asleep < 3 && n.awake < 2 && n.asleep < 2) continue;
-        const auto times = [](int n) { return n == 1 ? std::string("once") : std::to_string(n) + " times"; };
+        const auto times = [](int count) {
+            return count == 1 ? std::string("once") : std::to_string(count) + " times";
+        };
         if (c.messages.events)
             write_event(
                 c, "changes",

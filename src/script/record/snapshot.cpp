@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "beam/fracture.h"
+#include "beam/fracture_limits.h"
 #include "beam/yield.h"
 #include "effects/declared.h"
 #include "run/statics.h"

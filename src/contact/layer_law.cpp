@@ -1,4 +1,4 @@
-#include "contact/ground_layer.h"
+#include "contact/layer_law.h"
 
 #include <algorithm>
 

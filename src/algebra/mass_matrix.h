@@ -19,9 +19,8 @@ public:
     /// Mass of all whole elements and rigid offset masses, at the positions of `state`.
     Mass(const Structure& structure, const State& state);
 
-    /// Computes again the mass of these elements at `pose`, and that of the rigid offset masses. A broken element
-    /// has no mass but that of its offset mass. Before its first call, solutions use the element positions of
-    /// `state`.
+    /// Computes again the mass of these elements at `pose`, and that of the rigid offset masses. A broken element has
+    /// no mass but that of its offset mass. Before its first call, solutions use the element positions of `state`.
     void renew(const std::vector<int>& elements, const State& state, const Configuration& pose);
     /// Computes the offset masses alone again, as rotated at `pose`.
     void rotate_offset_masses(const State& state, const Configuration& pose);

@@ -1,4 +1,4 @@
-#include "contact/contact.h"
+#include "contact/member_contacts.h"
 
 #include <algorithm>
 #include <array>

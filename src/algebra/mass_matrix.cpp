@@ -1,4 +1,4 @@
-#include "algebra/mass.h"
+#include "algebra/mass_matrix.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "beam/mass.h"
+#include "beam/element_mass.h"
 #include "algebra/blocks.h"
 #include "state/node_mass.h"
 

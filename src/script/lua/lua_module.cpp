@@ -4,7 +4,7 @@
 #include "script/bind/bind_hinges.h"
 #include "script/files/run_checkpoint.h"
 #include "script/lua/interrupts.h"
-#include "script/lua/module.h"
+#include "script/lua/lua_module.h"
 #include "script/files/installed_files.h"
 #include "script/files/processes.h"
 
@@ -74,9 +74,9 @@ int open_core(lua_State* L) {
 
 int open_module(lua_State* L) {
     const std::string init = prepare(L)->library + "/hinge/init.lua";
-    protect(L, 0, 1, [file = init.c_str()](lua_State* L) {
-        if (luaL_loadfilex(L, file, "t") != LUA_OK) lua_error(L);
-        lua_call(L, 0, 1);
+    protect(L, 0, 1, [file = init.c_str()](lua_State* inner) {
+        if (luaL_loadfilex(inner, file, "t") != LUA_OK) lua_error(inner);
+        lua_call(inner, 0, 1);
     });
     return 1;
 }
