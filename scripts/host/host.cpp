@@ -32,7 +32,7 @@ void engine_alone() {
     load.force = {0, 0, -1e4};
     model->add_load(load);
     hinge::FractureRule rule;
-    rule.hook = [](const hinge::SectionView& s) { return breaks(s.curvature_x, s.curvature_y); };
+    rule.hook = [](const hinge::SectionView& s) { return breaks(s.strain.curvature_x, s.strain.curvature_y); };
     model->add_fracture(rule);
 
     const auto structure = std::make_shared<const hinge::Structure>(model);
